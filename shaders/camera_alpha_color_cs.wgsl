@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -160,19 +160,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_212_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_212_: lt_mask_LightPlace;
     var phi_213_: bool;
-    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_214_: lt_mask_LightPlace;
     var phi_215_: bool;
-    var phi_220_: lt_bvh_traverse_Tree;
+    var phi_220_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_212_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_213_ = false;
         } else {
-            phi_212_ = lt_bvh_traverse_Tree();
+            phi_212_ = lt_mask_LightPlace();
             phi_213_ = true;
         }
         let _e83 = phi_212_;
@@ -180,18 +180,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_214_ = _e83;
         phi_215_ = _e85;
     } else {
-        phi_214_ = lt_bvh_traverse_Tree();
+        phi_214_ = lt_mask_LightPlace();
         phi_215_ = true;
     }
     let _e87 = phi_214_;
     let _e89 = phi_215_;
     if _e89 {
-        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_220_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_220_ = _e87;
     }
     let _e94 = phi_220_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -611,212 +611,210 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_774_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_794_: bool;
     var phi_807_: bool;
     var phi_808_: bool;
     var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
     var phi_813_: bool;
     var phi_814_: bool;
-    var phi_818_: bool;
-    var phi_822_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_821_: bool;
     var phi_897_: f32;
     var phi_904_: f32;
     var phi_912_: f32;
     var phi_919_: f32;
     var phi_927_: f32;
     var phi_934_: f32;
-    var phi_959_: f32;
-    var phi_964_: f32;
-    var phi_969_: f32;
-    var phi_1002_: bool;
-    var phi_1003_: bool;
-    var phi_1011_: u32;
-    var phi_1012_: u32;
-    var phi_1030_: vec3<f32>;
-    var phi_1031_: vec3<f32>;
-    var phi_1045_: u32;
-    var phi_1050_: u32;
-    var phi_1055_: u32;
-    var phi_1169_: bool;
-    var phi_1170_: bool;
-    var phi_1201_: u32;
-    var phi_1203_: lt_bvh_Hit;
-    var phi_1206_: u32;
-    var phi_1291_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1318_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1345_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1351_: u32;
-    var phi_1354_: u32;
-    var phi_1368_: u32;
-    var phi_1378_: u32;
-    var phi_1388_: u32;
-    var phi_1406_: u32;
-    var phi_1416_: u32;
-    var phi_1426_: u32;
-    var phi_1462_: u32;
-    var phi_1475_: u32;
-    var phi_1480_: u32;
-    var phi_1481_: u32;
-    var phi_1482_: u32;
-    var phi_1352_: u32;
+    var phi_957_: f32;
+    var phi_962_: f32;
+    var phi_967_: f32;
+    var phi_972_: f32;
+    var phi_977_: f32;
+    var phi_1008_: bool;
+    var phi_1009_: bool;
+    var phi_1017_: u32;
+    var phi_1018_: u32;
+    var phi_1035_: vec3<f32>;
+    var phi_1036_: vec3<f32>;
+    var phi_1049_: u32;
+    var phi_1054_: u32;
+    var phi_1059_: u32;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1205_: u32;
+    var phi_1207_: lt_bvh_Hit;
+    var phi_1210_: u32;
+    var phi_1295_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1322_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1349_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1355_: u32;
+    var phi_1358_: u32;
+    var phi_1372_: u32;
+    var phi_1382_: u32;
+    var phi_1392_: u32;
+    var phi_1410_: u32;
+    var phi_1420_: u32;
+    var phi_1430_: u32;
+    var phi_1466_: u32;
+    var phi_1479_: u32;
+    var phi_1484_: u32;
+    var phi_1485_: u32;
+    var phi_1486_: u32;
+    var phi_1356_: u32;
+    var phi_1359_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1540_: lt_bvh_Hit;
-    var phi_1543_: u32;
-    var phi_1589_: vec3<f32>;
-    var phi_1590_: vec3<f32>;
-    var phi_1621_: vec3<f32>;
-    var phi_1622_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1672_: bool;
-    var phi_1673_: bool;
-    var phi_1677_: f32;
-    var phi_1678_: f32;
-    var phi_1679_: f32;
-    var phi_1680_: f32;
-    var phi_1688_: f32;
-    var phi_1698_: bool;
-    var phi_1699_: bool;
-    var phi_1703_: f32;
-    var phi_1704_: f32;
-    var phi_1705_: f32;
-    var phi_1706_: f32;
-    var phi_1714_: f32;
-    var phi_1724_: bool;
-    var phi_1725_: bool;
-    var phi_1729_: f32;
-    var phi_1730_: f32;
-    var phi_1731_: f32;
-    var phi_1732_: f32;
-    var phi_1740_: f32;
-    var phi_1755_: f32;
-    var phi_1756_: bool;
-    var phi_1757_: f32;
-    var phi_1758_: bool;
+    var phi_1544_: lt_bvh_Hit;
+    var phi_1547_: u32;
+    var phi_1593_: vec3<f32>;
+    var phi_1594_: vec3<f32>;
+    var phi_1625_: vec3<f32>;
+    var phi_1626_: vec3<f32>;
+    var phi_1657_: vec3<f32>;
+    var phi_1658_: vec3<f32>;
+    var phi_1676_: bool;
+    var phi_1677_: bool;
+    var phi_1681_: f32;
+    var phi_1682_: f32;
+    var phi_1683_: f32;
+    var phi_1684_: f32;
+    var phi_1692_: f32;
+    var phi_1702_: bool;
+    var phi_1703_: bool;
+    var phi_1707_: f32;
+    var phi_1708_: f32;
+    var phi_1709_: f32;
+    var phi_1710_: f32;
+    var phi_1718_: f32;
+    var phi_1728_: bool;
+    var phi_1729_: bool;
+    var phi_1733_: f32;
+    var phi_1734_: f32;
+    var phi_1735_: f32;
+    var phi_1736_: f32;
+    var phi_1744_: f32;
     var phi_1759_: f32;
     var phi_1760_: bool;
-    var phi_1778_: f32;
-    var phi_1779_: bool;
-    var phi_1780_: bool;
-    var phi_1781_: f32;
-    var phi_1782_: bool;
+    var phi_1761_: f32;
+    var phi_1762_: bool;
+    var phi_1763_: f32;
+    var phi_1764_: bool;
+    var phi_1782_: f32;
     var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1785_: f32;
+    var phi_1786_: bool;
     var phi_1787_: bool;
-    var phi_1788_: f32;
-    var phi_1789_: bool;
-    var phi_1819_: vec3<f32>;
-    var phi_1820_: vec3<f32>;
-    var phi_1845_: vec3<f32>;
-    var phi_1846_: vec3<f32>;
-    var phi_1871_: vec3<f32>;
-    var phi_1872_: vec3<f32>;
-    var phi_1930_: f32;
-    var phi_1939_: f32;
-    var phi_1948_: f32;
-    var phi_1957_: f32;
-    var phi_1964_: f32;
-    var phi_1971_: f32;
-    var phi_1984_: f32;
-    var phi_1993_: f32;
-    var phi_2002_: f32;
-    var phi_2011_: f32;
-    var phi_2018_: f32;
-    var phi_2025_: f32;
-    var phi_2048_: f32;
-    var phi_2053_: f32;
-    var phi_2058_: f32;
-    var phi_2066_: f32;
-    var phi_2071_: f32;
-    var phi_2076_: f32;
-    var phi_2088_: f32;
-    var phi_2093_: f32;
-    var phi_2098_: f32;
-    var phi_2103_: f32;
-    var phi_2108_: lt_bvh_triangle_Intersection;
-    var phi_2109_: bool;
-    var phi_2110_: lt_bvh_triangle_Intersection;
-    var phi_2111_: bool;
-    var phi_2115_: lt_bvh_triangle_Intersection;
-    var phi_2116_: bool;
-    var phi_2117_: lt_bvh_triangle_Intersection;
-    var phi_2118_: bool;
-    var phi_2119_: bool;
+    var phi_1791_: bool;
+    var phi_1792_: f32;
+    var phi_1793_: bool;
+    var phi_1823_: vec3<f32>;
+    var phi_1824_: vec3<f32>;
+    var phi_1849_: vec3<f32>;
+    var phi_1850_: vec3<f32>;
+    var phi_1875_: vec3<f32>;
+    var phi_1876_: vec3<f32>;
+    var phi_1934_: f32;
+    var phi_1943_: f32;
+    var phi_1952_: f32;
+    var phi_1961_: f32;
+    var phi_1968_: f32;
+    var phi_1975_: f32;
+    var phi_1988_: f32;
+    var phi_1997_: f32;
+    var phi_2006_: f32;
+    var phi_2015_: f32;
+    var phi_2022_: f32;
+    var phi_2029_: f32;
+    var phi_2052_: f32;
+    var phi_2057_: f32;
+    var phi_2062_: f32;
+    var phi_2070_: f32;
+    var phi_2075_: f32;
+    var phi_2080_: f32;
+    var phi_2092_: f32;
+    var phi_2097_: f32;
+    var phi_2102_: f32;
+    var phi_2107_: f32;
+    var phi_2112_: lt_bvh_triangle_Intersection;
+    var phi_2113_: bool;
+    var phi_2114_: lt_bvh_triangle_Intersection;
+    var phi_2115_: bool;
+    var phi_2119_: lt_bvh_triangle_Intersection;
+    var phi_2120_: bool;
+    var phi_2121_: lt_bvh_triangle_Intersection;
+    var phi_2122_: bool;
     var phi_2123_: bool;
-    var phi_2127_: lt_bvh_triangle_Intersection;
-    var phi_2166_: bool;
-    var phi_2167_: bool;
-    var phi_2168_: bool;
-    var phi_2169_: bool;
+    var phi_2127_: bool;
+    var phi_2131_: lt_bvh_triangle_Intersection;
     var phi_2170_: bool;
     var phi_2171_: bool;
+    var phi_2172_: bool;
+    var phi_2173_: bool;
+    var phi_2174_: bool;
     var phi_2175_: bool;
-    var phi_2176_: bool;
-    var phi_2379_: f32;
-    var phi_2382_: bool;
-    var phi_2383_: bool;
+    var phi_2179_: bool;
+    var phi_2180_: bool;
+    var phi_2383_: f32;
+    var phi_2386_: bool;
     var phi_2387_: bool;
-    var phi_2395_: lt_bvh_Hit;
-    var phi_2396_: lt_bvh_Hit;
-    var phi_2397_: lt_bvh_Hit;
-    var phi_2398_: lt_bvh_Hit;
-    var phi_1541_: lt_bvh_Hit;
-    var phi_1544_: u32;
-    var phi_2399_: bool;
-    var phi_2438_: bool;
-    var phi_2439_: bool;
-    var phi_2470_: u32;
-    var phi_1204_: lt_bvh_Hit;
-    var phi_1207_: u32;
-    var phi_2471_: lt_bvh_Hit;
-    var phi_2472_: lt_bvh_Hit;
-    var phi_2473_: bool;
-    var phi_2477_: lt_bvh_Hit;
-    var phi_2541_: f32;
-    var phi_2546_: f32;
-    var phi_2551_: f32;
-    var phi_2562_: f32;
-    var phi_2567_: f32;
-    var phi_2572_: f32;
-    var phi_2648_: vec3<f32>;
-    var phi_2891_: vec3<f32>;
-    var phi_2906_: u32;
-    var phi_2933_: f32;
-    var phi_2940_: f32;
-    var phi_2947_: f32;
-    var phi_2982_: f32;
-    var phi_2989_: f32;
-    var phi_2996_: f32;
-    var phi_3034_: f32;
-    var phi_3041_: f32;
-    var phi_3048_: f32;
-    var phi_3107_: vec3<f32>;
-    var phi_3108_: vec3<f32>;
-    var phi_3109_: vec3<f32>;
-    var phi_3118_: f32;
-    var phi_3119_: f32;
-    var phi_3129_: f32;
-    var phi_3130_: f32;
-    var phi_3140_: f32;
-    var phi_3141_: f32;
-    var phi_3176_: abi_Sample;
+    var phi_2391_: bool;
+    var phi_2399_: lt_bvh_Hit;
+    var phi_2400_: lt_bvh_Hit;
+    var phi_2401_: lt_bvh_Hit;
+    var phi_2402_: lt_bvh_Hit;
+    var phi_1545_: lt_bvh_Hit;
+    var phi_1548_: u32;
+    var phi_2403_: bool;
+    var phi_2442_: bool;
+    var phi_2443_: bool;
+    var phi_2474_: u32;
+    var phi_1208_: lt_bvh_Hit;
+    var phi_1211_: u32;
+    var phi_2475_: lt_bvh_Hit;
+    var phi_2476_: lt_bvh_Hit;
+    var phi_2477_: bool;
+    var phi_2481_: lt_bvh_Hit;
+    var phi_2545_: f32;
+    var phi_2550_: f32;
+    var phi_2555_: f32;
+    var phi_2566_: f32;
+    var phi_2571_: f32;
+    var phi_2576_: f32;
+    var phi_2652_: vec3<f32>;
+    var phi_2895_: vec3<f32>;
+    var phi_2910_: u32;
+    var phi_2937_: f32;
+    var phi_2944_: f32;
+    var phi_2951_: f32;
+    var phi_2986_: f32;
+    var phi_2993_: f32;
+    var phi_3000_: f32;
+    var phi_3038_: f32;
+    var phi_3045_: f32;
+    var phi_3052_: f32;
+    var phi_3111_: vec3<f32>;
+    var phi_3112_: vec3<f32>;
+    var phi_3113_: vec3<f32>;
+    var phi_3122_: f32;
+    var phi_3123_: f32;
+    var phi_3133_: f32;
+    var phi_3134_: f32;
+    var phi_3144_: f32;
+    var phi_3145_: f32;
+    var phi_3180_: abi_Sample;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -830,7 +828,7 @@ fn function_() {
     let _e98 = p.member.size[0u];
     let _e100 = p.member.size[1u];
     let _e101 = lt_shaders_entry_pixel_index(_e73, _e98, _e100);
-    if (bitcast<i32>(_e101.root) != 0i) {
+    if (bitcast<i32>(_e101.word) != 0i) {
         let _e109 = p.member.eye;
         let _e114 = p.member.size[0u];
         let _e118 = ((((f32(_e73.x) + 0.5f) / f32(_e114)) * 2f) - 1f);
@@ -841,1541 +839,1542 @@ fn function_() {
         let _e145 = p.member.up;
         let _e156 = _lt_bvh_ray_Ray_new(_e109, vec3<f32>(((_e129.x + (_e131.x * _e118)) + (_e145.x * _e127)), ((_e129.y + (_e131.y * _e118)) + (_e145.y * _e127)), ((_e129.z + (_e131.z * _e118)) + (_e145.z * _e127))));
         let _e158 = lt_bvh_Hit(_e156.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e168 = abs(_e156.direction.x);
-        let _e170 = abs(_e156.direction.y);
-        let _e172 = abs(_e156.direction.z);
+        let _e161 = abs(_e156.direction.x);
+        let _e163 = abs(_e156.direction.y);
+        let _e165 = abs(_e156.direction.z);
         if (abs(_e156.origin.x) < 1000000000000000f) {
             if (abs(_e156.origin.y) < 1000000000000000f) {
-                if (abs(_e156.origin.z) < 1000000000000000f) {
-                    if (_e168 < 1000000000000000f) {
-                        if (_e170 < 1000000000000000f) {
-                            if (_e172 < 1000000000000000f) {
-                                if (_e168 > 0f) {
-                                    phi_792_ = bool();
-                                    phi_793_ = true;
-                                } else {
-                                    let _e180 = (_e170 > 0f);
-                                    if _e180 {
-                                        phi_791_ = bool();
-                                    } else {
-                                        phi_791_ = (_e172 > 0f);
-                                    }
-                                    let _e183 = phi_791_;
-                                    phi_792_ = _e183;
-                                    phi_793_ = _e180;
-                                }
-                                let _e185 = phi_792_;
-                                let _e187 = phi_793_;
-                                if _e187 {
-                                    phi_797_ = true;
-                                } else {
-                                    phi_797_ = _e185;
-                                }
-                                let _e189 = phi_797_;
-                                phi_798_ = _e189;
-                                phi_799_ = false;
-                            } else {
-                                phi_798_ = bool();
-                                phi_799_ = true;
-                            }
-                            let _e191 = phi_798_;
-                            let _e193 = phi_799_;
-                            phi_800_ = _e191;
-                            phi_801_ = false;
-                            phi_802_ = _e193;
-                        } else {
-                            phi_800_ = bool();
-                            phi_801_ = true;
-                            phi_802_ = false;
-                        }
-                        let _e195 = phi_800_;
-                        let _e197 = phi_801_;
-                        let _e199 = phi_802_;
-                        phi_803_ = _e195;
-                        phi_804_ = _e197;
-                        phi_805_ = _e199;
-                    } else {
-                        phi_803_ = bool();
-                        phi_804_ = true;
-                        phi_805_ = false;
-                    }
-                    let _e201 = phi_803_;
-                    let _e203 = phi_804_;
-                    let _e205 = phi_805_;
-                    phi_806_ = _e201;
-                    phi_807_ = _e203;
-                    phi_808_ = _e205;
-                } else {
-                    phi_806_ = bool();
-                    phi_807_ = true;
-                    phi_808_ = false;
-                }
-                let _e207 = phi_806_;
-                let _e209 = phi_807_;
-                let _e211 = phi_808_;
-                phi_809_ = _e207;
-                phi_810_ = _e209;
-                phi_811_ = _e211;
+                phi_767_ = (abs(_e156.origin.z) < 1000000000000000f);
+                phi_768_ = false;
             } else {
-                phi_809_ = bool();
-                phi_810_ = true;
-                phi_811_ = false;
+                phi_767_ = bool();
+                phi_768_ = true;
             }
-            let _e213 = phi_809_;
-            let _e215 = phi_810_;
-            let _e217 = phi_811_;
-            phi_812_ = _e213;
-            phi_813_ = _e215;
-            phi_814_ = _e217;
+            let _e177 = phi_767_;
+            let _e179 = phi_768_;
+            phi_769_ = _e177;
+            phi_770_ = _e179;
         } else {
-            phi_812_ = bool();
-            phi_813_ = true;
-            phi_814_ = false;
+            phi_769_ = bool();
+            phi_770_ = true;
         }
-        let _e219 = phi_812_;
-        let _e221 = phi_813_;
-        let _e223 = phi_814_;
-        if _e221 {
-            phi_818_ = true;
+        let _e181 = phi_769_;
+        let _e183 = phi_770_;
+        if _e183 {
+            phi_774_ = false;
         } else {
-            phi_818_ = _e223;
+            phi_774_ = _e181;
         }
-        let _e225 = phi_818_;
-        if _e225 {
-            phi_822_ = false;
+        let _e185 = phi_774_;
+        if _e185 {
+            if (_e161 < 1000000000000000f) {
+                if (_e163 < 1000000000000000f) {
+                    phi_787_ = (_e165 < 1000000000000000f);
+                    phi_788_ = false;
+                } else {
+                    phi_787_ = bool();
+                    phi_788_ = true;
+                }
+                let _e190 = phi_787_;
+                let _e192 = phi_788_;
+                phi_789_ = _e190;
+                phi_790_ = _e192;
+            } else {
+                phi_789_ = bool();
+                phi_790_ = true;
+            }
+            let _e194 = phi_789_;
+            let _e196 = phi_790_;
+            if _e196 {
+                phi_794_ = false;
+            } else {
+                phi_794_ = _e194;
+            }
+            let _e198 = phi_794_;
+            if _e198 {
+                if (_e161 > 0f) {
+                    phi_808_ = bool();
+                    phi_809_ = true;
+                } else {
+                    let _e200 = (_e163 > 0f);
+                    if _e200 {
+                        phi_807_ = bool();
+                    } else {
+                        phi_807_ = (_e165 > 0f);
+                    }
+                    let _e203 = phi_807_;
+                    phi_808_ = _e203;
+                    phi_809_ = _e200;
+                }
+                let _e205 = phi_808_;
+                let _e207 = phi_809_;
+                if _e207 {
+                    phi_813_ = true;
+                } else {
+                    phi_813_ = _e205;
+                }
+                let _e209 = phi_813_;
+                phi_814_ = _e209;
+                phi_815_ = false;
+            } else {
+                phi_814_ = bool();
+                phi_815_ = true;
+            }
+            let _e211 = phi_814_;
+            let _e213 = phi_815_;
+            phi_816_ = _e211;
+            phi_817_ = _e213;
         } else {
-            phi_822_ = _e219;
+            phi_816_ = bool();
+            phi_817_ = true;
         }
-        let _e227 = phi_822_;
-        if _e227 {
-            let _e228 = (0u >= _e77);
-            if _e228 {
-                phi_2471_ = lt_bvh_Hit();
+        let _e215 = phi_816_;
+        let _e217 = phi_817_;
+        if _e217 {
+            phi_821_ = false;
+        } else {
+            phi_821_ = _e215;
+        }
+        let _e219 = phi_821_;
+        if _e219 {
+            let _e220 = (0u >= _e77);
+            if _e220 {
+                phi_2475_ = lt_bvh_Hit();
             } else {
                 if (0u < _e77) {
                 } else {
                     return;
                 }
-                let _e234 = nodes.member[(0u + 0u)].frame[0u];
-                let _e238 = nodes.member[(0u + 0u)].frame[1u];
-                let _e242 = nodes.member[(0u + 0u)].frame[2u];
-                let _e246 = nodes.member[(0u + 0u)].frame[0u];
-                let _e250 = nodes.member[(0u + 0u)].frame[1u];
-                let _e254 = nodes.member[(0u + 0u)].frame[2u];
-                let _e258 = nodes.member[(0u + 0u)].frame[3u];
-                let _e296 = core_intrinsics_maximum_number_nsz_f32_(abs(_e156.direction.x), abs(_e156.direction.y));
-                let _e297 = core_intrinsics_maximum_number_nsz_f32_(_e296, abs(_e156.direction.z));
-                let _e298 = (_e297 * 0.0000000000009094947f);
-                if (abs(_e156.direction.x) < _e298) {
-                    phi_897_ = _e298;
+                let _e226 = nodes.member[(0u + 0u)].frame[0u];
+                let _e230 = nodes.member[(0u + 0u)].frame[1u];
+                let _e234 = nodes.member[(0u + 0u)].frame[2u];
+                let _e238 = nodes.member[(0u + 0u)].frame[0u];
+                let _e242 = nodes.member[(0u + 0u)].frame[1u];
+                let _e246 = nodes.member[(0u + 0u)].frame[2u];
+                let _e250 = nodes.member[(0u + 0u)].frame[3u];
+                let _e289 = core_intrinsics_maximum_number_nsz_f32_(abs(_e156.direction.x), abs(_e156.direction.y));
+                let _e290 = core_intrinsics_maximum_number_nsz_f32_(_e289, abs(_e156.direction.z));
+                let _e291 = (_e290 * 0.0000000000009094947f);
+                if (abs(_e156.direction.x) < _e291) {
+                    phi_897_ = _e291;
                 } else {
                     phi_897_ = abs(_e156.direction.x);
                 }
-                let _e305 = phi_897_;
+                let _e297 = phi_897_;
                 if (_e156.direction.x < 0f) {
-                    phi_904_ = (-1f / _e305);
+                    phi_904_ = (-1f / _e297);
                 } else {
-                    phi_904_ = (1f / _e305);
+                    phi_904_ = (1f / _e297);
                 }
-                let _e310 = phi_904_;
-                if (abs(_e156.direction.y) < _e298) {
-                    phi_912_ = _e298;
+                let _e302 = phi_904_;
+                if (abs(_e156.direction.y) < _e291) {
+                    phi_912_ = _e291;
                 } else {
                     phi_912_ = abs(_e156.direction.y);
                 }
-                let _e317 = phi_912_;
+                let _e308 = phi_912_;
                 if (_e156.direction.y < 0f) {
-                    phi_919_ = (-1f / _e317);
+                    phi_919_ = (-1f / _e308);
                 } else {
-                    phi_919_ = (1f / _e317);
+                    phi_919_ = (1f / _e308);
                 }
-                let _e322 = phi_919_;
-                if (abs(_e156.direction.z) < _e298) {
-                    phi_927_ = _e298;
+                let _e313 = phi_919_;
+                if (abs(_e156.direction.z) < _e291) {
+                    phi_927_ = _e291;
                 } else {
                     phi_927_ = abs(_e156.direction.z);
                 }
-                let _e329 = phi_927_;
+                let _e319 = phi_927_;
                 if (_e156.direction.z < 0f) {
-                    phi_934_ = (-1f / _e329);
+                    phi_934_ = (-1f / _e319);
                 } else {
-                    phi_934_ = (1f / _e329);
+                    phi_934_ = (1f / _e319);
                 }
-                let _e334 = phi_934_;
-                let _e342 = abs((bitcast<f32>(_e234) - _e156.origin.x));
-                let _e343 = abs((bitcast<f32>(_e238) - _e156.origin.y));
-                let _e344 = abs((bitcast<f32>(_e242) - _e156.origin.z));
-                let _e352 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
-                let _e353 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
-                let _e354 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
-                if (_e342 > _e352) {
-                    phi_959_ = _e342;
+                let _e324 = phi_934_;
+                let _e331 = abs((bitcast<f32>(_e226) - _e156.origin.x));
+                let _e332 = abs((bitcast<f32>(_e230) - _e156.origin.y));
+                let _e333 = abs((bitcast<f32>(_e234) - _e156.origin.z));
+                let _e340 = abs(((bitcast<f32>(_e238) + (bitcast<f32>((((_e250 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
+                let _e341 = abs(((bitcast<f32>(_e242) + (bitcast<f32>((((_e250 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
+                let _e342 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e250 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
+                if (_e331 > _e340) {
+                    phi_957_ = _e331;
                 } else {
-                    phi_959_ = _e352;
+                    phi_957_ = _e340;
                 }
-                let _e357 = phi_959_;
-                if (_e343 > _e353) {
-                    phi_964_ = _e343;
+                let _e345 = phi_957_;
+                if (_e332 > _e341) {
+                    phi_962_ = _e332;
                 } else {
-                    phi_964_ = _e353;
+                    phi_962_ = _e341;
                 }
-                let _e360 = phi_964_;
-                if (_e344 > _e354) {
-                    phi_969_ = _e344;
+                let _e348 = phi_962_;
+                if (_e333 > _e342) {
+                    phi_967_ = _e333;
                 } else {
-                    phi_969_ = _e354;
+                    phi_967_ = _e342;
                 }
-                let _e363 = phi_969_;
-                let _e364 = core_intrinsics_maximum_number_nsz_f32_(_e357, _e360);
-                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e364, _e363);
-                let _e370 = (_e365 * 0.0000019073486f);
-                let _e371 = (abs(_e310) * _e370);
-                let _e372 = (abs(_e322) * _e370);
-                let _e373 = (abs(_e334) * _e370);
-                let _e377 = (_e365 * 0.0000009536743f);
-                let _e378 = (abs(_e310) * _e377);
-                let _e379 = (abs(_e322) * _e377);
-                let _e380 = (abs(_e334) * _e377);
-                let _e383 = abs(_e156.direction.x);
-                let _e385 = abs(_e156.direction.y);
-                let _e387 = abs(_e156.direction.z);
-                if (_e383 >= _e385) {
-                    if (_e383 >= _e387) {
-                        phi_1002_ = false;
+                let _e351 = phi_967_;
+                if (_e345 > _e348) {
+                    phi_972_ = _e345;
+                } else {
+                    phi_972_ = _e348;
+                }
+                let _e354 = phi_972_;
+                if (_e354 > _e351) {
+                    phi_977_ = _e354;
+                } else {
+                    phi_977_ = _e351;
+                }
+                let _e357 = phi_977_;
+                let _e361 = (_e357 * 0.0000019073486f);
+                let _e362 = (abs(_e302) * _e361);
+                let _e363 = (abs(_e313) * _e361);
+                let _e364 = (abs(_e324) * _e361);
+                let _e368 = (_e357 * 0.0000009536743f);
+                let _e369 = (abs(_e302) * _e368);
+                let _e370 = (abs(_e313) * _e368);
+                let _e371 = (abs(_e324) * _e368);
+                let _e375 = abs(_e156.direction.x);
+                let _e377 = abs(_e156.direction.y);
+                let _e379 = abs(_e156.direction.z);
+                if (_e375 >= _e377) {
+                    if (_e375 >= _e379) {
+                        phi_1008_ = false;
                     } else {
-                        phi_1002_ = true;
+                        phi_1008_ = true;
                     }
-                    let _e391 = phi_1002_;
-                    phi_1003_ = _e391;
+                    let _e383 = phi_1008_;
+                    phi_1009_ = _e383;
                 } else {
-                    phi_1003_ = true;
+                    phi_1009_ = true;
                 }
-                let _e393 = phi_1003_;
-                if _e393 {
-                    if (_e385 >= _e387) {
-                        phi_1011_ = 1u;
+                let _e385 = phi_1009_;
+                if _e385 {
+                    if (_e377 >= _e379) {
+                        phi_1017_ = 1u;
                     } else {
-                        phi_1011_ = 2u;
+                        phi_1017_ = 2u;
                     }
-                    let _e396 = phi_1011_;
-                    phi_1012_ = _e396;
+                    let _e388 = phi_1017_;
+                    phi_1018_ = _e388;
                 } else {
-                    phi_1012_ = 0u;
+                    phi_1018_ = 0u;
                 }
-                let _e398 = phi_1012_;
-                if (_e398 == 0u) {
-                    phi_1031_ = vec3<f32>(_e156.direction.y, _e156.direction.z, _e156.direction.x);
+                let _e390 = phi_1018_;
+                if (_e390 == 0u) {
+                    phi_1036_ = vec3<f32>(_e156.direction.y, _e156.direction.z, _e156.direction.x);
                 } else {
-                    if (_e398 == 1u) {
-                        phi_1030_ = vec3<f32>(_e156.direction.z, _e156.direction.x, _e156.direction.y);
+                    if (_e390 == 1u) {
+                        phi_1035_ = vec3<f32>(_e156.direction.z, _e156.direction.x, _e156.direction.y);
                     } else {
-                        phi_1030_ = _e156.direction;
+                        phi_1035_ = _e156.direction;
                     }
-                    let _e411 = phi_1030_;
-                    phi_1031_ = _e411;
+                    let _e402 = phi_1035_;
+                    phi_1036_ = _e402;
                 }
-                let _e413 = phi_1031_;
-                let _e417 = (_e413.x / _e413.z);
-                let _e420 = (_e413.y / _e413.z);
-                if (_e310 < 0f) {
-                    phi_1045_ = 0u;
+                let _e404 = phi_1036_;
+                let _e407 = (_e404.x / _e404.z);
+                let _e410 = (_e404.y / _e404.z);
+                if (_e302 < 0f) {
+                    phi_1049_ = 0u;
                 } else {
-                    phi_1045_ = 1u;
+                    phi_1049_ = 1u;
                 }
-                let _e425 = phi_1045_;
-                if (_e322 < 0f) {
-                    phi_1050_ = 0u;
+                let _e415 = phi_1049_;
+                if (_e313 < 0f) {
+                    phi_1054_ = 0u;
                 } else {
-                    phi_1050_ = 2u;
+                    phi_1054_ = 2u;
                 }
-                let _e428 = phi_1050_;
-                if (_e334 < 0f) {
-                    phi_1055_ = 0u;
+                let _e418 = phi_1054_;
+                if (_e324 < 0f) {
+                    phi_1059_ = 0u;
                 } else {
-                    phi_1055_ = 4u;
+                    phi_1059_ = 4u;
                 }
-                let _e431 = phi_1055_;
-                let _e433 = ((_e425 | _e428) | _e431);
-                let _e434 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e434.first[0], _e434.first[1], _e434.first[2], _e434.first[3], _e434.first[4], _e434.first[5], _e434.first[6], _e434.first[7], _e434.first[8], _e434.first[9], _e434.first[10], _e434.first[11], _e434.first[12], _e434.first[13], _e434.first[14], _e434.first[15], _e434.first[16], _e434.first[17], _e434.first[18], _e434.first[19], _e434.first[20], _e434.first[21], _e434.first[22], _e434.first[23], _e434.first[24], _e434.first[25], _e434.first[26], _e434.first[27], _e434.first[28], _e434.first[29], _e434.first[30], _e434.first[31]), array<u32, 32>(_e434.mask[0], _e434.mask[1], _e434.mask[2], _e434.mask[3], _e434.mask[4], _e434.mask[5], _e434.mask[6], _e434.mask[7], _e434.mask[8], _e434.mask[9], _e434.mask[10], _e434.mask[11], _e434.mask[12], _e434.mask[13], _e434.mask[14], _e434.mask[15], _e434.mask[16], _e434.mask[17], _e434.mask[18], _e434.mask[19], _e434.mask[20], _e434.mask[21], _e434.mask[22], _e434.mask[23], _e434.mask[24], _e434.mask[25], _e434.mask[26], _e434.mask[27], _e434.mask[28], _e434.mask[29], _e434.mask[30], _e434.mask[31]), _e434.len, _e434.group, _e434.group_mask);
-                let _e508 = local_2.group_mask;
-                if ((_e508 & 4278190080u) == 0u) {
-                    let _e512 = local_2.len;
-                    if (_e512 == 0u) {
-                        phi_1169_ = false;
+                let _e421 = phi_1059_;
+                let _e423 = ((_e415 | _e418) | _e421);
+                let _e424 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e424.first[0], _e424.first[1], _e424.first[2], _e424.first[3], _e424.first[4], _e424.first[5], _e424.first[6], _e424.first[7], _e424.first[8], _e424.first[9], _e424.first[10], _e424.first[11], _e424.first[12], _e424.first[13], _e424.first[14], _e424.first[15], _e424.first[16], _e424.first[17], _e424.first[18], _e424.first[19], _e424.first[20], _e424.first[21], _e424.first[22], _e424.first[23], _e424.first[24], _e424.first[25], _e424.first[26], _e424.first[27], _e424.first[28], _e424.first[29], _e424.first[30], _e424.first[31]), array<u32, 32>(_e424.mask[0], _e424.mask[1], _e424.mask[2], _e424.mask[3], _e424.mask[4], _e424.mask[5], _e424.mask[6], _e424.mask[7], _e424.mask[8], _e424.mask[9], _e424.mask[10], _e424.mask[11], _e424.mask[12], _e424.mask[13], _e424.mask[14], _e424.mask[15], _e424.mask[16], _e424.mask[17], _e424.mask[18], _e424.mask[19], _e424.mask[20], _e424.mask[21], _e424.mask[22], _e424.mask[23], _e424.mask[24], _e424.mask[25], _e424.mask[26], _e424.mask[27], _e424.mask[28], _e424.mask[29], _e424.mask[30], _e424.mask[31]), _e424.len, _e424.group, _e424.group_mask);
+                let _e498 = local_2.group_mask;
+                if ((_e498 & 4278190080u) == 0u) {
+                    let _e502 = local_2.len;
+                    if (_e502 == 0u) {
+                        phi_1173_ = false;
                     } else {
-                        let _e516 = local_2.len;
-                        local_2.len = (_e516 - 1u);
-                        let _e519 = local_2.len;
-                        if (_e519 < 32u) {
+                        let _e506 = local_2.len;
+                        local_2.len = (_e506 - 1u);
+                        let _e509 = local_2.len;
+                        if (_e509 < 32u) {
                         } else {
                             return;
                         }
-                        let _e524 = local_2.first[(0u + _e519)];
-                        local_2.group = _e524;
-                        let _e527 = local_2.len;
-                        if (_e527 < 32u) {
+                        let _e514 = local_2.first[(0u + _e509)];
+                        local_2.group = _e514;
+                        let _e517 = local_2.len;
+                        if (_e517 < 32u) {
                         } else {
                             return;
                         }
-                        let _e532 = local_2.mask[(0u + _e527)];
-                        local_2.group_mask = _e532;
-                        phi_1169_ = true;
+                        let _e522 = local_2.mask[(0u + _e517)];
+                        local_2.group_mask = _e522;
+                        phi_1173_ = true;
                     }
-                    let _e535 = phi_1169_;
-                    phi_1170_ = _e535;
+                    let _e525 = phi_1173_;
+                    phi_1174_ = _e525;
                 } else {
-                    phi_1170_ = true;
+                    phi_1174_ = true;
                 }
-                let _e537 = phi_1170_;
-                if _e537 {
+                let _e527 = phi_1174_;
+                if _e527 {
+                    let _e529 = local_2.group_mask;
+                    let _e535 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e529)), 32u, (_e529 == 0u)));
                     let _e539 = local_2.group_mask;
-                    let _e545 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e539)), 32u, (_e539 == 0u)));
-                    let _e549 = local_2.group_mask;
-                    let _e563 = local_2.group_mask;
-                    local_2.group_mask = (_e563 & ~((1u << bitcast<u32>((_e545 & 31u)))));
-                    let _e566 = local_2.group;
-                    phi_1201_ = (_e566 + countOneBits(((_e549 & ~((4294967295u << bitcast<u32>((((_e545 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e553 = local_2.group_mask;
+                    local_2.group_mask = (_e553 & ~((1u << bitcast<u32>((_e535 & 31u)))));
+                    let _e556 = local_2.group;
+                    phi_1205_ = (_e556 + countOneBits(((_e539 & ~((4294967295u << bitcast<u32>((((_e535 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1201_ = 4294967295u;
+                    phi_1205_ = 4294967295u;
                 }
-                let _e569 = phi_1201_;
-                phi_1203_ = _e158;
-                phi_1206_ = _e569;
+                let _e559 = phi_1205_;
+                phi_1207_ = _e158;
+                phi_1210_ = _e559;
                 loop {
-                    let _e571 = phi_1203_;
-                    let _e573 = phi_1206_;
-                    local_7 = _e571;
-                    let _e574 = (_e573 != 4294967295u);
-                    if _e574 {
-                        if (_e573 < _e77) {
+                    let _e561 = phi_1207_;
+                    let _e563 = phi_1210_;
+                    local_7 = _e561;
+                    let _e564 = (_e563 != 4294967295u);
+                    if _e564 {
+                        if (_e563 < _e77) {
                         } else {
                             return;
                         }
-                        let _e582 = nodes.member[(0u + _e573)].frame[3u];
-                        let _e607 = (bitcast<f32>((((_e582 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
-                        let _e608 = (bitcast<f32>((((_e582 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
-                        let _e609 = (bitcast<f32>((((_e582 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e334);
-                        let _e612 = nodes.member[(0u + _e573)].frame[0u];
-                        let _e616 = nodes.member[(0u + _e573)].frame[1u];
-                        let _e620 = nodes.member[(0u + _e573)].frame[2u];
-                        let _e628 = ((bitcast<f32>(_e612) - _e156.origin.x) * _e310);
-                        let _e629 = ((bitcast<f32>(_e616) - _e156.origin.y) * _e322);
-                        let _e630 = ((bitcast<f32>(_e620) - _e156.origin.z) * _e334);
-                        let _e638 = nodes.member[(0u + _e573)].x;
-                        if (_e310 < 0f) {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.unnamed.root, _e638.w), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e638.x, _e655.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e661.unnamed_1.root, _e638.y));
+                        let _e572 = nodes.member[(0u + _e563)].frame[3u];
+                        let _e597 = (bitcast<f32>((((_e572 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
+                        let _e598 = (bitcast<f32>((((_e572 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
+                        let _e599 = (bitcast<f32>((((_e572 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
+                        let _e602 = nodes.member[(0u + _e563)].frame[0u];
+                        let _e606 = nodes.member[(0u + _e563)].frame[1u];
+                        let _e610 = nodes.member[(0u + _e563)].frame[2u];
+                        let _e618 = ((bitcast<f32>(_e602) - _e156.origin.x) * _e302);
+                        let _e619 = ((bitcast<f32>(_e606) - _e156.origin.y) * _e313);
+                        let _e620 = ((bitcast<f32>(_e610) - _e156.origin.z) * _e324);
+                        let _e628 = nodes.member[(0u + _e563)].x;
+                        if (_e302 < 0f) {
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
+                            phi_1295_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
                         } else {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e638.y), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e638.z, _e683.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e638.w));
+                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
+                            phi_1295_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
                         }
-                        let _e697 = phi_1291_;
-                        let _e707 = nodes.member[(0u + _e573)].y;
-                        if (_e322 < 0f) {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.unnamed.root, _e707.w), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e707.x, _e724.unnamed_1.first_primitive));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e730.unnamed_1.root, _e707.y));
+                        let _e687 = phi_1295_;
+                        let _e697 = nodes.member[(0u + _e563)].y;
+                        if (_e313 < 0f) {
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
+                            phi_1322_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
                         } else {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e707.y), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e707.z, _e752.unnamed_1.first_primitive));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e707.w));
+                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
+                            phi_1322_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
                         }
-                        let _e766 = phi_1318_;
-                        let _e776 = nodes.member[(0u + _e573)].z;
-                        if (_e334 < 0f) {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.unnamed.root, _e776.w), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e776.x, _e793.unnamed_1.first_primitive));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e799.unnamed_1.root, _e776.y));
+                        let _e756 = phi_1322_;
+                        let _e766 = nodes.member[(0u + _e563)].z;
+                        if (_e324 < 0f) {
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e777.unnamed.word, _e766.w), _e777.unnamed_1);
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e766.x, _e783.unnamed_1.shift));
+                            phi_1349_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_mask_LightPlace(_e789.unnamed_1.word, _e766.y));
                         } else {
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e815.unnamed.root, _e776.y), _e815.unnamed_1);
-                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e776.z, _e821.unnamed_1.first_primitive));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e827.unnamed_1.root, _e776.w));
+                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.unnamed.word, _e766.y), _e805.unnamed_1);
+                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e766.z, _e811.unnamed_1.shift));
+                            phi_1349_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_mask_LightPlace(_e817.unnamed_1.word, _e766.w));
                         }
-                        let _e835 = phi_1345_;
-                        phi_1351_ = 0u;
-                        phi_1354_ = 0u;
+                        let _e825 = phi_1349_;
+                        phi_1355_ = 0u;
+                        phi_1358_ = 0u;
                         loop {
-                            let _e845 = phi_1351_;
-                            let _e847 = phi_1354_;
-                            local_3 = _e847;
-                            local_4 = _e847;
-                            local_5 = _e847;
-                            let _e848 = (_e845 < 8u);
-                            if _e848 {
-                                let _e850 = (_e845 >> bitcast<u32>(2i));
-                                let _e851 = (_e845 & 3u);
-                                if (_e850 == 0u) {
-                                    phi_1368_ = _e697.unnamed.root;
+                            let _e835 = phi_1355_;
+                            let _e837 = phi_1358_;
+                            local_3 = _e837;
+                            local_4 = _e837;
+                            local_5 = _e837;
+                            let _e838 = (_e835 < 8u);
+                            if _e838 {
+                                let _e840 = (_e835 >> bitcast<u32>(2i));
+                                let _e841 = (_e835 & 3u);
+                                if (_e840 == 0u) {
+                                    phi_1372_ = _e687.unnamed.word;
                                 } else {
-                                    phi_1368_ = _e697.unnamed.first_primitive;
+                                    phi_1372_ = _e687.unnamed.shift;
                                 }
-                                let _e854 = phi_1368_;
-                                if (_e850 == 0u) {
-                                    phi_1378_ = _e766.unnamed.root;
+                                let _e844 = phi_1372_;
+                                if (_e840 == 0u) {
+                                    phi_1382_ = _e756.unnamed.word;
                                 } else {
-                                    phi_1378_ = _e766.unnamed.first_primitive;
+                                    phi_1382_ = _e756.unnamed.shift;
                                 }
-                                let _e863 = phi_1378_;
-                                if (_e850 == 0u) {
-                                    phi_1388_ = _e835.unnamed.root;
+                                let _e853 = phi_1382_;
+                                if (_e840 == 0u) {
+                                    phi_1392_ = _e825.unnamed.word;
                                 } else {
-                                    phi_1388_ = _e835.unnamed.first_primitive;
+                                    phi_1392_ = _e825.unnamed.shift;
                                 }
-                                let _e872 = phi_1388_;
-                                let _e885 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e854 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)), ((f32(((_e863 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
-                                let _e886 = core_intrinsics_maximum_number_nsz_f32_(_e885, ((f32(((_e872 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)));
-                                if (_e850 == 0u) {
-                                    phi_1406_ = _e697.unnamed_1.root;
+                                let _e862 = phi_1392_;
+                                let _e875 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 - _e362)), ((f32(((_e853 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e363)));
+                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e364)));
+                                if (_e840 == 0u) {
+                                    phi_1410_ = _e687.unnamed_1.word;
                                 } else {
-                                    phi_1406_ = _e697.unnamed_1.first_primitive;
+                                    phi_1410_ = _e687.unnamed_1.shift;
                                 }
-                                let _e889 = phi_1406_;
-                                if (_e850 == 0u) {
-                                    phi_1416_ = _e766.unnamed_1.root;
+                                let _e879 = phi_1410_;
+                                if (_e840 == 0u) {
+                                    phi_1420_ = _e756.unnamed_1.word;
                                 } else {
-                                    phi_1416_ = _e766.unnamed_1.first_primitive;
+                                    phi_1420_ = _e756.unnamed_1.shift;
                                 }
-                                let _e898 = phi_1416_;
-                                if (_e850 == 0u) {
-                                    phi_1426_ = _e835.unnamed_1.root;
+                                let _e888 = phi_1420_;
+                                if (_e840 == 0u) {
+                                    phi_1430_ = _e825.unnamed_1.word;
                                 } else {
-                                    phi_1426_ = _e835.unnamed_1.first_primitive;
+                                    phi_1430_ = _e825.unnamed_1.shift;
                                 }
-                                let _e907 = phi_1426_;
-                                let _e920 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)), ((f32(((_e898 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
-                                let _e921 = core_intrinsics_minimum_number_nsz_f32_(_e920, ((f32(((_e907 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)));
-                                if (_e886 <= _e921) {
-                                    if (_e886 <= _e571.t) {
-                                        if (_e921 >= _e156.tmin) {
-                                            if (_e850 == 0u) {
-                                                let _e928 = nodes.member[(0u + _e573)].links[2u];
-                                                phi_1462_ = _e928;
+                                let _e897 = phi_1430_;
+                                let _e910 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 + _e362)), ((f32(((_e888 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e363)));
+                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e364)));
+                                if (_e876 <= _e911) {
+                                    if (_e876 <= _e561.t) {
+                                        if (_e911 >= _e156.tmin) {
+                                            if (_e840 == 0u) {
+                                                let _e918 = nodes.member[(0u + _e563)].links[2u];
+                                                phi_1466_ = _e918;
                                             } else {
-                                                let _e931 = nodes.member[(0u + _e573)].links[3u];
-                                                phi_1462_ = _e931;
+                                                let _e921 = nodes.member[(0u + _e563)].links[3u];
+                                                phi_1466_ = _e921;
                                             }
-                                            let _e933 = phi_1462_;
-                                            let _e938 = ((_e933 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u);
-                                            let _e939 = (_e938 & 31u);
-                                            if (_e939 >= 24u) {
-                                                phi_1475_ = (24u + ((_e939 - 24u) ^ _e433));
+                                            let _e923 = phi_1466_;
+                                            let _e928 = ((_e923 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u);
+                                            let _e929 = (_e928 & 31u);
+                                            if (_e929 >= 24u) {
+                                                phi_1479_ = (24u + ((_e929 - 24u) ^ _e423));
                                             } else {
-                                                phi_1475_ = _e939;
+                                                phi_1479_ = _e929;
                                             }
-                                            let _e945 = phi_1475_;
-                                            phi_1480_ = (_e847 | ((_e938 >> bitcast<u32>(5i)) << bitcast<u32>((_e945 & 31u))));
+                                            let _e935 = phi_1479_;
+                                            phi_1484_ = (_e837 | ((_e928 >> bitcast<u32>(5i)) << bitcast<u32>((_e935 & 31u))));
                                         } else {
-                                            phi_1480_ = _e847;
+                                            phi_1484_ = _e837;
                                         }
-                                        let _e953 = phi_1480_;
-                                        phi_1481_ = _e953;
+                                        let _e943 = phi_1484_;
+                                        phi_1485_ = _e943;
                                     } else {
-                                        phi_1481_ = _e847;
+                                        phi_1485_ = _e837;
                                     }
-                                    let _e955 = phi_1481_;
-                                    phi_1482_ = _e955;
+                                    let _e945 = phi_1485_;
+                                    phi_1486_ = _e945;
                                 } else {
-                                    phi_1482_ = _e847;
+                                    phi_1486_ = _e837;
                                 }
-                                let _e957 = phi_1482_;
-                                phi_1352_ = (_e845 + 1u);
-                                phi_1355_ = _e957;
+                                let _e947 = phi_1486_;
+                                phi_1356_ = (_e835 + 1u);
+                                phi_1359_ = _e947;
                             } else {
-                                phi_1352_ = u32();
-                                phi_1355_ = u32();
+                                phi_1356_ = u32();
+                                phi_1359_ = u32();
                             }
-                            let _e960 = phi_1352_;
-                            let _e962 = phi_1355_;
+                            let _e950 = phi_1356_;
+                            let _e952 = phi_1359_;
                             continue;
                             continuing {
-                                phi_1351_ = _e960;
-                                phi_1354_ = _e962;
-                                break if !(_e848);
+                                phi_1355_ = _e950;
+                                phi_1358_ = _e952;
+                                break if !(_e838);
                             }
                         }
-                        let _e966 = nodes.member[(0u + _e573)].links[0u];
-                        let _e970 = nodes.member[(0u + _e573)].frame[3u];
-                        let _e974 = local_3;
-                        if ((_e974 & 4278190080u) == 0u) {
+                        let _e956 = nodes.member[(0u + _e563)].links[0u];
+                        let _e960 = nodes.member[(0u + _e563)].frame[3u];
+                        let _e964 = local_3;
+                        if ((_e964 & 4278190080u) == 0u) {
                         } else {
-                            let _e978 = local_2.group_mask;
-                            if ((_e978 & 4278190080u) == 0u) {
+                            let _e968 = local_2.group_mask;
+                            if ((_e968 & 4278190080u) == 0u) {
                             } else {
-                                let _e982 = local_2.len;
-                                if (_e982 < 32u) {
-                                    let _e985 = local_2.group;
-                                    let _e987 = local_2.len;
-                                    if (_e987 < 32u) {
+                                let _e972 = local_2.len;
+                                if (_e972 < 32u) {
+                                    let _e975 = local_2.group;
+                                    let _e977 = local_2.len;
+                                    if (_e977 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e987)] = _e985;
-                                    let _e993 = local_2.group_mask;
-                                    let _e995 = local_2.len;
-                                    if (_e995 < 32u) {
+                                    local_2.first[(0u + _e977)] = _e975;
+                                    let _e983 = local_2.group_mask;
+                                    let _e985 = local_2.len;
+                                    if (_e985 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e995)] = _e993;
-                                    let _e1002 = local_2.len;
-                                    local_2.len = (_e1002 + 1u);
+                                    local_2.mask[(0u + _e985)] = _e983;
+                                    let _e992 = local_2.len;
+                                    local_2.len = (_e992 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e966);
-                            let _e1006 = local_4;
-                            local_2.group_mask = ((_e1006 & 4278190080u) | (_e970 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e956);
+                            let _e996 = local_4;
+                            local_2.group_mask = ((_e996 & 4278190080u) | (_e960 >> bitcast<u32>(24i)));
                         }
-                        let _e1011 = local_5;
-                        phi_1540_ = _e571;
-                        phi_1543_ = (_e1011 & 16777215u);
+                        let _e1001 = local_5;
+                        phi_1544_ = _e561;
+                        phi_1547_ = (_e1001 & 16777215u);
                         loop {
-                            let _e1014 = phi_1540_;
-                            let _e1016 = phi_1543_;
-                            local_6 = _e1014;
-                            if (_e1016 == 0u) {
-                                phi_1541_ = lt_bvh_Hit();
-                                phi_1544_ = u32();
-                                phi_2399_ = false;
+                            let _e1004 = phi_1544_;
+                            let _e1006 = phi_1547_;
+                            local_6 = _e1004;
+                            if (_e1006 == 0u) {
+                                phi_1545_ = lt_bvh_Hit();
+                                phi_1548_ = u32();
+                                phi_2403_ = false;
                             } else {
-                                let _e1020 = nodes.member[(0u + _e573)].links[1u];
-                                let _e1025 = ((0u + _e1020) + select(firstTrailingBit(_e1016), 32u, (_e1016 == 0u)));
-                                if (_e1025 < _e80) {
+                                let _e1010 = nodes.member[(0u + _e563)].links[1u];
+                                let _e1015 = ((0u + _e1010) + select(firstTrailingBit(_e1006), 32u, (_e1006 == 0u)));
+                                if (_e1015 < _e80) {
                                 } else {
                                     return;
                                 }
-                                let _e1032 = triangles.member[(0u + _e1025)].v0_;
-                                let _e1035 = (_e1032.x - _e156.origin.x);
-                                let _e1038 = (_e1032.y - _e156.origin.y);
-                                let _e1041 = (_e1032.z - _e156.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1590_ = vec3<f32>(_e1038, _e1041, _e1035);
+                                let _e1022 = triangles.member[(0u + _e1015)].v0_;
+                                let _e1025 = (_e1022.x - _e156.origin.x);
+                                let _e1028 = (_e1022.y - _e156.origin.y);
+                                let _e1031 = (_e1022.z - _e156.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1594_ = vec3<f32>(_e1028, _e1031, _e1025);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1589_ = vec3<f32>(_e1041, _e1035, _e1038);
+                                    if (_e390 == 1u) {
+                                        phi_1593_ = vec3<f32>(_e1031, _e1025, _e1028);
                                     } else {
-                                        phi_1589_ = (_e1032 - _e156.origin);
+                                        phi_1593_ = (_e1022 - _e156.origin);
                                     }
-                                    let _e1048 = phi_1589_;
-                                    phi_1590_ = _e1048;
+                                    let _e1038 = phi_1593_;
+                                    phi_1594_ = _e1038;
                                 }
-                                let _e1050 = phi_1590_;
-                                let _e1054 = (_e1050.x - (_e417 * _e1050.z));
-                                let _e1058 = (_e1050.y - (_e420 * _e1050.z));
-                                let _e1060 = triangles.member[(0u + _e1025)].v1_;
-                                let _e1063 = (_e1060.x - _e156.origin.x);
-                                let _e1066 = (_e1060.y - _e156.origin.y);
-                                let _e1069 = (_e1060.z - _e156.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1622_ = vec3<f32>(_e1066, _e1069, _e1063);
+                                let _e1040 = phi_1594_;
+                                let _e1044 = (_e1040.x - (_e407 * _e1040.z));
+                                let _e1048 = (_e1040.y - (_e410 * _e1040.z));
+                                let _e1050 = triangles.member[(0u + _e1015)].v1_;
+                                let _e1053 = (_e1050.x - _e156.origin.x);
+                                let _e1056 = (_e1050.y - _e156.origin.y);
+                                let _e1059 = (_e1050.z - _e156.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1626_ = vec3<f32>(_e1056, _e1059, _e1053);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1621_ = vec3<f32>(_e1069, _e1063, _e1066);
+                                    if (_e390 == 1u) {
+                                        phi_1625_ = vec3<f32>(_e1059, _e1053, _e1056);
                                     } else {
-                                        phi_1621_ = (_e1060 - _e156.origin);
+                                        phi_1625_ = (_e1050 - _e156.origin);
                                     }
-                                    let _e1076 = phi_1621_;
-                                    phi_1622_ = _e1076;
+                                    let _e1066 = phi_1625_;
+                                    phi_1626_ = _e1066;
                                 }
-                                let _e1078 = phi_1622_;
-                                let _e1082 = (_e1078.x - (_e417 * _e1078.z));
-                                let _e1086 = (_e1078.y - (_e420 * _e1078.z));
-                                let _e1088 = triangles.member[(0u + _e1025)].v2_;
-                                let _e1091 = (_e1088.x - _e156.origin.x);
-                                let _e1094 = (_e1088.y - _e156.origin.y);
-                                let _e1097 = (_e1088.z - _e156.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1654_ = vec3<f32>(_e1094, _e1097, _e1091);
+                                let _e1068 = phi_1626_;
+                                let _e1072 = (_e1068.x - (_e407 * _e1068.z));
+                                let _e1076 = (_e1068.y - (_e410 * _e1068.z));
+                                let _e1078 = triangles.member[(0u + _e1015)].v2_;
+                                let _e1081 = (_e1078.x - _e156.origin.x);
+                                let _e1084 = (_e1078.y - _e156.origin.y);
+                                let _e1087 = (_e1078.z - _e156.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1658_ = vec3<f32>(_e1084, _e1087, _e1081);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1653_ = vec3<f32>(_e1097, _e1091, _e1094);
+                                    if (_e390 == 1u) {
+                                        phi_1657_ = vec3<f32>(_e1087, _e1081, _e1084);
                                     } else {
-                                        phi_1653_ = (_e1088 - _e156.origin);
+                                        phi_1657_ = (_e1078 - _e156.origin);
                                     }
-                                    let _e1104 = phi_1653_;
-                                    phi_1654_ = _e1104;
+                                    let _e1094 = phi_1657_;
+                                    phi_1658_ = _e1094;
                                 }
-                                let _e1106 = phi_1654_;
-                                let _e1110 = (_e1106.x - (_e417 * _e1106.z));
-                                let _e1114 = (_e1106.y - (_e420 * _e1106.z));
-                                if (_e1082 < _e1110) {
-                                    phi_1673_ = true;
+                                let _e1096 = phi_1658_;
+                                let _e1100 = (_e1096.x - (_e407 * _e1096.z));
+                                let _e1104 = (_e1096.y - (_e410 * _e1096.z));
+                                if (_e1072 < _e1100) {
+                                    phi_1677_ = true;
                                 } else {
-                                    if (_e1082 == _e1110) {
-                                        phi_1672_ = (_e1086 < _e1114);
+                                    if (_e1072 == _e1100) {
+                                        phi_1676_ = (_e1076 < _e1104);
                                     } else {
-                                        phi_1672_ = false;
+                                        phi_1676_ = false;
                                     }
-                                    let _e1119 = phi_1672_;
-                                    phi_1673_ = _e1119;
+                                    let _e1109 = phi_1676_;
+                                    phi_1677_ = _e1109;
                                 }
-                                let _e1121 = phi_1673_;
-                                if _e1121 {
-                                    phi_1677_ = _e1114;
-                                    phi_1678_ = _e1110;
-                                    phi_1679_ = _e1086;
-                                    phi_1680_ = _e1082;
+                                let _e1111 = phi_1677_;
+                                if _e1111 {
+                                    phi_1681_ = _e1104;
+                                    phi_1682_ = _e1100;
+                                    phi_1683_ = _e1076;
+                                    phi_1684_ = _e1072;
                                 } else {
-                                    phi_1677_ = _e1086;
-                                    phi_1678_ = _e1082;
-                                    phi_1679_ = _e1114;
-                                    phi_1680_ = _e1110;
+                                    phi_1681_ = _e1076;
+                                    phi_1682_ = _e1072;
+                                    phi_1683_ = _e1104;
+                                    phi_1684_ = _e1100;
                                 }
-                                let _e1123 = phi_1677_;
-                                let _e1125 = phi_1678_;
-                                let _e1127 = phi_1679_;
-                                let _e1129 = phi_1680_;
-                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
-                                if _e1121 {
-                                    phi_1688_ = -(_e1132);
+                                let _e1113 = phi_1681_;
+                                let _e1115 = phi_1682_;
+                                let _e1117 = phi_1683_;
+                                let _e1119 = phi_1684_;
+                                let _e1122 = ((_e1119 * _e1113) - (_e1117 * _e1115));
+                                if _e1111 {
+                                    phi_1692_ = -(_e1122);
                                 } else {
-                                    phi_1688_ = _e1132;
+                                    phi_1692_ = _e1122;
                                 }
-                                let _e1135 = phi_1688_;
-                                if (_e1110 < _e1054) {
-                                    phi_1699_ = true;
+                                let _e1125 = phi_1692_;
+                                if (_e1100 < _e1044) {
+                                    phi_1703_ = true;
                                 } else {
-                                    if (_e1110 == _e1054) {
-                                        phi_1698_ = (_e1114 < _e1058);
+                                    if (_e1100 == _e1044) {
+                                        phi_1702_ = (_e1104 < _e1048);
                                     } else {
-                                        phi_1698_ = false;
+                                        phi_1702_ = false;
                                     }
-                                    let _e1140 = phi_1698_;
-                                    phi_1699_ = _e1140;
+                                    let _e1130 = phi_1702_;
+                                    phi_1703_ = _e1130;
                                 }
-                                let _e1142 = phi_1699_;
-                                if _e1142 {
-                                    phi_1703_ = _e1058;
-                                    phi_1704_ = _e1054;
-                                    phi_1705_ = _e1114;
-                                    phi_1706_ = _e1110;
+                                let _e1132 = phi_1703_;
+                                if _e1132 {
+                                    phi_1707_ = _e1048;
+                                    phi_1708_ = _e1044;
+                                    phi_1709_ = _e1104;
+                                    phi_1710_ = _e1100;
                                 } else {
-                                    phi_1703_ = _e1114;
-                                    phi_1704_ = _e1110;
-                                    phi_1705_ = _e1058;
-                                    phi_1706_ = _e1054;
+                                    phi_1707_ = _e1104;
+                                    phi_1708_ = _e1100;
+                                    phi_1709_ = _e1048;
+                                    phi_1710_ = _e1044;
                                 }
-                                let _e1144 = phi_1703_;
-                                let _e1146 = phi_1704_;
-                                let _e1148 = phi_1705_;
-                                let _e1150 = phi_1706_;
-                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
-                                if _e1142 {
-                                    phi_1714_ = -(_e1153);
+                                let _e1134 = phi_1707_;
+                                let _e1136 = phi_1708_;
+                                let _e1138 = phi_1709_;
+                                let _e1140 = phi_1710_;
+                                let _e1143 = ((_e1140 * _e1134) - (_e1138 * _e1136));
+                                if _e1132 {
+                                    phi_1718_ = -(_e1143);
                                 } else {
-                                    phi_1714_ = _e1153;
+                                    phi_1718_ = _e1143;
                                 }
-                                let _e1156 = phi_1714_;
-                                if (_e1054 < _e1082) {
-                                    phi_1725_ = true;
+                                let _e1146 = phi_1718_;
+                                if (_e1044 < _e1072) {
+                                    phi_1729_ = true;
                                 } else {
-                                    if (_e1054 == _e1082) {
-                                        phi_1724_ = (_e1058 < _e1086);
+                                    if (_e1044 == _e1072) {
+                                        phi_1728_ = (_e1048 < _e1076);
                                     } else {
-                                        phi_1724_ = false;
+                                        phi_1728_ = false;
                                     }
-                                    let _e1161 = phi_1724_;
-                                    phi_1725_ = _e1161;
+                                    let _e1151 = phi_1728_;
+                                    phi_1729_ = _e1151;
                                 }
-                                let _e1163 = phi_1725_;
-                                if _e1163 {
-                                    phi_1729_ = _e1086;
-                                    phi_1730_ = _e1082;
-                                    phi_1731_ = _e1058;
-                                    phi_1732_ = _e1054;
+                                let _e1153 = phi_1729_;
+                                if _e1153 {
+                                    phi_1733_ = _e1076;
+                                    phi_1734_ = _e1072;
+                                    phi_1735_ = _e1048;
+                                    phi_1736_ = _e1044;
                                 } else {
-                                    phi_1729_ = _e1058;
-                                    phi_1730_ = _e1054;
-                                    phi_1731_ = _e1086;
-                                    phi_1732_ = _e1082;
+                                    phi_1733_ = _e1048;
+                                    phi_1734_ = _e1044;
+                                    phi_1735_ = _e1076;
+                                    phi_1736_ = _e1072;
                                 }
-                                let _e1165 = phi_1729_;
-                                let _e1167 = phi_1730_;
-                                let _e1169 = phi_1731_;
-                                let _e1171 = phi_1732_;
-                                let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
-                                if _e1163 {
-                                    phi_1740_ = -(_e1174);
+                                let _e1155 = phi_1733_;
+                                let _e1157 = phi_1734_;
+                                let _e1159 = phi_1735_;
+                                let _e1161 = phi_1736_;
+                                let _e1164 = ((_e1161 * _e1155) - (_e1159 * _e1157));
+                                if _e1153 {
+                                    phi_1744_ = -(_e1164);
                                 } else {
-                                    phi_1740_ = _e1174;
+                                    phi_1744_ = _e1164;
                                 }
-                                let _e1177 = phi_1740_;
-                                if (_e1135 >= 0f) {
-                                    if (_e1156 >= 0f) {
-                                        if (_e1177 >= 0f) {
-                                            phi_1755_ = ((_e1135 + _e1156) + _e1177);
-                                            phi_1756_ = false;
+                                let _e1167 = phi_1744_;
+                                if (_e1125 >= 0f) {
+                                    if (_e1146 >= 0f) {
+                                        if (_e1167 >= 0f) {
+                                            phi_1759_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1760_ = false;
                                         } else {
-                                            phi_1755_ = f32();
-                                            phi_1756_ = true;
+                                            phi_1759_ = f32();
+                                            phi_1760_ = true;
                                         }
-                                        let _e1184 = phi_1755_;
-                                        let _e1186 = phi_1756_;
-                                        phi_1757_ = _e1184;
-                                        phi_1758_ = _e1186;
+                                        let _e1174 = phi_1759_;
+                                        let _e1176 = phi_1760_;
+                                        phi_1761_ = _e1174;
+                                        phi_1762_ = _e1176;
                                     } else {
-                                        phi_1757_ = f32();
-                                        phi_1758_ = true;
+                                        phi_1761_ = f32();
+                                        phi_1762_ = true;
                                     }
-                                    let _e1188 = phi_1757_;
-                                    let _e1190 = phi_1758_;
-                                    phi_1759_ = _e1188;
-                                    phi_1760_ = _e1190;
+                                    let _e1178 = phi_1761_;
+                                    let _e1180 = phi_1762_;
+                                    phi_1763_ = _e1178;
+                                    phi_1764_ = _e1180;
                                 } else {
-                                    phi_1759_ = f32();
-                                    phi_1760_ = true;
+                                    phi_1763_ = f32();
+                                    phi_1764_ = true;
                                 }
-                                let _e1192 = phi_1759_;
-                                let _e1194 = phi_1760_;
-                                if _e1194 {
-                                    if (_e1135 <= 0f) {
-                                        if (_e1156 <= 0f) {
-                                            let _e1197 = (_e1177 <= 0f);
-                                            if _e1197 {
+                                let _e1182 = phi_1763_;
+                                let _e1184 = phi_1764_;
+                                if _e1184 {
+                                    if (_e1125 <= 0f) {
+                                        if (_e1146 <= 0f) {
+                                            let _e1187 = (_e1167 <= 0f);
+                                            if _e1187 {
                                             }
-                                            phi_1778_ = ((_e1135 + _e1156) + _e1177);
-                                            phi_1779_ = false;
-                                            phi_1780_ = _e1197;
+                                            phi_1782_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1783_ = false;
+                                            phi_1784_ = _e1187;
                                         } else {
-                                            phi_1778_ = f32();
-                                            phi_1779_ = true;
-                                            phi_1780_ = false;
+                                            phi_1782_ = f32();
+                                            phi_1783_ = true;
+                                            phi_1784_ = false;
                                         }
-                                        let _e1201 = phi_1778_;
-                                        let _e1203 = phi_1779_;
-                                        let _e1205 = phi_1780_;
-                                        phi_1781_ = _e1201;
-                                        phi_1782_ = _e1203;
-                                        phi_1783_ = _e1205;
+                                        let _e1191 = phi_1782_;
+                                        let _e1193 = phi_1783_;
+                                        let _e1195 = phi_1784_;
+                                        phi_1785_ = _e1191;
+                                        phi_1786_ = _e1193;
+                                        phi_1787_ = _e1195;
                                     } else {
-                                        phi_1781_ = f32();
-                                        phi_1782_ = true;
-                                        phi_1783_ = false;
-                                    }
-                                    let _e1207 = phi_1781_;
-                                    let _e1209 = phi_1782_;
-                                    let _e1211 = phi_1783_;
-                                    if _e1209 {
+                                        phi_1785_ = f32();
+                                        phi_1786_ = true;
                                         phi_1787_ = false;
-                                    } else {
-                                        phi_1787_ = _e1211;
                                     }
-                                    let _e1213 = phi_1787_;
-                                    phi_1788_ = _e1207;
-                                    phi_1789_ = _e1213;
-                                } else {
-                                    phi_1788_ = _e1192;
-                                    phi_1789_ = true;
-                                }
-                                let _e1215 = phi_1788_;
-                                let _e1217 = phi_1789_;
-                                if _e1217 {
-                                    let _e1218 = (_e1215 == 0f);
-                                    if _e1218 {
-                                        phi_2115_ = lt_bvh_triangle_Intersection();
-                                        phi_2116_ = false;
+                                    let _e1197 = phi_1785_;
+                                    let _e1199 = phi_1786_;
+                                    let _e1201 = phi_1787_;
+                                    if _e1199 {
+                                        phi_1791_ = false;
                                     } else {
-                                        let _e1220 = triangles.member[(0u + _e1025)].v0_;
-                                        let _e1223 = (_e1220.x - _e156.origin.x);
-                                        let _e1226 = (_e1220.y - _e156.origin.y);
-                                        let _e1229 = (_e1220.z - _e156.origin.z);
-                                        if (_e398 == 0u) {
-                                            phi_1820_ = vec3<f32>(_e1226, _e1229, _e1223);
-                                        } else {
-                                            if (_e398 == 1u) {
-                                                phi_1819_ = vec3<f32>(_e1229, _e1223, _e1226);
-                                            } else {
-                                                phi_1819_ = (_e1220 - _e156.origin);
-                                            }
-                                            let _e1236 = phi_1819_;
-                                            phi_1820_ = _e1236;
-                                        }
-                                        let _e1238 = phi_1820_;
-                                        let _e1240 = triangles.member[(0u + _e1025)].v1_;
-                                        let _e1242 = triangles.member[(0u + _e1025)].v0_;
-                                        let _e1245 = (_e1240.x - _e1242.x);
-                                        let _e1248 = (_e1240.y - _e1242.y);
-                                        let _e1251 = (_e1240.z - _e1242.z);
-                                        if (_e398 == 0u) {
-                                            phi_1846_ = vec3<f32>(_e1248, _e1251, _e1245);
-                                        } else {
-                                            if (_e398 == 1u) {
-                                                phi_1845_ = vec3<f32>(_e1251, _e1245, _e1248);
-                                            } else {
-                                                phi_1845_ = (_e1240 - _e1242);
-                                            }
-                                            let _e1258 = phi_1845_;
-                                            phi_1846_ = _e1258;
-                                        }
-                                        let _e1260 = phi_1846_;
-                                        let _e1262 = triangles.member[(0u + _e1025)].v2_;
-                                        let _e1264 = triangles.member[(0u + _e1025)].v0_;
-                                        let _e1267 = (_e1262.x - _e1264.x);
-                                        let _e1270 = (_e1262.y - _e1264.y);
-                                        let _e1273 = (_e1262.z - _e1264.z);
-                                        if (_e398 == 0u) {
-                                            phi_1872_ = vec3<f32>(_e1270, _e1273, _e1267);
-                                        } else {
-                                            if (_e398 == 1u) {
-                                                phi_1871_ = vec3<f32>(_e1273, _e1267, _e1270);
-                                            } else {
-                                                phi_1871_ = (_e1262 - _e1264);
-                                            }
-                                            let _e1280 = phi_1871_;
-                                            phi_1872_ = _e1280;
-                                        }
-                                        let _e1282 = phi_1872_;
-                                        let _e1289 = ((_e1260.y * _e1282.z) - (_e1260.z * _e1282.y));
-                                        let _e1296 = ((_e1260.z * _e1282.x) - (_e1260.x * _e1282.z));
-                                        let _e1303 = ((_e1260.x * _e1282.y) - (_e1260.y * _e1282.x));
-                                        let _e1317 = (((1f / _e413.z) * (((_e1289 * _e1238.x) + (_e1296 * _e1238.y)) + (_e1303 * _e1238.z))) / (((_e1289 * _e417) + (_e1296 * _e420)) + _e1303));
-                                        if (_e1317 > _e156.tmin) {
-                                            if (_e1317 < _e156.tmax) {
-                                                let _e1323 = triangles.member[(0u + _e1025)].v0_;
-                                                let _e1325 = triangles.member[(0u + _e1025)].v1_;
-                                                if (_e1323.x < _e1325.x) {
-                                                    phi_1930_ = _e1323.x;
-                                                } else {
-                                                    phi_1930_ = _e1325.x;
-                                                }
-                                                let _e1332 = phi_1930_;
-                                                if (_e1323.y < _e1325.y) {
-                                                    phi_1939_ = _e1323.y;
-                                                } else {
-                                                    phi_1939_ = _e1325.y;
-                                                }
-                                                let _e1339 = phi_1939_;
-                                                if (_e1323.z < _e1325.z) {
-                                                    phi_1948_ = _e1323.z;
-                                                } else {
-                                                    phi_1948_ = _e1325.z;
-                                                }
-                                                let _e1346 = phi_1948_;
-                                                let _e1348 = triangles.member[(0u + _e1025)].v2_;
-                                                if (_e1332 < _e1348.x) {
-                                                    phi_1957_ = _e1332;
-                                                } else {
-                                                    phi_1957_ = _e1348.x;
-                                                }
-                                                let _e1353 = phi_1957_;
-                                                if (_e1339 < _e1348.y) {
-                                                    phi_1964_ = _e1339;
-                                                } else {
-                                                    phi_1964_ = _e1348.y;
-                                                }
-                                                let _e1358 = phi_1964_;
-                                                if (_e1346 < _e1348.z) {
-                                                    phi_1971_ = _e1346;
-                                                } else {
-                                                    phi_1971_ = _e1348.z;
-                                                }
-                                                let _e1363 = phi_1971_;
-                                                let _e1365 = triangles.member[(0u + _e1025)].v0_;
-                                                let _e1367 = triangles.member[(0u + _e1025)].v1_;
-                                                if (_e1365.x > _e1367.x) {
-                                                    phi_1984_ = _e1365.x;
-                                                } else {
-                                                    phi_1984_ = _e1367.x;
-                                                }
-                                                let _e1374 = phi_1984_;
-                                                if (_e1365.y > _e1367.y) {
-                                                    phi_1993_ = _e1365.y;
-                                                } else {
-                                                    phi_1993_ = _e1367.y;
-                                                }
-                                                let _e1381 = phi_1993_;
-                                                if (_e1365.z > _e1367.z) {
-                                                    phi_2002_ = _e1365.z;
-                                                } else {
-                                                    phi_2002_ = _e1367.z;
-                                                }
-                                                let _e1388 = phi_2002_;
-                                                let _e1390 = triangles.member[(0u + _e1025)].v2_;
-                                                if (_e1374 > _e1390.x) {
-                                                    phi_2011_ = _e1374;
-                                                } else {
-                                                    phi_2011_ = _e1390.x;
-                                                }
-                                                let _e1395 = phi_2011_;
-                                                if (_e1381 > _e1390.y) {
-                                                    phi_2018_ = _e1381;
-                                                } else {
-                                                    phi_2018_ = _e1390.y;
-                                                }
-                                                let _e1400 = phi_2018_;
-                                                if (_e1388 > _e1390.z) {
-                                                    phi_2025_ = _e1388;
-                                                } else {
-                                                    phi_2025_ = _e1390.z;
-                                                }
-                                                let _e1405 = phi_2025_;
-                                                let _e1412 = ((_e1353 - _e156.origin.x) * _e310);
-                                                let _e1413 = ((_e1358 - _e156.origin.y) * _e322);
-                                                let _e1414 = ((_e1363 - _e156.origin.z) * _e334);
-                                                let _e1421 = ((_e1395 - _e156.origin.x) * _e310);
-                                                let _e1422 = ((_e1400 - _e156.origin.y) * _e322);
-                                                let _e1423 = ((_e1405 - _e156.origin.z) * _e334);
-                                                if (_e1412 < _e1421) {
-                                                    phi_2048_ = _e1412;
-                                                } else {
-                                                    phi_2048_ = _e1421;
-                                                }
-                                                let _e1426 = phi_2048_;
-                                                if (_e1413 < _e1422) {
-                                                    phi_2053_ = _e1413;
-                                                } else {
-                                                    phi_2053_ = _e1422;
-                                                }
-                                                let _e1429 = phi_2053_;
-                                                if (_e1414 < _e1423) {
-                                                    phi_2058_ = _e1414;
-                                                } else {
-                                                    phi_2058_ = _e1423;
-                                                }
-                                                let _e1432 = phi_2058_;
-                                                if (_e1412 > _e1421) {
-                                                    phi_2066_ = _e1412;
-                                                } else {
-                                                    phi_2066_ = _e1421;
-                                                }
-                                                let _e1438 = phi_2066_;
-                                                if (_e1413 > _e1422) {
-                                                    phi_2071_ = _e1413;
-                                                } else {
-                                                    phi_2071_ = _e1422;
-                                                }
-                                                let _e1441 = phi_2071_;
-                                                if (_e1414 > _e1423) {
-                                                    phi_2076_ = _e1414;
-                                                } else {
-                                                    phi_2076_ = _e1423;
-                                                }
-                                                let _e1444 = phi_2076_;
-                                                let _e1448 = core_intrinsics_maximum_number_nsz_f32_((_e1426 - _e378), (_e1429 - _e379));
-                                                let _e1449 = core_intrinsics_maximum_number_nsz_f32_(_e1448, (_e1432 - _e380));
-                                                let _e1450 = core_intrinsics_minimum_number_nsz_f32_((_e1438 + _e378), (_e1441 + _e379));
-                                                let _e1451 = core_intrinsics_minimum_number_nsz_f32_(_e1450, (_e1444 + _e380));
-                                                if (_e1449 > -300000000000000000000000000000000000000f) {
-                                                    phi_2088_ = _e1449;
-                                                } else {
-                                                    phi_2088_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1454 = phi_2088_;
-                                                if (_e1451 < 300000000000000000000000000000000000000f) {
-                                                    phi_2093_ = _e1451;
-                                                } else {
-                                                    phi_2093_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1457 = phi_2093_;
-                                                if (_e1317 < _e1454) {
-                                                    phi_2098_ = _e1454;
-                                                } else {
-                                                    phi_2098_ = _e1317;
-                                                }
-                                                let _e1460 = phi_2098_;
-                                                if (_e1460 > _e1457) {
-                                                    phi_2103_ = _e1457;
-                                                } else {
-                                                    phi_2103_ = _e1460;
-                                                }
-                                                let _e1463 = phi_2103_;
-                                                phi_2108_ = lt_bvh_triangle_Intersection(_e1463, (_e1156 / _e1215), (_e1177 / _e1215), (_e1454 <= _e1457));
-                                                phi_2109_ = false;
-                                            } else {
-                                                phi_2108_ = lt_bvh_triangle_Intersection();
-                                                phi_2109_ = true;
-                                            }
-                                            let _e1469 = phi_2108_;
-                                            let _e1471 = phi_2109_;
-                                            phi_2110_ = _e1469;
-                                            phi_2111_ = _e1471;
-                                        } else {
-                                            phi_2110_ = lt_bvh_triangle_Intersection();
-                                            phi_2111_ = true;
-                                        }
-                                        let _e1473 = phi_2110_;
-                                        let _e1475 = phi_2111_;
-                                        if _e1475 {
-                                        }
-                                        phi_2115_ = _e1473;
-                                        phi_2116_ = _e1475;
+                                        phi_1791_ = _e1201;
                                     }
-                                    let _e1477 = phi_2115_;
-                                    let _e1479 = phi_2116_;
-                                    phi_2117_ = _e1477;
-                                    phi_2118_ = _e1218;
-                                    phi_2119_ = _e1479;
+                                    let _e1203 = phi_1791_;
+                                    phi_1792_ = _e1197;
+                                    phi_1793_ = _e1203;
                                 } else {
-                                    phi_2117_ = lt_bvh_triangle_Intersection();
-                                    phi_2118_ = true;
-                                    phi_2119_ = false;
+                                    phi_1792_ = _e1182;
+                                    phi_1793_ = true;
                                 }
-                                let _e1481 = phi_2117_;
-                                let _e1483 = phi_2118_;
-                                let _e1485 = phi_2119_;
-                                if _e1483 {
-                                    phi_2123_ = true;
-                                } else {
-                                    phi_2123_ = _e1485;
-                                }
-                                let _e1487 = phi_2123_;
-                                if _e1487 {
-                                    phi_2127_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2127_ = _e1481;
-                                }
-                                let _e1489 = phi_2127_;
-                                if _e1489.is_hit {
-                                    if (_e1489.t > _e156.tmin) {
-                                        if (_e1489.t < _e1014.t) {
-                                            phi_2176_ = true;
+                                let _e1205 = phi_1792_;
+                                let _e1207 = phi_1793_;
+                                if _e1207 {
+                                    let _e1208 = (_e1205 == 0f);
+                                    if _e1208 {
+                                        phi_2119_ = lt_bvh_triangle_Intersection();
+                                        phi_2120_ = false;
+                                    } else {
+                                        let _e1210 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1213 = (_e1210.x - _e156.origin.x);
+                                        let _e1216 = (_e1210.y - _e156.origin.y);
+                                        let _e1219 = (_e1210.z - _e156.origin.z);
+                                        if (_e390 == 0u) {
+                                            phi_1824_ = vec3<f32>(_e1216, _e1219, _e1213);
                                         } else {
-                                            if (_e1489.t == _e1014.t) {
-                                                if (_e1014.triangle != 4294967295u) {
-                                                    if (_e1025 < _e1014.triangle) {
-                                                        phi_2167_ = true;
+                                            if (_e390 == 1u) {
+                                                phi_1823_ = vec3<f32>(_e1219, _e1213, _e1216);
+                                            } else {
+                                                phi_1823_ = (_e1210 - _e156.origin);
+                                            }
+                                            let _e1226 = phi_1823_;
+                                            phi_1824_ = _e1226;
+                                        }
+                                        let _e1228 = phi_1824_;
+                                        let _e1230 = triangles.member[(0u + _e1015)].v1_;
+                                        let _e1232 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1235 = (_e1230.x - _e1232.x);
+                                        let _e1238 = (_e1230.y - _e1232.y);
+                                        let _e1241 = (_e1230.z - _e1232.z);
+                                        if (_e390 == 0u) {
+                                            phi_1850_ = vec3<f32>(_e1238, _e1241, _e1235);
+                                        } else {
+                                            if (_e390 == 1u) {
+                                                phi_1849_ = vec3<f32>(_e1241, _e1235, _e1238);
+                                            } else {
+                                                phi_1849_ = (_e1230 - _e1232);
+                                            }
+                                            let _e1248 = phi_1849_;
+                                            phi_1850_ = _e1248;
+                                        }
+                                        let _e1250 = phi_1850_;
+                                        let _e1252 = triangles.member[(0u + _e1015)].v2_;
+                                        let _e1254 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1257 = (_e1252.x - _e1254.x);
+                                        let _e1260 = (_e1252.y - _e1254.y);
+                                        let _e1263 = (_e1252.z - _e1254.z);
+                                        if (_e390 == 0u) {
+                                            phi_1876_ = vec3<f32>(_e1260, _e1263, _e1257);
+                                        } else {
+                                            if (_e390 == 1u) {
+                                                phi_1875_ = vec3<f32>(_e1263, _e1257, _e1260);
+                                            } else {
+                                                phi_1875_ = (_e1252 - _e1254);
+                                            }
+                                            let _e1270 = phi_1875_;
+                                            phi_1876_ = _e1270;
+                                        }
+                                        let _e1272 = phi_1876_;
+                                        let _e1279 = ((_e1250.y * _e1272.z) - (_e1250.z * _e1272.y));
+                                        let _e1286 = ((_e1250.z * _e1272.x) - (_e1250.x * _e1272.z));
+                                        let _e1293 = ((_e1250.x * _e1272.y) - (_e1250.y * _e1272.x));
+                                        let _e1307 = (((1f / _e404.z) * (((_e1279 * _e1228.x) + (_e1286 * _e1228.y)) + (_e1293 * _e1228.z))) / (((_e1279 * _e407) + (_e1286 * _e410)) + _e1293));
+                                        if (_e1307 > _e156.tmin) {
+                                            if (_e1307 < _e156.tmax) {
+                                                let _e1313 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1315 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1313.x < _e1315.x) {
+                                                    phi_1934_ = _e1313.x;
+                                                } else {
+                                                    phi_1934_ = _e1315.x;
+                                                }
+                                                let _e1322 = phi_1934_;
+                                                if (_e1313.y < _e1315.y) {
+                                                    phi_1943_ = _e1313.y;
+                                                } else {
+                                                    phi_1943_ = _e1315.y;
+                                                }
+                                                let _e1329 = phi_1943_;
+                                                if (_e1313.z < _e1315.z) {
+                                                    phi_1952_ = _e1313.z;
+                                                } else {
+                                                    phi_1952_ = _e1315.z;
+                                                }
+                                                let _e1336 = phi_1952_;
+                                                let _e1338 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1322 < _e1338.x) {
+                                                    phi_1961_ = _e1322;
+                                                } else {
+                                                    phi_1961_ = _e1338.x;
+                                                }
+                                                let _e1343 = phi_1961_;
+                                                if (_e1329 < _e1338.y) {
+                                                    phi_1968_ = _e1329;
+                                                } else {
+                                                    phi_1968_ = _e1338.y;
+                                                }
+                                                let _e1348 = phi_1968_;
+                                                if (_e1336 < _e1338.z) {
+                                                    phi_1975_ = _e1336;
+                                                } else {
+                                                    phi_1975_ = _e1338.z;
+                                                }
+                                                let _e1353 = phi_1975_;
+                                                let _e1355 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1357 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1355.x > _e1357.x) {
+                                                    phi_1988_ = _e1355.x;
+                                                } else {
+                                                    phi_1988_ = _e1357.x;
+                                                }
+                                                let _e1364 = phi_1988_;
+                                                if (_e1355.y > _e1357.y) {
+                                                    phi_1997_ = _e1355.y;
+                                                } else {
+                                                    phi_1997_ = _e1357.y;
+                                                }
+                                                let _e1371 = phi_1997_;
+                                                if (_e1355.z > _e1357.z) {
+                                                    phi_2006_ = _e1355.z;
+                                                } else {
+                                                    phi_2006_ = _e1357.z;
+                                                }
+                                                let _e1378 = phi_2006_;
+                                                let _e1380 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1364 > _e1380.x) {
+                                                    phi_2015_ = _e1364;
+                                                } else {
+                                                    phi_2015_ = _e1380.x;
+                                                }
+                                                let _e1385 = phi_2015_;
+                                                if (_e1371 > _e1380.y) {
+                                                    phi_2022_ = _e1371;
+                                                } else {
+                                                    phi_2022_ = _e1380.y;
+                                                }
+                                                let _e1390 = phi_2022_;
+                                                if (_e1378 > _e1380.z) {
+                                                    phi_2029_ = _e1378;
+                                                } else {
+                                                    phi_2029_ = _e1380.z;
+                                                }
+                                                let _e1395 = phi_2029_;
+                                                let _e1402 = ((_e1343 - _e156.origin.x) * _e302);
+                                                let _e1403 = ((_e1348 - _e156.origin.y) * _e313);
+                                                let _e1404 = ((_e1353 - _e156.origin.z) * _e324);
+                                                let _e1411 = ((_e1385 - _e156.origin.x) * _e302);
+                                                let _e1412 = ((_e1390 - _e156.origin.y) * _e313);
+                                                let _e1413 = ((_e1395 - _e156.origin.z) * _e324);
+                                                if (_e1402 < _e1411) {
+                                                    phi_2052_ = _e1402;
+                                                } else {
+                                                    phi_2052_ = _e1411;
+                                                }
+                                                let _e1416 = phi_2052_;
+                                                if (_e1403 < _e1412) {
+                                                    phi_2057_ = _e1403;
+                                                } else {
+                                                    phi_2057_ = _e1412;
+                                                }
+                                                let _e1419 = phi_2057_;
+                                                if (_e1404 < _e1413) {
+                                                    phi_2062_ = _e1404;
+                                                } else {
+                                                    phi_2062_ = _e1413;
+                                                }
+                                                let _e1422 = phi_2062_;
+                                                if (_e1402 > _e1411) {
+                                                    phi_2070_ = _e1402;
+                                                } else {
+                                                    phi_2070_ = _e1411;
+                                                }
+                                                let _e1428 = phi_2070_;
+                                                if (_e1403 > _e1412) {
+                                                    phi_2075_ = _e1403;
+                                                } else {
+                                                    phi_2075_ = _e1412;
+                                                }
+                                                let _e1431 = phi_2075_;
+                                                if (_e1404 > _e1413) {
+                                                    phi_2080_ = _e1404;
+                                                } else {
+                                                    phi_2080_ = _e1413;
+                                                }
+                                                let _e1434 = phi_2080_;
+                                                let _e1438 = core_intrinsics_maximum_number_nsz_f32_((_e1416 - _e369), (_e1419 - _e370));
+                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_(_e1438, (_e1422 - _e371));
+                                                let _e1440 = core_intrinsics_minimum_number_nsz_f32_((_e1428 + _e369), (_e1431 + _e370));
+                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_(_e1440, (_e1434 + _e371));
+                                                if (_e1439 > -300000000000000000000000000000000000000f) {
+                                                    phi_2092_ = _e1439;
+                                                } else {
+                                                    phi_2092_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1444 = phi_2092_;
+                                                if (_e1441 < 300000000000000000000000000000000000000f) {
+                                                    phi_2097_ = _e1441;
+                                                } else {
+                                                    phi_2097_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1447 = phi_2097_;
+                                                if (_e1307 < _e1444) {
+                                                    phi_2102_ = _e1444;
+                                                } else {
+                                                    phi_2102_ = _e1307;
+                                                }
+                                                let _e1450 = phi_2102_;
+                                                if (_e1450 > _e1447) {
+                                                    phi_2107_ = _e1447;
+                                                } else {
+                                                    phi_2107_ = _e1450;
+                                                }
+                                                let _e1453 = phi_2107_;
+                                                phi_2112_ = lt_bvh_triangle_Intersection(_e1453, (_e1146 / _e1205), (_e1167 / _e1205), (_e1444 <= _e1447));
+                                                phi_2113_ = false;
+                                            } else {
+                                                phi_2112_ = lt_bvh_triangle_Intersection();
+                                                phi_2113_ = true;
+                                            }
+                                            let _e1459 = phi_2112_;
+                                            let _e1461 = phi_2113_;
+                                            phi_2114_ = _e1459;
+                                            phi_2115_ = _e1461;
+                                        } else {
+                                            phi_2114_ = lt_bvh_triangle_Intersection();
+                                            phi_2115_ = true;
+                                        }
+                                        let _e1463 = phi_2114_;
+                                        let _e1465 = phi_2115_;
+                                        if _e1465 {
+                                        }
+                                        phi_2119_ = _e1463;
+                                        phi_2120_ = _e1465;
+                                    }
+                                    let _e1467 = phi_2119_;
+                                    let _e1469 = phi_2120_;
+                                    phi_2121_ = _e1467;
+                                    phi_2122_ = _e1208;
+                                    phi_2123_ = _e1469;
+                                } else {
+                                    phi_2121_ = lt_bvh_triangle_Intersection();
+                                    phi_2122_ = true;
+                                    phi_2123_ = false;
+                                }
+                                let _e1471 = phi_2121_;
+                                let _e1473 = phi_2122_;
+                                let _e1475 = phi_2123_;
+                                if _e1473 {
+                                    phi_2127_ = true;
+                                } else {
+                                    phi_2127_ = _e1475;
+                                }
+                                let _e1477 = phi_2127_;
+                                if _e1477 {
+                                    phi_2131_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2131_ = _e1471;
+                                }
+                                let _e1479 = phi_2131_;
+                                if _e1479.is_hit {
+                                    if (_e1479.t > _e156.tmin) {
+                                        if (_e1479.t < _e1004.t) {
+                                            phi_2180_ = true;
+                                        } else {
+                                            if (_e1479.t == _e1004.t) {
+                                                if (_e1004.triangle != 4294967295u) {
+                                                    if (_e1015 < _e1004.triangle) {
+                                                        phi_2171_ = true;
                                                     } else {
-                                                        if (_e1025 == _e1014.triangle) {
-                                                            phi_2166_ = (4294967295u < _e1014.instance);
+                                                        if (_e1015 == _e1004.triangle) {
+                                                            phi_2170_ = (4294967295u < _e1004.instance);
                                                         } else {
-                                                            phi_2166_ = false;
+                                                            phi_2170_ = false;
                                                         }
-                                                        let _e1508 = phi_2166_;
-                                                        phi_2167_ = _e1508;
+                                                        let _e1498 = phi_2170_;
+                                                        phi_2171_ = _e1498;
                                                     }
-                                                    let _e1510 = phi_2167_;
-                                                    phi_2168_ = _e1510;
-                                                    phi_2169_ = false;
+                                                    let _e1500 = phi_2171_;
+                                                    phi_2172_ = _e1500;
+                                                    phi_2173_ = false;
                                                 } else {
-                                                    phi_2168_ = bool();
-                                                    phi_2169_ = true;
+                                                    phi_2172_ = bool();
+                                                    phi_2173_ = true;
                                                 }
-                                                let _e1512 = phi_2168_;
-                                                let _e1514 = phi_2169_;
-                                                phi_2170_ = _e1512;
-                                                phi_2171_ = _e1514;
+                                                let _e1502 = phi_2172_;
+                                                let _e1504 = phi_2173_;
+                                                phi_2174_ = _e1502;
+                                                phi_2175_ = _e1504;
                                             } else {
-                                                phi_2170_ = bool();
-                                                phi_2171_ = true;
+                                                phi_2174_ = bool();
+                                                phi_2175_ = true;
                                             }
-                                            let _e1516 = phi_2170_;
-                                            let _e1518 = phi_2171_;
-                                            if _e1518 {
-                                                phi_2175_ = false;
+                                            let _e1506 = phi_2174_;
+                                            let _e1508 = phi_2175_;
+                                            if _e1508 {
+                                                phi_2179_ = false;
                                             } else {
-                                                phi_2175_ = _e1516;
+                                                phi_2179_ = _e1506;
                                             }
-                                            let _e1520 = phi_2175_;
-                                            phi_2176_ = _e1520;
+                                            let _e1510 = phi_2179_;
+                                            phi_2180_ = _e1510;
                                         }
-                                        let _e1522 = phi_2176_;
-                                        if _e1522 {
-                                            let _e1524 = triangles.member[(0u + _e1025)].i0_;
-                                            if ((_e1524 & 2147483648u) == 0u) {
-                                                phi_2387_ = true;
+                                        let _e1512 = phi_2180_;
+                                        if _e1512 {
+                                            let _e1514 = triangles.member[(0u + _e1015)].i0_;
+                                            if ((_e1514 & 2147483648u) == 0u) {
+                                                phi_2391_ = true;
                                             } else {
-                                                if (_e1025 < _e80) {
+                                                if (_e1015 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1533 = triangles.member[(0u + _e1025)].i0_;
-                                                let _e1534 = (_e1533 & 2147483647u);
-                                                let _e1536 = triangles.member[(0u + _e1025)].i1_;
-                                                let _e1538 = triangles.member[(0u + _e1025)].i2_;
-                                                if (_e1534 < _e83) {
+                                                let _e1523 = triangles.member[(0u + _e1015)].i0_;
+                                                let _e1524 = (_e1523 & 2147483647u);
+                                                let _e1526 = triangles.member[(0u + _e1015)].i1_;
+                                                let _e1528 = triangles.member[(0u + _e1015)].i2_;
+                                                if (_e1524 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1542 = vertices.member[(0u + _e1534)];
-                                                if (_e1536 < _e83) {
+                                                let _e1532 = vertices.member[(0u + _e1524)];
+                                                if (_e1526 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1546 = vertices.member[(0u + _e1536)];
-                                                if (_e1538 < _e83) {
+                                                let _e1536 = vertices.member[(0u + _e1526)];
+                                                if (_e1528 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1550 = vertices.member[(0u + _e1538)];
-                                                let _e1551 = array<abi_Vertex, 3>(_e1542, _e1546, _e1550);
-                                                if (_e1551[0].material < _e86) {
+                                                let _e1540 = vertices.member[(0u + _e1528)];
+                                                let _e1541 = array<abi_Vertex, 3>(_e1532, _e1536, _e1540);
+                                                if (_e1541[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1557 = materials.member[(0u + _e1551[0].material)];
-                                                if ((_e1557.flags & 0u) == 0u) {
-                                                    let _e1562 = ((1f - _e1489.u) - _e1489.v);
-                                                    if (_e1557.cutoff <= 0f) {
-                                                        phi_2382_ = true;
+                                                let _e1547 = materials.member[(0u + _e1541[0].material)];
+                                                if ((_e1547.flags & 0u) == 0u) {
+                                                    let _e1552 = ((1f - _e1479.u) - _e1479.v);
+                                                    if (_e1547.cutoff <= 0f) {
+                                                        phi_2386_ = true;
                                                     } else {
-                                                        let _e1589 = (_e1557.base_color.w * ((((f32((_e1551[0].color >> bitcast<u32>(24i))) * _e1562) + (f32((_e1551[1].color >> bitcast<u32>(24i))) * _e1489.u)) + (f32((_e1551[2].color >> bitcast<u32>(24i))) * _e1489.v)) * (1f / 255f)));
-                                                        if (_e1557.alpha_size == 0u) {
-                                                            phi_2379_ = _e1589;
+                                                        let _e1579 = (_e1547.base_color.w * ((((f32((_e1541[0].color >> bitcast<u32>(24i))) * _e1552) + (f32((_e1541[1].color >> bitcast<u32>(24i))) * _e1479.u)) + (f32((_e1541[2].color >> bitcast<u32>(24i))) * _e1479.v)) * (1f / 255f)));
+                                                        if (_e1547.alpha_size == 0u) {
+                                                            phi_2383_ = _e1579;
                                                         } else {
-                                                            local_1.offset = _e1557.alpha_offset;
-                                                            local_1.size = _e1557.alpha_size;
-                                                            local_1.flags = _e1557.flags;
-                                                            let _e1620 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1551[0].u * _e1562) + (_e1551[1].u * _e1489.u)) + (_e1551[2].u * _e1489.v)), (((_e1551[0].v * _e1562) + (_e1551[1].v * _e1489.u)) + (_e1551[2].v * _e1489.v)));
-                                                            let _e1624 = (_e1620.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1624 < _e92) {
+                                                            local_1.offset = _e1547.alpha_offset;
+                                                            local_1.size = _e1547.alpha_size;
+                                                            local_1.flags = _e1547.flags;
+                                                            let _e1610 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1541[0].u * _e1552) + (_e1541[1].u * _e1479.u)) + (_e1541[2].u * _e1479.v)), (((_e1541[0].v * _e1552) + (_e1541[1].v * _e1479.u)) + (_e1541[2].v * _e1479.v)));
+                                                            let _e1614 = (_e1610.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1614 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1628 = alpha_texels.member[(0u + _e1624)];
-                                                            let _e1644 = (_e1620.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1644 < _e92) {
+                                                            let _e1618 = alpha_texels.member[(0u + _e1614)];
+                                                            let _e1634 = (_e1610.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1634 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1648 = alpha_texels.member[(0u + _e1644)];
-                                                            let _e1665 = (_e1620.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1665 < _e92) {
+                                                            let _e1638 = alpha_texels.member[(0u + _e1634)];
+                                                            let _e1655 = (_e1610.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1655 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1669 = alpha_texels.member[(0u + _e1665)];
-                                                            let _e1686 = (_e1620.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1686 < _e92) {
+                                                            let _e1659 = alpha_texels.member[(0u + _e1655)];
+                                                            let _e1676 = (_e1610.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1676 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1690 = alpha_texels.member[(0u + _e1686)];
-                                                            phi_2379_ = (_e1589 * (((((f32(((_e1628 >> bitcast<u32>((((_e1620.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.x) + ((f32(((_e1648 >> bitcast<u32>((((_e1620.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.y)) + ((f32(((_e1669 >> bitcast<u32>((((_e1620.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.z)) + ((f32(((_e1690 >> bitcast<u32>((((_e1620.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.w)));
+                                                            let _e1680 = alpha_texels.member[(0u + _e1676)];
+                                                            phi_2383_ = (_e1579 * (((((f32(((_e1618 >> bitcast<u32>((((_e1610.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.x) + ((f32(((_e1638 >> bitcast<u32>((((_e1610.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.y)) + ((f32(((_e1659 >> bitcast<u32>((((_e1610.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.z)) + ((f32(((_e1680 >> bitcast<u32>((((_e1610.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.w)));
                                                         }
-                                                        let _e1706 = phi_2379_;
-                                                        phi_2382_ = (_e1706 >= _e1557.cutoff);
+                                                        let _e1696 = phi_2383_;
+                                                        phi_2386_ = (_e1696 >= _e1547.cutoff);
                                                     }
-                                                    let _e1710 = phi_2382_;
-                                                    phi_2383_ = _e1710;
+                                                    let _e1700 = phi_2386_;
+                                                    phi_2387_ = _e1700;
                                                 } else {
-                                                    phi_2383_ = false;
+                                                    phi_2387_ = false;
                                                 }
-                                                let _e1712 = phi_2383_;
-                                                if _e1712 {
+                                                let _e1702 = phi_2387_;
+                                                if _e1702 {
                                                 }
-                                                phi_2387_ = _e1712;
+                                                phi_2391_ = _e1702;
                                             }
-                                            let _e1714 = phi_2387_;
-                                            if _e1714 {
-                                                phi_2395_ = lt_bvh_Hit(_e1489.t, _e1489.u, _e1489.v, _e1025, 4294967295u);
+                                            let _e1704 = phi_2391_;
+                                            if _e1704 {
+                                                phi_2399_ = lt_bvh_Hit(_e1479.t, _e1479.u, _e1479.v, _e1015, 4294967295u);
                                             } else {
-                                                phi_2395_ = _e1014;
+                                                phi_2399_ = _e1004;
                                             }
-                                            let _e1720 = phi_2395_;
-                                            phi_2396_ = _e1720;
+                                            let _e1710 = phi_2399_;
+                                            phi_2400_ = _e1710;
                                         } else {
-                                            phi_2396_ = _e1014;
+                                            phi_2400_ = _e1004;
                                         }
-                                        let _e1722 = phi_2396_;
-                                        phi_2397_ = _e1722;
+                                        let _e1712 = phi_2400_;
+                                        phi_2401_ = _e1712;
                                     } else {
-                                        phi_2397_ = _e1014;
+                                        phi_2401_ = _e1004;
                                     }
-                                    let _e1724 = phi_2397_;
-                                    phi_2398_ = _e1724;
+                                    let _e1714 = phi_2401_;
+                                    phi_2402_ = _e1714;
                                 } else {
-                                    phi_2398_ = _e1014;
+                                    phi_2402_ = _e1004;
                                 }
-                                let _e1726 = phi_2398_;
-                                phi_1541_ = _e1726;
-                                phi_1544_ = (_e1016 & (_e1016 - 1u));
-                                phi_2399_ = true;
+                                let _e1716 = phi_2402_;
+                                phi_1545_ = _e1716;
+                                phi_1548_ = (_e1006 & (_e1006 - 1u));
+                                phi_2403_ = true;
                             }
-                            let _e1728 = phi_1541_;
-                            let _e1730 = phi_1544_;
-                            let _e1732 = phi_2399_;
+                            let _e1718 = phi_1545_;
+                            let _e1720 = phi_1548_;
+                            let _e1722 = phi_2403_;
                             continue;
                             continuing {
-                                phi_1540_ = _e1728;
-                                phi_1543_ = _e1730;
-                                break if !(_e1732);
+                                phi_1544_ = _e1718;
+                                phi_1547_ = _e1720;
+                                break if !(_e1722);
                             }
                         }
-                        let _e1735 = local_2.group_mask;
-                        if ((_e1735 & 4278190080u) == 0u) {
-                            let _e1739 = local_2.len;
-                            if (_e1739 == 0u) {
-                                phi_2438_ = false;
+                        let _e1725 = local_2.group_mask;
+                        if ((_e1725 & 4278190080u) == 0u) {
+                            let _e1729 = local_2.len;
+                            if (_e1729 == 0u) {
+                                phi_2442_ = false;
                             } else {
-                                let _e1743 = local_2.len;
-                                local_2.len = (_e1743 - 1u);
-                                let _e1746 = local_2.len;
-                                if (_e1746 < 32u) {
+                                let _e1733 = local_2.len;
+                                local_2.len = (_e1733 - 1u);
+                                let _e1736 = local_2.len;
+                                if (_e1736 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1751 = local_2.first[(0u + _e1746)];
-                                local_2.group = _e1751;
-                                let _e1754 = local_2.len;
-                                if (_e1754 < 32u) {
+                                let _e1741 = local_2.first[(0u + _e1736)];
+                                local_2.group = _e1741;
+                                let _e1744 = local_2.len;
+                                if (_e1744 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1759 = local_2.mask[(0u + _e1754)];
-                                local_2.group_mask = _e1759;
-                                phi_2438_ = true;
+                                let _e1749 = local_2.mask[(0u + _e1744)];
+                                local_2.group_mask = _e1749;
+                                phi_2442_ = true;
                             }
-                            let _e1762 = phi_2438_;
-                            phi_2439_ = _e1762;
+                            let _e1752 = phi_2442_;
+                            phi_2443_ = _e1752;
                         } else {
-                            phi_2439_ = true;
+                            phi_2443_ = true;
                         }
-                        let _e1764 = phi_2439_;
-                        if _e1764 {
+                        let _e1754 = phi_2443_;
+                        if _e1754 {
+                            let _e1756 = local_2.group_mask;
+                            let _e1762 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1756)), 32u, (_e1756 == 0u)));
                             let _e1766 = local_2.group_mask;
-                            let _e1772 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1766)), 32u, (_e1766 == 0u)));
-                            let _e1776 = local_2.group_mask;
-                            let _e1790 = local_2.group_mask;
-                            local_2.group_mask = (_e1790 & ~((1u << bitcast<u32>((_e1772 & 31u)))));
-                            let _e1793 = local_2.group;
-                            phi_2470_ = (_e1793 + countOneBits(((_e1776 & ~((4294967295u << bitcast<u32>((((_e1772 - 24u) ^ _e433) & 31u))))) & 255u)));
+                            let _e1780 = local_2.group_mask;
+                            local_2.group_mask = (_e1780 & ~((1u << bitcast<u32>((_e1762 & 31u)))));
+                            let _e1783 = local_2.group;
+                            phi_2474_ = (_e1783 + countOneBits(((_e1766 & ~((4294967295u << bitcast<u32>((((_e1762 - 24u) ^ _e423) & 31u))))) & 255u)));
                         } else {
-                            phi_2470_ = 4294967295u;
+                            phi_2474_ = 4294967295u;
                         }
-                        let _e1796 = phi_2470_;
-                        let _e2643 = local_6;
-                        phi_1204_ = _e2643;
-                        phi_1207_ = _e1796;
+                        let _e1786 = phi_2474_;
+                        let _e2631 = local_6;
+                        phi_1208_ = _e2631;
+                        phi_1211_ = _e1786;
                     } else {
-                        phi_1204_ = lt_bvh_Hit();
-                        phi_1207_ = u32();
+                        phi_1208_ = lt_bvh_Hit();
+                        phi_1211_ = u32();
                     }
-                    let _e1798 = phi_1204_;
-                    let _e1800 = phi_1207_;
+                    let _e1788 = phi_1208_;
+                    let _e1790 = phi_1211_;
                     continue;
                     continuing {
-                        phi_1203_ = _e1798;
-                        phi_1206_ = _e1800;
-                        break if !(_e574);
+                        phi_1207_ = _e1788;
+                        phi_1210_ = _e1790;
+                        break if !(_e564);
                     }
                 }
-                let _e2647 = local_7;
-                phi_2471_ = _e2647;
+                let _e2635 = local_7;
+                phi_2475_ = _e2635;
             }
-            let _e1803 = phi_2471_;
-            phi_2472_ = _e1803;
-            phi_2473_ = _e228;
+            let _e1793 = phi_2475_;
+            phi_2476_ = _e1793;
+            phi_2477_ = _e220;
         } else {
-            phi_2472_ = lt_bvh_Hit();
-            phi_2473_ = true;
+            phi_2476_ = lt_bvh_Hit();
+            phi_2477_ = true;
         }
-        let _e1805 = phi_2472_;
-        let _e1807 = phi_2473_;
-        if _e1807 {
-            phi_2477_ = _e158;
+        let _e1795 = phi_2476_;
+        let _e1797 = phi_2477_;
+        if _e1797 {
+            phi_2481_ = _e158;
         } else {
-            phi_2477_ = _e1805;
+            phi_2481_ = _e1795;
         }
-        let _e1809 = phi_2477_;
-        if (_e1809.triangle != 4294967295u) {
-            let _e1815 = ((1f - _e1809.u) - _e1809.v);
-            if (_e1809.triangle < _e80) {
+        let _e1799 = phi_2481_;
+        if (_e1799.triangle != 4294967295u) {
+            let _e1805 = ((1f - _e1799.u) - _e1799.v);
+            if (_e1799.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1820 = triangles.member[(0u + _e1809.triangle)];
-            let _e1845 = (((_e1820.v0_.x * _e1815) + (_e1820.v1_.x * _e1809.u)) + (_e1820.v2_.x * _e1809.v));
-            let _e1846 = (((_e1820.v0_.y * _e1815) + (_e1820.v1_.y * _e1809.u)) + (_e1820.v2_.y * _e1809.v));
-            let _e1847 = (((_e1820.v0_.z * _e1815) + (_e1820.v1_.z * _e1809.u)) + (_e1820.v2_.z * _e1809.v));
-            let _e1850 = abs(_e1820.v0_.x);
-            let _e1852 = abs(_e1820.v0_.y);
-            let _e1854 = abs(_e1820.v0_.z);
-            let _e1856 = abs(_e1820.v1_.x);
-            let _e1858 = abs(_e1820.v1_.y);
-            let _e1860 = abs(_e1820.v1_.z);
-            if (_e1850 > _e1856) {
-                phi_2541_ = _e1850;
+            let _e1810 = triangles.member[(0u + _e1799.triangle)];
+            let _e1835 = (((_e1810.v0_.x * _e1805) + (_e1810.v1_.x * _e1799.u)) + (_e1810.v2_.x * _e1799.v));
+            let _e1836 = (((_e1810.v0_.y * _e1805) + (_e1810.v1_.y * _e1799.u)) + (_e1810.v2_.y * _e1799.v));
+            let _e1837 = (((_e1810.v0_.z * _e1805) + (_e1810.v1_.z * _e1799.u)) + (_e1810.v2_.z * _e1799.v));
+            let _e1840 = abs(_e1810.v0_.x);
+            let _e1842 = abs(_e1810.v0_.y);
+            let _e1844 = abs(_e1810.v0_.z);
+            let _e1846 = abs(_e1810.v1_.x);
+            let _e1848 = abs(_e1810.v1_.y);
+            let _e1850 = abs(_e1810.v1_.z);
+            if (_e1840 > _e1846) {
+                phi_2545_ = _e1840;
             } else {
-                phi_2541_ = _e1856;
+                phi_2545_ = _e1846;
             }
-            let _e1863 = phi_2541_;
-            if (_e1852 > _e1858) {
-                phi_2546_ = _e1852;
+            let _e1853 = phi_2545_;
+            if (_e1842 > _e1848) {
+                phi_2550_ = _e1842;
             } else {
-                phi_2546_ = _e1858;
+                phi_2550_ = _e1848;
             }
-            let _e1866 = phi_2546_;
-            if (_e1854 > _e1860) {
-                phi_2551_ = _e1854;
+            let _e1856 = phi_2550_;
+            if (_e1844 > _e1850) {
+                phi_2555_ = _e1844;
             } else {
-                phi_2551_ = _e1860;
+                phi_2555_ = _e1850;
             }
-            let _e1869 = phi_2551_;
-            let _e1871 = abs(_e1820.v2_.x);
-            let _e1873 = abs(_e1820.v2_.y);
-            let _e1875 = abs(_e1820.v2_.z);
-            if (_e1863 > _e1871) {
-                phi_2562_ = _e1863;
+            let _e1859 = phi_2555_;
+            let _e1861 = abs(_e1810.v2_.x);
+            let _e1863 = abs(_e1810.v2_.y);
+            let _e1865 = abs(_e1810.v2_.z);
+            if (_e1853 > _e1861) {
+                phi_2566_ = _e1853;
             } else {
-                phi_2562_ = _e1871;
+                phi_2566_ = _e1861;
             }
-            let _e1878 = phi_2562_;
-            if (_e1866 > _e1873) {
-                phi_2567_ = _e1866;
+            let _e1868 = phi_2566_;
+            if (_e1856 > _e1863) {
+                phi_2571_ = _e1856;
             } else {
-                phi_2567_ = _e1873;
+                phi_2571_ = _e1863;
             }
-            let _e1881 = phi_2567_;
-            if (_e1869 > _e1875) {
-                phi_2572_ = _e1869;
+            let _e1871 = phi_2571_;
+            if (_e1859 > _e1865) {
+                phi_2576_ = _e1859;
             } else {
-                phi_2572_ = _e1875;
+                phi_2576_ = _e1865;
             }
-            let _e1884 = phi_2572_;
-            let _e1887 = (_e1820.v1_.x - _e1820.v0_.x);
-            let _e1890 = (_e1820.v1_.y - _e1820.v0_.y);
-            let _e1893 = (_e1820.v1_.z - _e1820.v0_.z);
-            let _e1896 = (_e1820.v2_.x - _e1820.v0_.x);
-            let _e1899 = (_e1820.v2_.y - _e1820.v0_.y);
-            let _e1902 = (_e1820.v2_.z - _e1820.v0_.z);
-            let _e1906 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1890), abs(_e1893));
-            let _e1907 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1887), _e1906);
-            let _e1908 = (_e1887 / _e1907);
-            let _e1909 = (_e1890 / _e1907);
-            let _e1910 = (_e1893 / _e1907);
-            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1899), abs(_e1902));
-            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1896), _e1914);
-            let _e1916 = (_e1896 / _e1915);
-            let _e1917 = (_e1899 / _e1915);
-            let _e1918 = (_e1902 / _e1915);
-            let _e1921 = ((_e1909 * _e1918) - (_e1917 * _e1910));
-            let _e1924 = ((_e1910 * _e1916) - (_e1918 * _e1908));
-            let _e1927 = ((_e1908 * _e1917) - (_e1916 * _e1909));
-            let _e1929 = p.member.eye;
-            let _e1942 = (1f / sqrt((((_e1921 * _e1921) + (_e1924 * _e1924)) + (_e1927 * _e1927))));
-            let _e1943 = (_e1921 * _e1942);
-            let _e1944 = (_e1924 * _e1942);
-            let _e1945 = (_e1927 * _e1942);
-            if ((((_e1943 * (_e1929.x - _e1845)) + (_e1944 * (_e1929.y - _e1846))) + (_e1945 * (_e1929.z - _e1847))) < 0f) {
-                phi_2648_ = vec3<f32>(-(_e1943), -(_e1944), -(_e1945));
+            let _e1874 = phi_2576_;
+            let _e1877 = (_e1810.v1_.x - _e1810.v0_.x);
+            let _e1880 = (_e1810.v1_.y - _e1810.v0_.y);
+            let _e1883 = (_e1810.v1_.z - _e1810.v0_.z);
+            let _e1886 = (_e1810.v2_.x - _e1810.v0_.x);
+            let _e1889 = (_e1810.v2_.y - _e1810.v0_.y);
+            let _e1892 = (_e1810.v2_.z - _e1810.v0_.z);
+            let _e1896 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1880), abs(_e1883));
+            let _e1897 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1877), _e1896);
+            let _e1898 = (_e1877 / _e1897);
+            let _e1899 = (_e1880 / _e1897);
+            let _e1900 = (_e1883 / _e1897);
+            let _e1904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1889), abs(_e1892));
+            let _e1905 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1886), _e1904);
+            let _e1906 = (_e1886 / _e1905);
+            let _e1907 = (_e1889 / _e1905);
+            let _e1908 = (_e1892 / _e1905);
+            let _e1911 = ((_e1899 * _e1908) - (_e1907 * _e1900));
+            let _e1914 = ((_e1900 * _e1906) - (_e1908 * _e1898));
+            let _e1917 = ((_e1898 * _e1907) - (_e1906 * _e1899));
+            let _e1919 = p.member.eye;
+            let _e1932 = (1f / sqrt((((_e1911 * _e1911) + (_e1914 * _e1914)) + (_e1917 * _e1917))));
+            let _e1933 = (_e1911 * _e1932);
+            let _e1934 = (_e1914 * _e1932);
+            let _e1935 = (_e1917 * _e1932);
+            if ((((_e1933 * (_e1919.x - _e1835)) + (_e1934 * (_e1919.y - _e1836))) + (_e1935 * (_e1919.z - _e1837))) < 0f) {
+                phi_2652_ = vec3<f32>(-(_e1933), -(_e1934), -(_e1935));
             } else {
-                phi_2648_ = vec3<f32>(_e1943, _e1944, _e1945);
+                phi_2652_ = vec3<f32>(_e1933, _e1934, _e1935);
             }
-            let _e1958 = phi_2648_;
-            if (_e1809.triangle < _e80) {
+            let _e1948 = phi_2652_;
+            if (_e1799.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1963 = triangles.member[(0u + _e1809.triangle)];
-            let _e1965 = (_e1963.i0_ & 2147483647u);
-            if (_e1965 < _e83) {
+            let _e1953 = triangles.member[(0u + _e1799.triangle)];
+            let _e1955 = (_e1953.i0_ & 2147483647u);
+            if (_e1955 < _e83) {
             } else {
                 return;
             }
-            let _e1971 = vertices.member[(0u + _e1965)];
-            if (_e1963.i1_ < _e83) {
+            let _e1961 = vertices.member[(0u + _e1955)];
+            if (_e1953.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1975 = vertices.member[(0u + _e1963.i1_)];
-            if (_e1963.i2_ < _e83) {
+            let _e1965 = vertices.member[(0u + _e1953.i1_)];
+            if (_e1953.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1979 = vertices.member[(0u + _e1963.i2_)];
-            let _e1980 = array<abi_Vertex, 3>(_e1971, _e1975, _e1979);
-            if (_e1980[0].material < _e86) {
+            let _e1969 = vertices.member[(0u + _e1953.i2_)];
+            let _e1970 = array<abi_Vertex, 3>(_e1961, _e1965, _e1969);
+            if (_e1970[0].material < _e86) {
             } else {
                 return;
             }
-            let _e1986 = materials.member[(0u + _e1980[0].material)];
-            let _e2003 = (1f / 255f);
-            let _e2022 = (1f / 255f);
-            let _e2044 = (1f / 255f);
-            if (_e1986.color_size == 0u) {
-                phi_2891_ = vec3<f32>(1f, 1f, 1f);
+            let _e1976 = materials.member[(0u + _e1970[0].material)];
+            let _e1993 = (1f / 255f);
+            let _e2012 = (1f / 255f);
+            let _e2034 = (1f / 255f);
+            if (_e1976.color_size == 0u) {
+                phi_2895_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1986.color_offset;
-                local.size = _e1986.color_size;
-                local.flags = _e1986.flags;
-                let _e2087 = _lt_shaders_texture_TextureView_quad((&local), (((_e1980[0].u * _e1815) + (_e1980[1].u * _e1809.u)) + (_e1980[2].u * _e1809.v)), (((_e1980[0].v * _e1815) + (_e1980[1].v * _e1809.u)) + (_e1980[2].v * _e1809.v)));
-                if (_e2087.indices[0] < _e95) {
+                local.offset = _e1976.color_offset;
+                local.size = _e1976.color_size;
+                local.flags = _e1976.flags;
+                let _e2077 = _lt_shaders_texture_TextureView_quad((&local), (((_e1970[0].u * _e1805) + (_e1970[1].u * _e1799.u)) + (_e1970[2].u * _e1799.v)), (((_e1970[0].v * _e1805) + (_e1970[1].v * _e1799.u)) + (_e1970[2].v * _e1799.v)));
+                if (_e2077.indices[0] < _e95) {
                 } else {
                     return;
                 }
-                let _e2093 = color_texels.member[(0u + _e2087.indices[0])];
-                let _e2104 = (1f / 255f);
-                if (_e2087.indices[1] < _e95) {
+                let _e2083 = color_texels.member[(0u + _e2077.indices[0])];
+                let _e2094 = (1f / 255f);
+                if (_e2077.indices[1] < _e95) {
                 } else {
                     return;
                 }
-                let _e2118 = color_texels.member[(0u + _e2087.indices[1])];
-                let _e2129 = (1f / 255f);
-                if (_e2087.indices[2] < _e95) {
+                let _e2108 = color_texels.member[(0u + _e2077.indices[1])];
+                let _e2119 = (1f / 255f);
+                if (_e2077.indices[2] < _e95) {
                 } else {
                     return;
                 }
-                let _e2146 = color_texels.member[(0u + _e2087.indices[2])];
-                let _e2157 = (1f / 255f);
-                if (_e2087.indices[3] < _e95) {
+                let _e2136 = color_texels.member[(0u + _e2077.indices[2])];
+                let _e2147 = (1f / 255f);
+                if (_e2077.indices[3] < _e95) {
                 } else {
                     return;
                 }
-                let _e2174 = color_texels.member[(0u + _e2087.indices[3])];
-                let _e2185 = (1f / 255f);
-                let _e2194 = (((((f32((_e2093 & 255u)) * _e2104) * _e2087.weights.x) + ((f32((_e2118 & 255u)) * _e2129) * _e2087.weights.y)) + ((f32((_e2146 & 255u)) * _e2157) * _e2087.weights.z)) + ((f32((_e2174 & 255u)) * _e2185) * _e2087.weights.w));
-                let _e2195 = (((((f32(((_e2093 >> bitcast<u32>(8i)) & 255u)) * _e2104) * _e2087.weights.x) + ((f32(((_e2118 >> bitcast<u32>(8i)) & 255u)) * _e2129) * _e2087.weights.y)) + ((f32(((_e2146 >> bitcast<u32>(8i)) & 255u)) * _e2157) * _e2087.weights.z)) + ((f32(((_e2174 >> bitcast<u32>(8i)) & 255u)) * _e2185) * _e2087.weights.w));
-                let _e2196 = (((((f32(((_e2093 >> bitcast<u32>(16i)) & 255u)) * _e2104) * _e2087.weights.x) + ((f32(((_e2118 >> bitcast<u32>(16i)) & 255u)) * _e2129) * _e2087.weights.y)) + ((f32(((_e2146 >> bitcast<u32>(16i)) & 255u)) * _e2157) * _e2087.weights.z)) + ((f32(((_e2174 >> bitcast<u32>(16i)) & 255u)) * _e2185) * _e2087.weights.w));
-                phi_2891_ = vec3<f32>((_e2194 * _e2194), (_e2195 * _e2195), (_e2196 * _e2196));
+                let _e2164 = color_texels.member[(0u + _e2077.indices[3])];
+                let _e2175 = (1f / 255f);
+                let _e2184 = (((((f32((_e2083 & 255u)) * _e2094) * _e2077.weights.x) + ((f32((_e2108 & 255u)) * _e2119) * _e2077.weights.y)) + ((f32((_e2136 & 255u)) * _e2147) * _e2077.weights.z)) + ((f32((_e2164 & 255u)) * _e2175) * _e2077.weights.w));
+                let _e2185 = (((((f32(((_e2083 >> bitcast<u32>(8i)) & 255u)) * _e2094) * _e2077.weights.x) + ((f32(((_e2108 >> bitcast<u32>(8i)) & 255u)) * _e2119) * _e2077.weights.y)) + ((f32(((_e2136 >> bitcast<u32>(8i)) & 255u)) * _e2147) * _e2077.weights.z)) + ((f32(((_e2164 >> bitcast<u32>(8i)) & 255u)) * _e2175) * _e2077.weights.w));
+                let _e2186 = (((((f32(((_e2083 >> bitcast<u32>(16i)) & 255u)) * _e2094) * _e2077.weights.x) + ((f32(((_e2108 >> bitcast<u32>(16i)) & 255u)) * _e2119) * _e2077.weights.y)) + ((f32(((_e2136 >> bitcast<u32>(16i)) & 255u)) * _e2147) * _e2077.weights.z)) + ((f32(((_e2164 >> bitcast<u32>(16i)) & 255u)) * _e2175) * _e2077.weights.w));
+                phi_2895_ = vec3<f32>((_e2184 * _e2184), (_e2185 * _e2185), (_e2186 * _e2186));
             }
-            let _e2202 = phi_2891_;
-            let _e2204 = ((_e1986.base_color.x * ((((f32((_e1980[0].color & 255u)) * _e2003) * _e1815) + ((f32((_e1980[1].color & 255u)) * _e2022) * _e1809.u)) + ((f32((_e1980[2].color & 255u)) * _e2044) * _e1809.v))) * _e2202.x);
-            let _e2206 = ((_e1986.base_color.y * ((((f32(((_e1980[0].color >> bitcast<u32>(8i)) & 255u)) * _e2003) * _e1815) + ((f32(((_e1980[1].color >> bitcast<u32>(8i)) & 255u)) * _e2022) * _e1809.u)) + ((f32(((_e1980[2].color >> bitcast<u32>(8i)) & 255u)) * _e2044) * _e1809.v))) * _e2202.y);
-            let _e2208 = ((_e1986.base_color.z * ((((f32(((_e1980[0].color >> bitcast<u32>(16i)) & 255u)) * _e2003) * _e1815) + ((f32(((_e1980[1].color >> bitcast<u32>(16i)) & 255u)) * _e2022) * _e1809.u)) + ((f32(((_e1980[2].color >> bitcast<u32>(16i)) & 255u)) * _e2044) * _e1809.v))) * _e2202.z);
-            let _e2209 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1881, _e1884);
-            let _e2210 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1878, _e2209);
-            if ((_e1986.flags & 2u) == 0u) {
-                phi_2906_ = 0u;
+            let _e2192 = phi_2895_;
+            let _e2194 = ((_e1976.base_color.x * ((((f32((_e1970[0].color & 255u)) * _e1993) * _e1805) + ((f32((_e1970[1].color & 255u)) * _e2012) * _e1799.u)) + ((f32((_e1970[2].color & 255u)) * _e2034) * _e1799.v))) * _e2192.x);
+            let _e2196 = ((_e1976.base_color.y * ((((f32(((_e1970[0].color >> bitcast<u32>(8i)) & 255u)) * _e1993) * _e1805) + ((f32(((_e1970[1].color >> bitcast<u32>(8i)) & 255u)) * _e2012) * _e1799.u)) + ((f32(((_e1970[2].color >> bitcast<u32>(8i)) & 255u)) * _e2034) * _e1799.v))) * _e2192.y);
+            let _e2198 = ((_e1976.base_color.z * ((((f32(((_e1970[0].color >> bitcast<u32>(16i)) & 255u)) * _e1993) * _e1805) + ((f32(((_e1970[1].color >> bitcast<u32>(16i)) & 255u)) * _e2012) * _e1799.u)) + ((f32(((_e1970[2].color >> bitcast<u32>(16i)) & 255u)) * _e2034) * _e1799.v))) * _e2192.z);
+            let _e2199 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1871, _e1874);
+            let _e2200 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1868, _e2199);
+            if ((_e1976.flags & 2u) == 0u) {
+                phi_2910_ = 0u;
             } else {
-                phi_2906_ = 1u;
+                phi_2910_ = 1u;
             }
-            let _e2215 = phi_2906_;
-            if (_e1980[0].normal == 2147516416u) {
-                phi_3109_ = _e1958;
+            let _e2205 = phi_2910_;
+            if (_e1970[0].normal == 2147516416u) {
+                phi_3113_ = _e1948;
             } else {
-                let _e2228 = (f32((bitcast<i32>((_e1980[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2234 = (f32((bitcast<i32>(_e1980[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2238 = ((1f - abs(_e2228)) - abs(_e2234));
-                if (_e2238 < 0f) {
-                    phi_2933_ = -(_e2238);
-                } else {
-                    phi_2933_ = 0f;
-                }
-                let _e2242 = phi_2933_;
+                let _e2218 = (f32((bitcast<i32>((_e1970[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2224 = (f32((bitcast<i32>(_e1970[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2228 = ((1f - abs(_e2218)) - abs(_e2224));
                 if (_e2228 < 0f) {
-                    phi_2940_ = (_e2228 + _e2242);
+                    phi_2937_ = -(_e2228);
                 } else {
-                    phi_2940_ = (_e2228 - _e2242);
+                    phi_2937_ = 0f;
                 }
-                let _e2247 = phi_2940_;
-                if (_e2234 < 0f) {
-                    phi_2947_ = (_e2234 + _e2242);
+                let _e2232 = phi_2937_;
+                if (_e2218 < 0f) {
+                    phi_2944_ = (_e2218 + _e2232);
                 } else {
-                    phi_2947_ = (_e2234 - _e2242);
+                    phi_2944_ = (_e2218 - _e2232);
                 }
-                let _e2252 = phi_2947_;
-                let _e2259 = (1f / sqrt((((_e2247 * _e2247) + (_e2252 * _e2252)) + (_e2238 * _e2238))));
-                let _e2275 = (f32((bitcast<i32>((_e1980[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2281 = (f32((bitcast<i32>(_e1980[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2285 = ((1f - abs(_e2275)) - abs(_e2281));
-                if (_e2285 < 0f) {
-                    phi_2982_ = -(_e2285);
+                let _e2237 = phi_2944_;
+                if (_e2224 < 0f) {
+                    phi_2951_ = (_e2224 + _e2232);
                 } else {
-                    phi_2982_ = 0f;
+                    phi_2951_ = (_e2224 - _e2232);
                 }
-                let _e2289 = phi_2982_;
+                let _e2242 = phi_2951_;
+                let _e2249 = (1f / sqrt((((_e2237 * _e2237) + (_e2242 * _e2242)) + (_e2228 * _e2228))));
+                let _e2265 = (f32((bitcast<i32>((_e1970[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2271 = (f32((bitcast<i32>(_e1970[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2275 = ((1f - abs(_e2265)) - abs(_e2271));
                 if (_e2275 < 0f) {
-                    phi_2989_ = (_e2275 + _e2289);
+                    phi_2986_ = -(_e2275);
                 } else {
-                    phi_2989_ = (_e2275 - _e2289);
+                    phi_2986_ = 0f;
                 }
-                let _e2294 = phi_2989_;
-                if (_e2281 < 0f) {
-                    phi_2996_ = (_e2281 + _e2289);
+                let _e2279 = phi_2986_;
+                if (_e2265 < 0f) {
+                    phi_2993_ = (_e2265 + _e2279);
                 } else {
-                    phi_2996_ = (_e2281 - _e2289);
+                    phi_2993_ = (_e2265 - _e2279);
                 }
-                let _e2299 = phi_2996_;
-                let _e2306 = (1f / sqrt((((_e2294 * _e2294) + (_e2299 * _e2299)) + (_e2285 * _e2285))));
-                let _e2325 = (f32((bitcast<i32>((_e1980[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2331 = (f32((bitcast<i32>(_e1980[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2335 = ((1f - abs(_e2325)) - abs(_e2331));
-                if (_e2335 < 0f) {
-                    phi_3034_ = -(_e2335);
+                let _e2284 = phi_2993_;
+                if (_e2271 < 0f) {
+                    phi_3000_ = (_e2271 + _e2279);
                 } else {
-                    phi_3034_ = 0f;
+                    phi_3000_ = (_e2271 - _e2279);
                 }
-                let _e2339 = phi_3034_;
+                let _e2289 = phi_3000_;
+                let _e2296 = (1f / sqrt((((_e2284 * _e2284) + (_e2289 * _e2289)) + (_e2275 * _e2275))));
+                let _e2315 = (f32((bitcast<i32>((_e1970[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2321 = (f32((bitcast<i32>(_e1970[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2325 = ((1f - abs(_e2315)) - abs(_e2321));
                 if (_e2325 < 0f) {
-                    phi_3041_ = (_e2325 + _e2339);
+                    phi_3038_ = -(_e2325);
                 } else {
-                    phi_3041_ = (_e2325 - _e2339);
+                    phi_3038_ = 0f;
                 }
-                let _e2344 = phi_3041_;
-                if (_e2331 < 0f) {
-                    phi_3048_ = (_e2331 + _e2339);
+                let _e2329 = phi_3038_;
+                if (_e2315 < 0f) {
+                    phi_3045_ = (_e2315 + _e2329);
                 } else {
-                    phi_3048_ = (_e2331 - _e2339);
+                    phi_3045_ = (_e2315 - _e2329);
                 }
-                let _e2349 = phi_3048_;
-                let _e2356 = (1f / sqrt((((_e2344 * _e2344) + (_e2349 * _e2349)) + (_e2335 * _e2335))));
-                let _e2367 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2247 * _e2259) * _e1815) + ((_e2294 * _e2306) * _e1809.u)) + ((_e2344 * _e2356) * _e1809.v)), ((((_e2252 * _e2259) * _e1815) + ((_e2299 * _e2306) * _e1809.u)) + ((_e2349 * _e2356) * _e1809.v)), ((((_e2238 * _e2259) * _e1815) + ((_e2285 * _e2306) * _e1809.u)) + ((_e2335 * _e2356) * _e1809.v))));
-                let _e2379 = sqrt((((_e2367.x * _e2367.x) + (_e2367.y * _e2367.y)) + (_e2367.z * _e2367.z)));
-                if (_e2379 > 0f) {
-                    let _e2382 = (_e2367.x / _e2379);
-                    let _e2384 = (_e2367.y / _e2379);
-                    let _e2386 = (_e2367.z / _e2379);
-                    if ((((_e2382 * _e1958.x) + (_e2384 * _e1958.y)) + (_e2386 * _e1958.z)) < 0f) {
-                        phi_3107_ = vec3<f32>(-(_e2382), -(_e2384), -(_e2386));
+                let _e2334 = phi_3045_;
+                if (_e2321 < 0f) {
+                    phi_3052_ = (_e2321 + _e2329);
+                } else {
+                    phi_3052_ = (_e2321 - _e2329);
+                }
+                let _e2339 = phi_3052_;
+                let _e2346 = (1f / sqrt((((_e2334 * _e2334) + (_e2339 * _e2339)) + (_e2325 * _e2325))));
+                let _e2357 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2237 * _e2249) * _e1805) + ((_e2284 * _e2296) * _e1799.u)) + ((_e2334 * _e2346) * _e1799.v)), ((((_e2242 * _e2249) * _e1805) + ((_e2289 * _e2296) * _e1799.u)) + ((_e2339 * _e2346) * _e1799.v)), ((((_e2228 * _e2249) * _e1805) + ((_e2275 * _e2296) * _e1799.u)) + ((_e2325 * _e2346) * _e1799.v))));
+                let _e2369 = sqrt((((_e2357.x * _e2357.x) + (_e2357.y * _e2357.y)) + (_e2357.z * _e2357.z)));
+                if (_e2369 > 0f) {
+                    let _e2372 = (_e2357.x / _e2369);
+                    let _e2374 = (_e2357.y / _e2369);
+                    let _e2376 = (_e2357.z / _e2369);
+                    if ((((_e2372 * _e1948.x) + (_e2374 * _e1948.y)) + (_e2376 * _e1948.z)) < 0f) {
+                        phi_3111_ = vec3<f32>(-(_e2372), -(_e2374), -(_e2376));
                     } else {
-                        phi_3107_ = (_e2367 / vec3(_e2379));
+                        phi_3111_ = (_e2357 / vec3(_e2369));
                     }
-                    let _e2403 = phi_3107_;
-                    phi_3108_ = _e2403;
+                    let _e2393 = phi_3111_;
+                    phi_3112_ = _e2393;
                 } else {
-                    phi_3108_ = _e1958;
+                    phi_3112_ = _e1948;
                 }
-                let _e2405 = phi_3108_;
-                phi_3109_ = _e2405;
+                let _e2395 = phi_3112_;
+                phi_3113_ = _e2395;
             }
-            let _e2407 = phi_3109_;
-            if (_e2204 > 0f) {
-                if (_e2204 < 1f) {
-                    phi_3118_ = _e2204;
+            let _e2397 = phi_3113_;
+            if (_e2194 > 0f) {
+                if (_e2194 < 1f) {
+                    phi_3122_ = _e2194;
                 } else {
-                    phi_3118_ = 1f;
+                    phi_3122_ = 1f;
                 }
-                let _e2411 = phi_3118_;
-                phi_3119_ = _e2411;
+                let _e2401 = phi_3122_;
+                phi_3123_ = _e2401;
             } else {
-                phi_3119_ = 0f;
+                phi_3123_ = 0f;
             }
-            let _e2413 = phi_3119_;
-            if (_e2206 > 0f) {
-                if (_e2206 < 1f) {
-                    phi_3129_ = _e2206;
+            let _e2403 = phi_3123_;
+            if (_e2196 > 0f) {
+                if (_e2196 < 1f) {
+                    phi_3133_ = _e2196;
                 } else {
-                    phi_3129_ = 1f;
+                    phi_3133_ = 1f;
                 }
-                let _e2418 = phi_3129_;
-                phi_3130_ = _e2418;
+                let _e2408 = phi_3133_;
+                phi_3134_ = _e2408;
             } else {
-                phi_3130_ = 0f;
+                phi_3134_ = 0f;
             }
-            let _e2420 = phi_3130_;
-            if (_e2208 > 0f) {
-                if (_e2208 < 1f) {
-                    phi_3140_ = _e2208;
+            let _e2410 = phi_3134_;
+            if (_e2198 > 0f) {
+                if (_e2198 < 1f) {
+                    phi_3144_ = _e2198;
                 } else {
-                    phi_3140_ = 1f;
+                    phi_3144_ = 1f;
                 }
-                let _e2425 = phi_3140_;
-                phi_3141_ = _e2425;
+                let _e2415 = phi_3144_;
+                phi_3145_ = _e2415;
             } else {
-                phi_3141_ = 0f;
+                phi_3145_ = 0f;
             }
-            let _e2427 = phi_3141_;
-            let _e2430 = ((sqrt(_e2413) * 255f) + 0.5f);
-            let _e2439 = ((sqrt(_e2420) * 255f) + 0.5f);
-            let _e2451 = ((sqrt(_e2427) * 255f) + 0.5f);
-            phi_3176_ = abi_Sample(vec3<f32>(_e1845, _e1846, _e1847), _e2210, _e1958, _e2215, _e2407, ((select(select(u32(_e2430), 0u, (_e2430 < bitcast<f32>(0u))), 4294967295u, (_e2430 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2439), 0u, (_e2439 < bitcast<f32>(0u))), 4294967295u, (_e2439 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2451), 0u, (_e2451 < bitcast<f32>(0u))), 4294967295u, (_e2451 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2417 = phi_3145_;
+            let _e2420 = ((sqrt(_e2403) * 255f) + 0.5f);
+            let _e2429 = ((sqrt(_e2410) * 255f) + 0.5f);
+            let _e2441 = ((sqrt(_e2417) * 255f) + 0.5f);
+            phi_3180_ = abi_Sample(vec3<f32>(_e1835, _e1836, _e1837), _e2200, _e1948, _e2205, _e2397, ((select(select(u32(_e2420), 0u, (_e2420 < bitcast<f32>(0u))), 4294967295u, (_e2420 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2429), 0u, (_e2429 < bitcast<f32>(0u))), 4294967295u, (_e2429 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2441), 0u, (_e2441 < bitcast<f32>(0u))), 4294967295u, (_e2441 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3176_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3180_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2465 = phi_3176_;
-        if (_e101.first_primitive < arrayLength((&samples.member))) {
+        let _e2455 = phi_3180_;
+        if (_e101.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.first_primitive)] = _e2465;
+        samples.member[(0u + _e101.shift)] = _e2455;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -168,19 +168,19 @@ var<storage> before: type_26;
 @group(0) @binding(9) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_220_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_220_: lt_mask_LightPlace;
     var phi_221_: bool;
-    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_bvh_traverse_Tree;
+    var phi_228_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_221_ = false;
         } else {
-            phi_220_ = lt_bvh_traverse_Tree();
+            phi_220_ = lt_mask_LightPlace();
             phi_221_ = true;
         }
         let _e85 = phi_220_;
@@ -188,18 +188,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_222_ = _e85;
         phi_223_ = _e87;
     } else {
-        phi_222_ = lt_bvh_traverse_Tree();
+        phi_222_ = lt_mask_LightPlace();
         phi_223_ = true;
     }
     let _e89 = phi_222_;
     let _e91 = phi_223_;
     if _e91 {
-        phi_228_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_228_ = _e89;
     }
     let _e96 = phi_228_;
-    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -623,213 +623,211 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_788_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_808_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
     var phi_827_: bool;
     var phi_828_: bool;
-    var phi_832_: bool;
-    var phi_836_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_835_: bool;
     var phi_911_: f32;
     var phi_918_: f32;
     var phi_926_: f32;
     var phi_933_: f32;
     var phi_941_: f32;
     var phi_948_: f32;
-    var phi_973_: f32;
-    var phi_978_: f32;
-    var phi_983_: f32;
-    var phi_1016_: bool;
-    var phi_1017_: bool;
-    var phi_1025_: u32;
-    var phi_1026_: u32;
-    var phi_1044_: vec3<f32>;
-    var phi_1045_: vec3<f32>;
-    var phi_1059_: u32;
-    var phi_1064_: u32;
-    var phi_1069_: u32;
-    var phi_1183_: bool;
-    var phi_1184_: bool;
-    var phi_1215_: u32;
-    var phi_1217_: lt_bvh_Hit;
-    var phi_1220_: u32;
-    var phi_1305_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1332_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1359_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1365_: u32;
-    var phi_1368_: u32;
-    var phi_1382_: u32;
-    var phi_1392_: u32;
-    var phi_1402_: u32;
-    var phi_1420_: u32;
-    var phi_1430_: u32;
-    var phi_1440_: u32;
-    var phi_1476_: u32;
-    var phi_1489_: u32;
-    var phi_1494_: u32;
-    var phi_1495_: u32;
-    var phi_1496_: u32;
-    var phi_1366_: u32;
+    var phi_971_: f32;
+    var phi_976_: f32;
+    var phi_981_: f32;
+    var phi_986_: f32;
+    var phi_991_: f32;
+    var phi_1022_: bool;
+    var phi_1023_: bool;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1049_: vec3<f32>;
+    var phi_1050_: vec3<f32>;
+    var phi_1063_: u32;
+    var phi_1068_: u32;
+    var phi_1073_: u32;
+    var phi_1187_: bool;
+    var phi_1188_: bool;
+    var phi_1219_: u32;
+    var phi_1221_: lt_bvh_Hit;
+    var phi_1224_: u32;
+    var phi_1309_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1336_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1363_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1369_: u32;
+    var phi_1372_: u32;
+    var phi_1386_: u32;
+    var phi_1396_: u32;
+    var phi_1406_: u32;
+    var phi_1424_: u32;
+    var phi_1434_: u32;
+    var phi_1444_: u32;
+    var phi_1480_: u32;
+    var phi_1493_: u32;
+    var phi_1498_: u32;
+    var phi_1499_: u32;
+    var phi_1500_: u32;
+    var phi_1370_: u32;
+    var phi_1373_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1554_: lt_bvh_Hit;
-    var phi_1557_: u32;
-    var phi_1603_: vec3<f32>;
-    var phi_1604_: vec3<f32>;
-    var phi_1635_: vec3<f32>;
-    var phi_1636_: vec3<f32>;
-    var phi_1667_: vec3<f32>;
-    var phi_1668_: vec3<f32>;
-    var phi_1686_: bool;
-    var phi_1687_: bool;
-    var phi_1691_: f32;
-    var phi_1692_: f32;
-    var phi_1693_: f32;
-    var phi_1694_: f32;
-    var phi_1702_: f32;
-    var phi_1712_: bool;
-    var phi_1713_: bool;
-    var phi_1717_: f32;
-    var phi_1718_: f32;
-    var phi_1719_: f32;
-    var phi_1720_: f32;
-    var phi_1728_: f32;
-    var phi_1738_: bool;
-    var phi_1739_: bool;
-    var phi_1743_: f32;
-    var phi_1744_: f32;
-    var phi_1745_: f32;
-    var phi_1746_: f32;
-    var phi_1754_: f32;
-    var phi_1769_: f32;
-    var phi_1770_: bool;
-    var phi_1771_: f32;
-    var phi_1772_: bool;
+    var phi_1558_: lt_bvh_Hit;
+    var phi_1561_: u32;
+    var phi_1607_: vec3<f32>;
+    var phi_1608_: vec3<f32>;
+    var phi_1639_: vec3<f32>;
+    var phi_1640_: vec3<f32>;
+    var phi_1671_: vec3<f32>;
+    var phi_1672_: vec3<f32>;
+    var phi_1690_: bool;
+    var phi_1691_: bool;
+    var phi_1695_: f32;
+    var phi_1696_: f32;
+    var phi_1697_: f32;
+    var phi_1698_: f32;
+    var phi_1706_: f32;
+    var phi_1716_: bool;
+    var phi_1717_: bool;
+    var phi_1721_: f32;
+    var phi_1722_: f32;
+    var phi_1723_: f32;
+    var phi_1724_: f32;
+    var phi_1732_: f32;
+    var phi_1742_: bool;
+    var phi_1743_: bool;
+    var phi_1747_: f32;
+    var phi_1748_: f32;
+    var phi_1749_: f32;
+    var phi_1750_: f32;
+    var phi_1758_: f32;
     var phi_1773_: f32;
     var phi_1774_: bool;
-    var phi_1792_: f32;
-    var phi_1793_: bool;
-    var phi_1794_: bool;
-    var phi_1795_: f32;
-    var phi_1796_: bool;
+    var phi_1775_: f32;
+    var phi_1776_: bool;
+    var phi_1777_: f32;
+    var phi_1778_: bool;
+    var phi_1796_: f32;
     var phi_1797_: bool;
+    var phi_1798_: bool;
+    var phi_1799_: f32;
+    var phi_1800_: bool;
     var phi_1801_: bool;
-    var phi_1802_: f32;
-    var phi_1803_: bool;
-    var phi_1833_: vec3<f32>;
-    var phi_1834_: vec3<f32>;
-    var phi_1859_: vec3<f32>;
-    var phi_1860_: vec3<f32>;
-    var phi_1885_: vec3<f32>;
-    var phi_1886_: vec3<f32>;
-    var phi_1944_: f32;
-    var phi_1953_: f32;
-    var phi_1962_: f32;
-    var phi_1971_: f32;
-    var phi_1978_: f32;
-    var phi_1985_: f32;
-    var phi_1998_: f32;
-    var phi_2007_: f32;
-    var phi_2016_: f32;
-    var phi_2025_: f32;
-    var phi_2032_: f32;
-    var phi_2039_: f32;
-    var phi_2062_: f32;
-    var phi_2067_: f32;
-    var phi_2072_: f32;
-    var phi_2080_: f32;
-    var phi_2085_: f32;
-    var phi_2090_: f32;
-    var phi_2102_: f32;
-    var phi_2107_: f32;
-    var phi_2112_: f32;
-    var phi_2117_: f32;
-    var phi_2122_: lt_bvh_triangle_Intersection;
-    var phi_2123_: bool;
-    var phi_2124_: lt_bvh_triangle_Intersection;
-    var phi_2125_: bool;
-    var phi_2129_: lt_bvh_triangle_Intersection;
-    var phi_2130_: bool;
-    var phi_2131_: lt_bvh_triangle_Intersection;
-    var phi_2132_: bool;
-    var phi_2133_: bool;
+    var phi_1805_: bool;
+    var phi_1806_: f32;
+    var phi_1807_: bool;
+    var phi_1837_: vec3<f32>;
+    var phi_1838_: vec3<f32>;
+    var phi_1863_: vec3<f32>;
+    var phi_1864_: vec3<f32>;
+    var phi_1889_: vec3<f32>;
+    var phi_1890_: vec3<f32>;
+    var phi_1948_: f32;
+    var phi_1957_: f32;
+    var phi_1966_: f32;
+    var phi_1975_: f32;
+    var phi_1982_: f32;
+    var phi_1989_: f32;
+    var phi_2002_: f32;
+    var phi_2011_: f32;
+    var phi_2020_: f32;
+    var phi_2029_: f32;
+    var phi_2036_: f32;
+    var phi_2043_: f32;
+    var phi_2066_: f32;
+    var phi_2071_: f32;
+    var phi_2076_: f32;
+    var phi_2084_: f32;
+    var phi_2089_: f32;
+    var phi_2094_: f32;
+    var phi_2106_: f32;
+    var phi_2111_: f32;
+    var phi_2116_: f32;
+    var phi_2121_: f32;
+    var phi_2126_: lt_bvh_triangle_Intersection;
+    var phi_2127_: bool;
+    var phi_2128_: lt_bvh_triangle_Intersection;
+    var phi_2129_: bool;
+    var phi_2133_: lt_bvh_triangle_Intersection;
+    var phi_2134_: bool;
+    var phi_2135_: lt_bvh_triangle_Intersection;
+    var phi_2136_: bool;
     var phi_2137_: bool;
-    var phi_2141_: lt_bvh_triangle_Intersection;
-    var phi_2180_: bool;
-    var phi_2181_: bool;
-    var phi_2182_: bool;
-    var phi_2183_: bool;
+    var phi_2141_: bool;
+    var phi_2145_: lt_bvh_triangle_Intersection;
     var phi_2184_: bool;
     var phi_2185_: bool;
+    var phi_2186_: bool;
+    var phi_2187_: bool;
+    var phi_2188_: bool;
     var phi_2189_: bool;
-    var phi_2190_: bool;
-    var phi_2393_: f32;
-    var phi_2396_: bool;
-    var phi_2397_: bool;
+    var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2397_: f32;
+    var phi_2400_: bool;
     var phi_2401_: bool;
-    var phi_2409_: lt_bvh_Hit;
-    var phi_2410_: lt_bvh_Hit;
-    var phi_2411_: lt_bvh_Hit;
-    var phi_2412_: lt_bvh_Hit;
-    var phi_1555_: lt_bvh_Hit;
-    var phi_1558_: u32;
-    var phi_2413_: bool;
-    var phi_2452_: bool;
-    var phi_2453_: bool;
-    var phi_2484_: u32;
-    var phi_1218_: lt_bvh_Hit;
-    var phi_1221_: u32;
-    var phi_2485_: lt_bvh_Hit;
-    var phi_2486_: lt_bvh_Hit;
-    var phi_2487_: bool;
-    var phi_2491_: lt_bvh_Hit;
-    var phi_2555_: f32;
-    var phi_2560_: f32;
-    var phi_2565_: f32;
-    var phi_2576_: f32;
-    var phi_2581_: f32;
-    var phi_2586_: f32;
-    var phi_2662_: vec3<f32>;
-    var phi_2905_: vec3<f32>;
-    var phi_2920_: u32;
-    var phi_2947_: f32;
-    var phi_2954_: f32;
-    var phi_2961_: f32;
-    var phi_2996_: f32;
-    var phi_3003_: f32;
-    var phi_3010_: f32;
-    var phi_3048_: f32;
-    var phi_3055_: f32;
-    var phi_3062_: f32;
-    var phi_3121_: vec3<f32>;
-    var phi_3122_: vec3<f32>;
-    var phi_3123_: vec3<f32>;
-    var phi_3132_: f32;
-    var phi_3133_: f32;
-    var phi_3143_: f32;
-    var phi_3144_: f32;
-    var phi_3154_: f32;
-    var phi_3155_: f32;
-    var phi_3190_: abi_Sample;
-    var phi_3281_: vec3<f32>;
+    var phi_2405_: bool;
+    var phi_2413_: lt_bvh_Hit;
+    var phi_2414_: lt_bvh_Hit;
+    var phi_2415_: lt_bvh_Hit;
+    var phi_2416_: lt_bvh_Hit;
+    var phi_1559_: lt_bvh_Hit;
+    var phi_1562_: u32;
+    var phi_2417_: bool;
+    var phi_2456_: bool;
+    var phi_2457_: bool;
+    var phi_2488_: u32;
+    var phi_1222_: lt_bvh_Hit;
+    var phi_1225_: u32;
+    var phi_2489_: lt_bvh_Hit;
+    var phi_2490_: lt_bvh_Hit;
+    var phi_2491_: bool;
+    var phi_2495_: lt_bvh_Hit;
+    var phi_2559_: f32;
+    var phi_2564_: f32;
+    var phi_2569_: f32;
+    var phi_2580_: f32;
+    var phi_2585_: f32;
+    var phi_2590_: f32;
+    var phi_2666_: vec3<f32>;
+    var phi_2909_: vec3<f32>;
+    var phi_2924_: u32;
+    var phi_2951_: f32;
+    var phi_2958_: f32;
+    var phi_2965_: f32;
+    var phi_3000_: f32;
+    var phi_3007_: f32;
+    var phi_3014_: f32;
+    var phi_3052_: f32;
+    var phi_3059_: f32;
+    var phi_3066_: f32;
+    var phi_3125_: vec3<f32>;
+    var phi_3126_: vec3<f32>;
+    var phi_3127_: vec3<f32>;
+    var phi_3136_: f32;
+    var phi_3137_: f32;
+    var phi_3147_: f32;
+    var phi_3148_: f32;
+    var phi_3158_: f32;
+    var phi_3159_: f32;
+    var phi_3194_: abi_Sample;
+    var phi_3285_: vec3<f32>;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -844,7 +842,7 @@ fn function_() {
     let _e106 = p.member.size[0u];
     let _e108 = p.member.size[1u];
     let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
-    if (bitcast<i32>(_e109.root) != 0i) {
+    if (bitcast<i32>(_e109.word) != 0i) {
         let _e117 = p.member.eye;
         let _e122 = p.member.size[0u];
         let _e126 = ((((f32(_e75.x) + 0.5f) / f32(_e122)) * 2f) - 1f);
@@ -855,1577 +853,1578 @@ fn function_() {
         let _e153 = p.member.up;
         let _e164 = _lt_bvh_ray_Ray_new(_e117, vec3<f32>(((_e137.x + (_e139.x * _e126)) + (_e153.x * _e135)), ((_e137.y + (_e139.y * _e126)) + (_e153.y * _e135)), ((_e137.z + (_e139.z * _e126)) + (_e153.z * _e135))));
         let _e166 = lt_bvh_Hit(_e164.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e176 = abs(_e164.direction.x);
-        let _e178 = abs(_e164.direction.y);
-        let _e180 = abs(_e164.direction.z);
+        let _e169 = abs(_e164.direction.x);
+        let _e171 = abs(_e164.direction.y);
+        let _e173 = abs(_e164.direction.z);
         if (abs(_e164.origin.x) < 1000000000000000f) {
             if (abs(_e164.origin.y) < 1000000000000000f) {
-                if (abs(_e164.origin.z) < 1000000000000000f) {
-                    if (_e176 < 1000000000000000f) {
-                        if (_e178 < 1000000000000000f) {
-                            if (_e180 < 1000000000000000f) {
-                                if (_e176 > 0f) {
-                                    phi_806_ = bool();
-                                    phi_807_ = true;
-                                } else {
-                                    let _e188 = (_e178 > 0f);
-                                    if _e188 {
-                                        phi_805_ = bool();
-                                    } else {
-                                        phi_805_ = (_e180 > 0f);
-                                    }
-                                    let _e191 = phi_805_;
-                                    phi_806_ = _e191;
-                                    phi_807_ = _e188;
-                                }
-                                let _e193 = phi_806_;
-                                let _e195 = phi_807_;
-                                if _e195 {
-                                    phi_811_ = true;
-                                } else {
-                                    phi_811_ = _e193;
-                                }
-                                let _e197 = phi_811_;
-                                phi_812_ = _e197;
-                                phi_813_ = false;
-                            } else {
-                                phi_812_ = bool();
-                                phi_813_ = true;
-                            }
-                            let _e199 = phi_812_;
-                            let _e201 = phi_813_;
-                            phi_814_ = _e199;
-                            phi_815_ = false;
-                            phi_816_ = _e201;
-                        } else {
-                            phi_814_ = bool();
-                            phi_815_ = true;
-                            phi_816_ = false;
-                        }
-                        let _e203 = phi_814_;
-                        let _e205 = phi_815_;
-                        let _e207 = phi_816_;
-                        phi_817_ = _e203;
-                        phi_818_ = _e205;
-                        phi_819_ = _e207;
-                    } else {
-                        phi_817_ = bool();
-                        phi_818_ = true;
-                        phi_819_ = false;
-                    }
-                    let _e209 = phi_817_;
-                    let _e211 = phi_818_;
-                    let _e213 = phi_819_;
-                    phi_820_ = _e209;
-                    phi_821_ = _e211;
-                    phi_822_ = _e213;
-                } else {
-                    phi_820_ = bool();
-                    phi_821_ = true;
-                    phi_822_ = false;
-                }
-                let _e215 = phi_820_;
-                let _e217 = phi_821_;
-                let _e219 = phi_822_;
-                phi_823_ = _e215;
-                phi_824_ = _e217;
-                phi_825_ = _e219;
+                phi_781_ = (abs(_e164.origin.z) < 1000000000000000f);
+                phi_782_ = false;
             } else {
-                phi_823_ = bool();
-                phi_824_ = true;
-                phi_825_ = false;
+                phi_781_ = bool();
+                phi_782_ = true;
             }
-            let _e221 = phi_823_;
-            let _e223 = phi_824_;
-            let _e225 = phi_825_;
-            phi_826_ = _e221;
-            phi_827_ = _e223;
-            phi_828_ = _e225;
+            let _e185 = phi_781_;
+            let _e187 = phi_782_;
+            phi_783_ = _e185;
+            phi_784_ = _e187;
         } else {
-            phi_826_ = bool();
-            phi_827_ = true;
-            phi_828_ = false;
+            phi_783_ = bool();
+            phi_784_ = true;
         }
-        let _e227 = phi_826_;
-        let _e229 = phi_827_;
-        let _e231 = phi_828_;
-        if _e229 {
-            phi_832_ = true;
+        let _e189 = phi_783_;
+        let _e191 = phi_784_;
+        if _e191 {
+            phi_788_ = false;
         } else {
-            phi_832_ = _e231;
+            phi_788_ = _e189;
         }
-        let _e233 = phi_832_;
-        if _e233 {
-            phi_836_ = false;
+        let _e193 = phi_788_;
+        if _e193 {
+            if (_e169 < 1000000000000000f) {
+                if (_e171 < 1000000000000000f) {
+                    phi_801_ = (_e173 < 1000000000000000f);
+                    phi_802_ = false;
+                } else {
+                    phi_801_ = bool();
+                    phi_802_ = true;
+                }
+                let _e198 = phi_801_;
+                let _e200 = phi_802_;
+                phi_803_ = _e198;
+                phi_804_ = _e200;
+            } else {
+                phi_803_ = bool();
+                phi_804_ = true;
+            }
+            let _e202 = phi_803_;
+            let _e204 = phi_804_;
+            if _e204 {
+                phi_808_ = false;
+            } else {
+                phi_808_ = _e202;
+            }
+            let _e206 = phi_808_;
+            if _e206 {
+                if (_e169 > 0f) {
+                    phi_822_ = bool();
+                    phi_823_ = true;
+                } else {
+                    let _e208 = (_e171 > 0f);
+                    if _e208 {
+                        phi_821_ = bool();
+                    } else {
+                        phi_821_ = (_e173 > 0f);
+                    }
+                    let _e211 = phi_821_;
+                    phi_822_ = _e211;
+                    phi_823_ = _e208;
+                }
+                let _e213 = phi_822_;
+                let _e215 = phi_823_;
+                if _e215 {
+                    phi_827_ = true;
+                } else {
+                    phi_827_ = _e213;
+                }
+                let _e217 = phi_827_;
+                phi_828_ = _e217;
+                phi_829_ = false;
+            } else {
+                phi_828_ = bool();
+                phi_829_ = true;
+            }
+            let _e219 = phi_828_;
+            let _e221 = phi_829_;
+            phi_830_ = _e219;
+            phi_831_ = _e221;
         } else {
-            phi_836_ = _e227;
+            phi_830_ = bool();
+            phi_831_ = true;
         }
-        let _e235 = phi_836_;
-        if _e235 {
-            let _e236 = (0u >= _e79);
-            if _e236 {
-                phi_2485_ = lt_bvh_Hit();
+        let _e223 = phi_830_;
+        let _e225 = phi_831_;
+        if _e225 {
+            phi_835_ = false;
+        } else {
+            phi_835_ = _e223;
+        }
+        let _e227 = phi_835_;
+        if _e227 {
+            let _e228 = (0u >= _e79);
+            if _e228 {
+                phi_2489_ = lt_bvh_Hit();
             } else {
                 if (0u < _e79) {
                 } else {
                     return;
                 }
-                let _e242 = nodes.member[(0u + 0u)].frame[0u];
-                let _e246 = nodes.member[(0u + 0u)].frame[1u];
-                let _e250 = nodes.member[(0u + 0u)].frame[2u];
-                let _e254 = nodes.member[(0u + 0u)].frame[0u];
-                let _e258 = nodes.member[(0u + 0u)].frame[1u];
-                let _e262 = nodes.member[(0u + 0u)].frame[2u];
-                let _e266 = nodes.member[(0u + 0u)].frame[3u];
-                let _e304 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164.direction.x), abs(_e164.direction.y));
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e304, abs(_e164.direction.z));
-                let _e306 = (_e305 * 0.0000000000009094947f);
-                if (abs(_e164.direction.x) < _e306) {
-                    phi_911_ = _e306;
+                let _e234 = nodes.member[(0u + 0u)].frame[0u];
+                let _e238 = nodes.member[(0u + 0u)].frame[1u];
+                let _e242 = nodes.member[(0u + 0u)].frame[2u];
+                let _e246 = nodes.member[(0u + 0u)].frame[0u];
+                let _e250 = nodes.member[(0u + 0u)].frame[1u];
+                let _e254 = nodes.member[(0u + 0u)].frame[2u];
+                let _e258 = nodes.member[(0u + 0u)].frame[3u];
+                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e164.direction.x), abs(_e164.direction.y));
+                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e164.direction.z));
+                let _e299 = (_e298 * 0.0000000000009094947f);
+                if (abs(_e164.direction.x) < _e299) {
+                    phi_911_ = _e299;
                 } else {
                     phi_911_ = abs(_e164.direction.x);
                 }
-                let _e313 = phi_911_;
+                let _e305 = phi_911_;
                 if (_e164.direction.x < 0f) {
-                    phi_918_ = (-1f / _e313);
+                    phi_918_ = (-1f / _e305);
                 } else {
-                    phi_918_ = (1f / _e313);
+                    phi_918_ = (1f / _e305);
                 }
-                let _e318 = phi_918_;
-                if (abs(_e164.direction.y) < _e306) {
-                    phi_926_ = _e306;
+                let _e310 = phi_918_;
+                if (abs(_e164.direction.y) < _e299) {
+                    phi_926_ = _e299;
                 } else {
                     phi_926_ = abs(_e164.direction.y);
                 }
-                let _e325 = phi_926_;
+                let _e316 = phi_926_;
                 if (_e164.direction.y < 0f) {
-                    phi_933_ = (-1f / _e325);
+                    phi_933_ = (-1f / _e316);
                 } else {
-                    phi_933_ = (1f / _e325);
+                    phi_933_ = (1f / _e316);
                 }
-                let _e330 = phi_933_;
-                if (abs(_e164.direction.z) < _e306) {
-                    phi_941_ = _e306;
+                let _e321 = phi_933_;
+                if (abs(_e164.direction.z) < _e299) {
+                    phi_941_ = _e299;
                 } else {
                     phi_941_ = abs(_e164.direction.z);
                 }
-                let _e337 = phi_941_;
+                let _e327 = phi_941_;
                 if (_e164.direction.z < 0f) {
-                    phi_948_ = (-1f / _e337);
+                    phi_948_ = (-1f / _e327);
                 } else {
-                    phi_948_ = (1f / _e337);
+                    phi_948_ = (1f / _e327);
                 }
-                let _e342 = phi_948_;
-                let _e350 = abs((bitcast<f32>(_e242) - _e164.origin.x));
-                let _e351 = abs((bitcast<f32>(_e246) - _e164.origin.y));
-                let _e352 = abs((bitcast<f32>(_e250) - _e164.origin.z));
-                let _e360 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e266 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
-                let _e361 = abs(((bitcast<f32>(_e258) + (bitcast<f32>((((_e266 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
-                let _e362 = abs(((bitcast<f32>(_e262) + (bitcast<f32>((((_e266 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
-                if (_e350 > _e360) {
-                    phi_973_ = _e350;
+                let _e332 = phi_948_;
+                let _e339 = abs((bitcast<f32>(_e234) - _e164.origin.x));
+                let _e340 = abs((bitcast<f32>(_e238) - _e164.origin.y));
+                let _e341 = abs((bitcast<f32>(_e242) - _e164.origin.z));
+                let _e348 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
+                let _e349 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
+                let _e350 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
+                if (_e339 > _e348) {
+                    phi_971_ = _e339;
                 } else {
-                    phi_973_ = _e360;
+                    phi_971_ = _e348;
                 }
-                let _e365 = phi_973_;
-                if (_e351 > _e361) {
-                    phi_978_ = _e351;
+                let _e353 = phi_971_;
+                if (_e340 > _e349) {
+                    phi_976_ = _e340;
                 } else {
-                    phi_978_ = _e361;
+                    phi_976_ = _e349;
                 }
-                let _e368 = phi_978_;
-                if (_e352 > _e362) {
-                    phi_983_ = _e352;
+                let _e356 = phi_976_;
+                if (_e341 > _e350) {
+                    phi_981_ = _e341;
                 } else {
-                    phi_983_ = _e362;
+                    phi_981_ = _e350;
                 }
-                let _e371 = phi_983_;
-                let _e372 = core_intrinsics_maximum_number_nsz_f32_(_e365, _e368);
-                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e372, _e371);
-                let _e378 = (_e373 * 0.0000019073486f);
-                let _e379 = (abs(_e318) * _e378);
-                let _e380 = (abs(_e330) * _e378);
-                let _e381 = (abs(_e342) * _e378);
-                let _e385 = (_e373 * 0.0000009536743f);
-                let _e386 = (abs(_e318) * _e385);
-                let _e387 = (abs(_e330) * _e385);
-                let _e388 = (abs(_e342) * _e385);
-                let _e391 = abs(_e164.direction.x);
-                let _e393 = abs(_e164.direction.y);
-                let _e395 = abs(_e164.direction.z);
-                if (_e391 >= _e393) {
-                    if (_e391 >= _e395) {
-                        phi_1016_ = false;
+                let _e359 = phi_981_;
+                if (_e353 > _e356) {
+                    phi_986_ = _e353;
+                } else {
+                    phi_986_ = _e356;
+                }
+                let _e362 = phi_986_;
+                if (_e362 > _e359) {
+                    phi_991_ = _e362;
+                } else {
+                    phi_991_ = _e359;
+                }
+                let _e365 = phi_991_;
+                let _e369 = (_e365 * 0.0000019073486f);
+                let _e370 = (abs(_e310) * _e369);
+                let _e371 = (abs(_e321) * _e369);
+                let _e372 = (abs(_e332) * _e369);
+                let _e376 = (_e365 * 0.0000009536743f);
+                let _e377 = (abs(_e310) * _e376);
+                let _e378 = (abs(_e321) * _e376);
+                let _e379 = (abs(_e332) * _e376);
+                let _e383 = abs(_e164.direction.x);
+                let _e385 = abs(_e164.direction.y);
+                let _e387 = abs(_e164.direction.z);
+                if (_e383 >= _e385) {
+                    if (_e383 >= _e387) {
+                        phi_1022_ = false;
                     } else {
-                        phi_1016_ = true;
+                        phi_1022_ = true;
                     }
-                    let _e399 = phi_1016_;
-                    phi_1017_ = _e399;
+                    let _e391 = phi_1022_;
+                    phi_1023_ = _e391;
                 } else {
-                    phi_1017_ = true;
+                    phi_1023_ = true;
                 }
-                let _e401 = phi_1017_;
-                if _e401 {
-                    if (_e393 >= _e395) {
-                        phi_1025_ = 1u;
+                let _e393 = phi_1023_;
+                if _e393 {
+                    if (_e385 >= _e387) {
+                        phi_1031_ = 1u;
                     } else {
-                        phi_1025_ = 2u;
+                        phi_1031_ = 2u;
                     }
-                    let _e404 = phi_1025_;
-                    phi_1026_ = _e404;
+                    let _e396 = phi_1031_;
+                    phi_1032_ = _e396;
                 } else {
-                    phi_1026_ = 0u;
+                    phi_1032_ = 0u;
                 }
-                let _e406 = phi_1026_;
-                if (_e406 == 0u) {
-                    phi_1045_ = vec3<f32>(_e164.direction.y, _e164.direction.z, _e164.direction.x);
+                let _e398 = phi_1032_;
+                if (_e398 == 0u) {
+                    phi_1050_ = vec3<f32>(_e164.direction.y, _e164.direction.z, _e164.direction.x);
                 } else {
-                    if (_e406 == 1u) {
-                        phi_1044_ = vec3<f32>(_e164.direction.z, _e164.direction.x, _e164.direction.y);
+                    if (_e398 == 1u) {
+                        phi_1049_ = vec3<f32>(_e164.direction.z, _e164.direction.x, _e164.direction.y);
                     } else {
-                        phi_1044_ = _e164.direction;
+                        phi_1049_ = _e164.direction;
                     }
-                    let _e419 = phi_1044_;
-                    phi_1045_ = _e419;
+                    let _e410 = phi_1049_;
+                    phi_1050_ = _e410;
                 }
-                let _e421 = phi_1045_;
-                let _e425 = (_e421.x / _e421.z);
-                let _e428 = (_e421.y / _e421.z);
-                if (_e318 < 0f) {
-                    phi_1059_ = 0u;
+                let _e412 = phi_1050_;
+                let _e415 = (_e412.x / _e412.z);
+                let _e418 = (_e412.y / _e412.z);
+                if (_e310 < 0f) {
+                    phi_1063_ = 0u;
                 } else {
-                    phi_1059_ = 1u;
+                    phi_1063_ = 1u;
                 }
-                let _e433 = phi_1059_;
-                if (_e330 < 0f) {
-                    phi_1064_ = 0u;
+                let _e423 = phi_1063_;
+                if (_e321 < 0f) {
+                    phi_1068_ = 0u;
                 } else {
-                    phi_1064_ = 2u;
+                    phi_1068_ = 2u;
                 }
-                let _e436 = phi_1064_;
-                if (_e342 < 0f) {
-                    phi_1069_ = 0u;
+                let _e426 = phi_1068_;
+                if (_e332 < 0f) {
+                    phi_1073_ = 0u;
                 } else {
-                    phi_1069_ = 4u;
+                    phi_1073_ = 4u;
                 }
-                let _e439 = phi_1069_;
-                let _e441 = ((_e433 | _e436) | _e439);
-                let _e442 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e442.first[0], _e442.first[1], _e442.first[2], _e442.first[3], _e442.first[4], _e442.first[5], _e442.first[6], _e442.first[7], _e442.first[8], _e442.first[9], _e442.first[10], _e442.first[11], _e442.first[12], _e442.first[13], _e442.first[14], _e442.first[15], _e442.first[16], _e442.first[17], _e442.first[18], _e442.first[19], _e442.first[20], _e442.first[21], _e442.first[22], _e442.first[23], _e442.first[24], _e442.first[25], _e442.first[26], _e442.first[27], _e442.first[28], _e442.first[29], _e442.first[30], _e442.first[31]), array<u32, 32>(_e442.mask[0], _e442.mask[1], _e442.mask[2], _e442.mask[3], _e442.mask[4], _e442.mask[5], _e442.mask[6], _e442.mask[7], _e442.mask[8], _e442.mask[9], _e442.mask[10], _e442.mask[11], _e442.mask[12], _e442.mask[13], _e442.mask[14], _e442.mask[15], _e442.mask[16], _e442.mask[17], _e442.mask[18], _e442.mask[19], _e442.mask[20], _e442.mask[21], _e442.mask[22], _e442.mask[23], _e442.mask[24], _e442.mask[25], _e442.mask[26], _e442.mask[27], _e442.mask[28], _e442.mask[29], _e442.mask[30], _e442.mask[31]), _e442.len, _e442.group, _e442.group_mask);
-                let _e516 = local_2.group_mask;
-                if ((_e516 & 4278190080u) == 0u) {
-                    let _e520 = local_2.len;
-                    if (_e520 == 0u) {
-                        phi_1183_ = false;
+                let _e429 = phi_1073_;
+                let _e431 = ((_e423 | _e426) | _e429);
+                let _e432 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e432.first[0], _e432.first[1], _e432.first[2], _e432.first[3], _e432.first[4], _e432.first[5], _e432.first[6], _e432.first[7], _e432.first[8], _e432.first[9], _e432.first[10], _e432.first[11], _e432.first[12], _e432.first[13], _e432.first[14], _e432.first[15], _e432.first[16], _e432.first[17], _e432.first[18], _e432.first[19], _e432.first[20], _e432.first[21], _e432.first[22], _e432.first[23], _e432.first[24], _e432.first[25], _e432.first[26], _e432.first[27], _e432.first[28], _e432.first[29], _e432.first[30], _e432.first[31]), array<u32, 32>(_e432.mask[0], _e432.mask[1], _e432.mask[2], _e432.mask[3], _e432.mask[4], _e432.mask[5], _e432.mask[6], _e432.mask[7], _e432.mask[8], _e432.mask[9], _e432.mask[10], _e432.mask[11], _e432.mask[12], _e432.mask[13], _e432.mask[14], _e432.mask[15], _e432.mask[16], _e432.mask[17], _e432.mask[18], _e432.mask[19], _e432.mask[20], _e432.mask[21], _e432.mask[22], _e432.mask[23], _e432.mask[24], _e432.mask[25], _e432.mask[26], _e432.mask[27], _e432.mask[28], _e432.mask[29], _e432.mask[30], _e432.mask[31]), _e432.len, _e432.group, _e432.group_mask);
+                let _e506 = local_2.group_mask;
+                if ((_e506 & 4278190080u) == 0u) {
+                    let _e510 = local_2.len;
+                    if (_e510 == 0u) {
+                        phi_1187_ = false;
                     } else {
-                        let _e524 = local_2.len;
-                        local_2.len = (_e524 - 1u);
-                        let _e527 = local_2.len;
-                        if (_e527 < 32u) {
+                        let _e514 = local_2.len;
+                        local_2.len = (_e514 - 1u);
+                        let _e517 = local_2.len;
+                        if (_e517 < 32u) {
                         } else {
                             return;
                         }
-                        let _e532 = local_2.first[(0u + _e527)];
-                        local_2.group = _e532;
-                        let _e535 = local_2.len;
-                        if (_e535 < 32u) {
+                        let _e522 = local_2.first[(0u + _e517)];
+                        local_2.group = _e522;
+                        let _e525 = local_2.len;
+                        if (_e525 < 32u) {
                         } else {
                             return;
                         }
-                        let _e540 = local_2.mask[(0u + _e535)];
-                        local_2.group_mask = _e540;
-                        phi_1183_ = true;
+                        let _e530 = local_2.mask[(0u + _e525)];
+                        local_2.group_mask = _e530;
+                        phi_1187_ = true;
                     }
-                    let _e543 = phi_1183_;
-                    phi_1184_ = _e543;
+                    let _e533 = phi_1187_;
+                    phi_1188_ = _e533;
                 } else {
-                    phi_1184_ = true;
+                    phi_1188_ = true;
                 }
-                let _e545 = phi_1184_;
-                if _e545 {
+                let _e535 = phi_1188_;
+                if _e535 {
+                    let _e537 = local_2.group_mask;
+                    let _e543 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e537)), 32u, (_e537 == 0u)));
                     let _e547 = local_2.group_mask;
-                    let _e553 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e547)), 32u, (_e547 == 0u)));
-                    let _e557 = local_2.group_mask;
-                    let _e571 = local_2.group_mask;
-                    local_2.group_mask = (_e571 & ~((1u << bitcast<u32>((_e553 & 31u)))));
-                    let _e574 = local_2.group;
-                    phi_1215_ = (_e574 + countOneBits(((_e557 & ~((4294967295u << bitcast<u32>((((_e553 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e561 = local_2.group_mask;
+                    local_2.group_mask = (_e561 & ~((1u << bitcast<u32>((_e543 & 31u)))));
+                    let _e564 = local_2.group;
+                    phi_1219_ = (_e564 + countOneBits(((_e547 & ~((4294967295u << bitcast<u32>((((_e543 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1215_ = 4294967295u;
+                    phi_1219_ = 4294967295u;
                 }
-                let _e577 = phi_1215_;
-                phi_1217_ = _e166;
-                phi_1220_ = _e577;
+                let _e567 = phi_1219_;
+                phi_1221_ = _e166;
+                phi_1224_ = _e567;
                 loop {
-                    let _e579 = phi_1217_;
-                    let _e581 = phi_1220_;
-                    local_7 = _e579;
-                    let _e582 = (_e581 != 4294967295u);
-                    if _e582 {
-                        if (_e581 < _e79) {
+                    let _e569 = phi_1221_;
+                    let _e571 = phi_1224_;
+                    local_7 = _e569;
+                    let _e572 = (_e571 != 4294967295u);
+                    if _e572 {
+                        if (_e571 < _e79) {
                         } else {
                             return;
                         }
-                        let _e590 = nodes.member[(0u + _e581)].frame[3u];
-                        let _e615 = (bitcast<f32>((((_e590 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e318);
-                        let _e616 = (bitcast<f32>((((_e590 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e330);
-                        let _e617 = (bitcast<f32>((((_e590 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e342);
-                        let _e620 = nodes.member[(0u + _e581)].frame[0u];
-                        let _e624 = nodes.member[(0u + _e581)].frame[1u];
-                        let _e628 = nodes.member[(0u + _e581)].frame[2u];
-                        let _e636 = ((bitcast<f32>(_e620) - _e164.origin.x) * _e318);
-                        let _e637 = ((bitcast<f32>(_e624) - _e164.origin.y) * _e330);
-                        let _e638 = ((bitcast<f32>(_e628) - _e164.origin.z) * _e342);
-                        let _e646 = nodes.member[(0u + _e581)].x;
-                        if (_e318 < 0f) {
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e657.unnamed.root, _e646.w), _e657.unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e646.x, _e663.unnamed_1.first_primitive));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e669.unnamed_1.root, _e646.y));
+                        let _e580 = nodes.member[(0u + _e571)].frame[3u];
+                        let _e605 = (bitcast<f32>((((_e580 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
+                        let _e606 = (bitcast<f32>((((_e580 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
+                        let _e607 = (bitcast<f32>((((_e580 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e332);
+                        let _e610 = nodes.member[(0u + _e571)].frame[0u];
+                        let _e614 = nodes.member[(0u + _e571)].frame[1u];
+                        let _e618 = nodes.member[(0u + _e571)].frame[2u];
+                        let _e626 = ((bitcast<f32>(_e610) - _e164.origin.x) * _e310);
+                        let _e627 = ((bitcast<f32>(_e614) - _e164.origin.y) * _e321);
+                        let _e628 = ((bitcast<f32>(_e618) - _e164.origin.z) * _e332);
+                        let _e636 = nodes.member[(0u + _e571)].x;
+                        if (_e310 < 0f) {
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e647.unnamed.word, _e636.w), _e647.unnamed_1);
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e636.x, _e653.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e659.unnamed_1.word, _e636.y));
                         } else {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e646.y), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e646.z, _e691.unnamed_1.first_primitive));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e646.w));
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.unnamed.word, _e636.y), _e675.unnamed_1);
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e636.z, _e681.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_mask_LightPlace(_e687.unnamed_1.word, _e636.w));
                         }
-                        let _e705 = phi_1305_;
-                        let _e715 = nodes.member[(0u + _e581)].y;
-                        if (_e330 < 0f) {
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e726.unnamed.root, _e715.w), _e726.unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e715.x, _e732.unnamed_1.first_primitive));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e738.unnamed_1.root, _e715.y));
+                        let _e695 = phi_1309_;
+                        let _e705 = nodes.member[(0u + _e571)].y;
+                        if (_e321 < 0f) {
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.unnamed.word, _e705.w), _e716.unnamed_1);
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e705.x, _e722.unnamed_1.shift));
+                            phi_1336_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e728.unnamed_1.word, _e705.y));
                         } else {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e715.y), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e715.z, _e760.unnamed_1.first_primitive));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e715.w));
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.unnamed.word, _e705.y), _e744.unnamed_1);
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e705.z, _e750.unnamed_1.shift));
+                            phi_1336_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_mask_LightPlace(_e756.unnamed_1.word, _e705.w));
                         }
-                        let _e774 = phi_1332_;
-                        let _e784 = nodes.member[(0u + _e581)].z;
-                        if (_e342 < 0f) {
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e795.unnamed.root, _e784.w), _e795.unnamed_1);
-                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e784.x, _e801.unnamed_1.first_primitive));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_bvh_traverse_Tree(_e807.unnamed_1.root, _e784.y));
+                        let _e764 = phi_1336_;
+                        let _e774 = nodes.member[(0u + _e571)].z;
+                        if (_e332 < 0f) {
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e774.w), _e785.unnamed_1);
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e774.x, _e791.unnamed_1.shift));
+                            phi_1363_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e774.y));
                         } else {
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e823.unnamed.root, _e784.y), _e823.unnamed_1);
-                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e784.z, _e829.unnamed_1.first_primitive));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_bvh_traverse_Tree(_e835.unnamed_1.root, _e784.w));
+                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e813.unnamed.word, _e774.y), _e813.unnamed_1);
+                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e774.z, _e819.unnamed_1.shift));
+                            phi_1363_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_mask_LightPlace(_e825.unnamed_1.word, _e774.w));
                         }
-                        let _e843 = phi_1359_;
-                        phi_1365_ = 0u;
-                        phi_1368_ = 0u;
+                        let _e833 = phi_1363_;
+                        phi_1369_ = 0u;
+                        phi_1372_ = 0u;
                         loop {
-                            let _e853 = phi_1365_;
-                            let _e855 = phi_1368_;
-                            local_3 = _e855;
-                            local_4 = _e855;
-                            local_5 = _e855;
-                            let _e856 = (_e853 < 8u);
-                            if _e856 {
-                                let _e858 = (_e853 >> bitcast<u32>(2i));
-                                let _e859 = (_e853 & 3u);
-                                if (_e858 == 0u) {
-                                    phi_1382_ = _e705.unnamed.root;
+                            let _e843 = phi_1369_;
+                            let _e845 = phi_1372_;
+                            local_3 = _e845;
+                            local_4 = _e845;
+                            local_5 = _e845;
+                            let _e846 = (_e843 < 8u);
+                            if _e846 {
+                                let _e848 = (_e843 >> bitcast<u32>(2i));
+                                let _e849 = (_e843 & 3u);
+                                if (_e848 == 0u) {
+                                    phi_1386_ = _e695.unnamed.word;
                                 } else {
-                                    phi_1382_ = _e705.unnamed.first_primitive;
+                                    phi_1386_ = _e695.unnamed.shift;
                                 }
-                                let _e862 = phi_1382_;
-                                if (_e858 == 0u) {
-                                    phi_1392_ = _e774.unnamed.root;
+                                let _e852 = phi_1386_;
+                                if (_e848 == 0u) {
+                                    phi_1396_ = _e764.unnamed.word;
                                 } else {
-                                    phi_1392_ = _e774.unnamed.first_primitive;
+                                    phi_1396_ = _e764.unnamed.shift;
                                 }
-                                let _e871 = phi_1392_;
-                                if (_e858 == 0u) {
-                                    phi_1402_ = _e843.unnamed.root;
+                                let _e861 = phi_1396_;
+                                if (_e848 == 0u) {
+                                    phi_1406_ = _e833.unnamed.word;
                                 } else {
-                                    phi_1402_ = _e843.unnamed.first_primitive;
+                                    phi_1406_ = _e833.unnamed.shift;
                                 }
-                                let _e880 = phi_1402_;
-                                let _e893 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 - _e379)), ((f32(((_e871 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 - _e380)));
-                                let _e894 = core_intrinsics_maximum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 - _e381)));
-                                if (_e858 == 0u) {
-                                    phi_1420_ = _e705.unnamed_1.root;
+                                let _e870 = phi_1406_;
+                                let _e883 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e852 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e370)), ((f32(((_e861 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e371)));
+                                let _e884 = core_intrinsics_maximum_number_nsz_f32_(_e883, ((f32(((_e870 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e372)));
+                                if (_e848 == 0u) {
+                                    phi_1424_ = _e695.unnamed_1.word;
                                 } else {
-                                    phi_1420_ = _e705.unnamed_1.first_primitive;
+                                    phi_1424_ = _e695.unnamed_1.shift;
                                 }
-                                let _e897 = phi_1420_;
-                                if (_e858 == 0u) {
-                                    phi_1430_ = _e774.unnamed_1.root;
+                                let _e887 = phi_1424_;
+                                if (_e848 == 0u) {
+                                    phi_1434_ = _e764.unnamed_1.word;
                                 } else {
-                                    phi_1430_ = _e774.unnamed_1.first_primitive;
+                                    phi_1434_ = _e764.unnamed_1.shift;
                                 }
-                                let _e906 = phi_1430_;
-                                if (_e858 == 0u) {
-                                    phi_1440_ = _e843.unnamed_1.root;
+                                let _e896 = phi_1434_;
+                                if (_e848 == 0u) {
+                                    phi_1444_ = _e833.unnamed_1.word;
                                 } else {
-                                    phi_1440_ = _e843.unnamed_1.first_primitive;
+                                    phi_1444_ = _e833.unnamed_1.shift;
                                 }
-                                let _e915 = phi_1440_;
-                                let _e928 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 + _e379)), ((f32(((_e906 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 + _e380)));
-                                let _e929 = core_intrinsics_minimum_number_nsz_f32_(_e928, ((f32(((_e915 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 + _e381)));
-                                if (_e894 <= _e929) {
-                                    if (_e894 <= _e579.t) {
-                                        if (_e929 >= _e164.tmin) {
-                                            if (_e858 == 0u) {
-                                                let _e936 = nodes.member[(0u + _e581)].links[2u];
-                                                phi_1476_ = _e936;
+                                let _e905 = phi_1444_;
+                                let _e918 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e887 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e370)), ((f32(((_e896 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e371)));
+                                let _e919 = core_intrinsics_minimum_number_nsz_f32_(_e918, ((f32(((_e905 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e372)));
+                                if (_e884 <= _e919) {
+                                    if (_e884 <= _e569.t) {
+                                        if (_e919 >= _e164.tmin) {
+                                            if (_e848 == 0u) {
+                                                let _e926 = nodes.member[(0u + _e571)].links[2u];
+                                                phi_1480_ = _e926;
                                             } else {
-                                                let _e939 = nodes.member[(0u + _e581)].links[3u];
-                                                phi_1476_ = _e939;
+                                                let _e929 = nodes.member[(0u + _e571)].links[3u];
+                                                phi_1480_ = _e929;
                                             }
-                                            let _e941 = phi_1476_;
-                                            let _e946 = ((_e941 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u);
-                                            let _e947 = (_e946 & 31u);
-                                            if (_e947 >= 24u) {
-                                                phi_1489_ = (24u + ((_e947 - 24u) ^ _e441));
+                                            let _e931 = phi_1480_;
+                                            let _e936 = ((_e931 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u);
+                                            let _e937 = (_e936 & 31u);
+                                            if (_e937 >= 24u) {
+                                                phi_1493_ = (24u + ((_e937 - 24u) ^ _e431));
                                             } else {
-                                                phi_1489_ = _e947;
+                                                phi_1493_ = _e937;
                                             }
-                                            let _e953 = phi_1489_;
-                                            phi_1494_ = (_e855 | ((_e946 >> bitcast<u32>(5i)) << bitcast<u32>((_e953 & 31u))));
+                                            let _e943 = phi_1493_;
+                                            phi_1498_ = (_e845 | ((_e936 >> bitcast<u32>(5i)) << bitcast<u32>((_e943 & 31u))));
                                         } else {
-                                            phi_1494_ = _e855;
+                                            phi_1498_ = _e845;
                                         }
-                                        let _e961 = phi_1494_;
-                                        phi_1495_ = _e961;
+                                        let _e951 = phi_1498_;
+                                        phi_1499_ = _e951;
                                     } else {
-                                        phi_1495_ = _e855;
+                                        phi_1499_ = _e845;
                                     }
-                                    let _e963 = phi_1495_;
-                                    phi_1496_ = _e963;
+                                    let _e953 = phi_1499_;
+                                    phi_1500_ = _e953;
                                 } else {
-                                    phi_1496_ = _e855;
+                                    phi_1500_ = _e845;
                                 }
-                                let _e965 = phi_1496_;
-                                phi_1366_ = (_e853 + 1u);
-                                phi_1369_ = _e965;
+                                let _e955 = phi_1500_;
+                                phi_1370_ = (_e843 + 1u);
+                                phi_1373_ = _e955;
                             } else {
-                                phi_1366_ = u32();
-                                phi_1369_ = u32();
+                                phi_1370_ = u32();
+                                phi_1373_ = u32();
                             }
-                            let _e968 = phi_1366_;
-                            let _e970 = phi_1369_;
+                            let _e958 = phi_1370_;
+                            let _e960 = phi_1373_;
                             continue;
                             continuing {
-                                phi_1365_ = _e968;
-                                phi_1368_ = _e970;
-                                break if !(_e856);
+                                phi_1369_ = _e958;
+                                phi_1372_ = _e960;
+                                break if !(_e846);
                             }
                         }
-                        let _e974 = nodes.member[(0u + _e581)].links[0u];
-                        let _e978 = nodes.member[(0u + _e581)].frame[3u];
-                        let _e982 = local_3;
-                        if ((_e982 & 4278190080u) == 0u) {
+                        let _e964 = nodes.member[(0u + _e571)].links[0u];
+                        let _e968 = nodes.member[(0u + _e571)].frame[3u];
+                        let _e972 = local_3;
+                        if ((_e972 & 4278190080u) == 0u) {
                         } else {
-                            let _e986 = local_2.group_mask;
-                            if ((_e986 & 4278190080u) == 0u) {
+                            let _e976 = local_2.group_mask;
+                            if ((_e976 & 4278190080u) == 0u) {
                             } else {
-                                let _e990 = local_2.len;
-                                if (_e990 < 32u) {
-                                    let _e993 = local_2.group;
-                                    let _e995 = local_2.len;
-                                    if (_e995 < 32u) {
+                                let _e980 = local_2.len;
+                                if (_e980 < 32u) {
+                                    let _e983 = local_2.group;
+                                    let _e985 = local_2.len;
+                                    if (_e985 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e995)] = _e993;
-                                    let _e1001 = local_2.group_mask;
-                                    let _e1003 = local_2.len;
-                                    if (_e1003 < 32u) {
+                                    local_2.first[(0u + _e985)] = _e983;
+                                    let _e991 = local_2.group_mask;
+                                    let _e993 = local_2.len;
+                                    if (_e993 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e1003)] = _e1001;
-                                    let _e1010 = local_2.len;
-                                    local_2.len = (_e1010 + 1u);
+                                    local_2.mask[(0u + _e993)] = _e991;
+                                    let _e1000 = local_2.len;
+                                    local_2.len = (_e1000 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e974);
-                            let _e1014 = local_4;
-                            local_2.group_mask = ((_e1014 & 4278190080u) | (_e978 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e964);
+                            let _e1004 = local_4;
+                            local_2.group_mask = ((_e1004 & 4278190080u) | (_e968 >> bitcast<u32>(24i)));
                         }
-                        let _e1019 = local_5;
-                        phi_1554_ = _e579;
-                        phi_1557_ = (_e1019 & 16777215u);
+                        let _e1009 = local_5;
+                        phi_1558_ = _e569;
+                        phi_1561_ = (_e1009 & 16777215u);
                         loop {
-                            let _e1022 = phi_1554_;
-                            let _e1024 = phi_1557_;
-                            local_6 = _e1022;
-                            if (_e1024 == 0u) {
-                                phi_1555_ = lt_bvh_Hit();
-                                phi_1558_ = u32();
-                                phi_2413_ = false;
+                            let _e1012 = phi_1558_;
+                            let _e1014 = phi_1561_;
+                            local_6 = _e1012;
+                            if (_e1014 == 0u) {
+                                phi_1559_ = lt_bvh_Hit();
+                                phi_1562_ = u32();
+                                phi_2417_ = false;
                             } else {
-                                let _e1028 = nodes.member[(0u + _e581)].links[1u];
-                                let _e1033 = ((0u + _e1028) + select(firstTrailingBit(_e1024), 32u, (_e1024 == 0u)));
-                                if (_e1033 < _e82) {
+                                let _e1018 = nodes.member[(0u + _e571)].links[1u];
+                                let _e1023 = ((0u + _e1018) + select(firstTrailingBit(_e1014), 32u, (_e1014 == 0u)));
+                                if (_e1023 < _e82) {
                                 } else {
                                     return;
                                 }
-                                let _e1040 = triangles.member[(0u + _e1033)].v0_;
-                                let _e1043 = (_e1040.x - _e164.origin.x);
-                                let _e1046 = (_e1040.y - _e164.origin.y);
-                                let _e1049 = (_e1040.z - _e164.origin.z);
-                                if (_e406 == 0u) {
-                                    phi_1604_ = vec3<f32>(_e1046, _e1049, _e1043);
+                                let _e1030 = triangles.member[(0u + _e1023)].v0_;
+                                let _e1033 = (_e1030.x - _e164.origin.x);
+                                let _e1036 = (_e1030.y - _e164.origin.y);
+                                let _e1039 = (_e1030.z - _e164.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1608_ = vec3<f32>(_e1036, _e1039, _e1033);
                                 } else {
-                                    if (_e406 == 1u) {
-                                        phi_1603_ = vec3<f32>(_e1049, _e1043, _e1046);
+                                    if (_e398 == 1u) {
+                                        phi_1607_ = vec3<f32>(_e1039, _e1033, _e1036);
                                     } else {
-                                        phi_1603_ = (_e1040 - _e164.origin);
+                                        phi_1607_ = (_e1030 - _e164.origin);
                                     }
-                                    let _e1056 = phi_1603_;
-                                    phi_1604_ = _e1056;
+                                    let _e1046 = phi_1607_;
+                                    phi_1608_ = _e1046;
                                 }
-                                let _e1058 = phi_1604_;
-                                let _e1062 = (_e1058.x - (_e425 * _e1058.z));
-                                let _e1066 = (_e1058.y - (_e428 * _e1058.z));
-                                let _e1068 = triangles.member[(0u + _e1033)].v1_;
-                                let _e1071 = (_e1068.x - _e164.origin.x);
-                                let _e1074 = (_e1068.y - _e164.origin.y);
-                                let _e1077 = (_e1068.z - _e164.origin.z);
-                                if (_e406 == 0u) {
-                                    phi_1636_ = vec3<f32>(_e1074, _e1077, _e1071);
+                                let _e1048 = phi_1608_;
+                                let _e1052 = (_e1048.x - (_e415 * _e1048.z));
+                                let _e1056 = (_e1048.y - (_e418 * _e1048.z));
+                                let _e1058 = triangles.member[(0u + _e1023)].v1_;
+                                let _e1061 = (_e1058.x - _e164.origin.x);
+                                let _e1064 = (_e1058.y - _e164.origin.y);
+                                let _e1067 = (_e1058.z - _e164.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1640_ = vec3<f32>(_e1064, _e1067, _e1061);
                                 } else {
-                                    if (_e406 == 1u) {
-                                        phi_1635_ = vec3<f32>(_e1077, _e1071, _e1074);
+                                    if (_e398 == 1u) {
+                                        phi_1639_ = vec3<f32>(_e1067, _e1061, _e1064);
                                     } else {
-                                        phi_1635_ = (_e1068 - _e164.origin);
+                                        phi_1639_ = (_e1058 - _e164.origin);
                                     }
-                                    let _e1084 = phi_1635_;
-                                    phi_1636_ = _e1084;
+                                    let _e1074 = phi_1639_;
+                                    phi_1640_ = _e1074;
                                 }
-                                let _e1086 = phi_1636_;
-                                let _e1090 = (_e1086.x - (_e425 * _e1086.z));
-                                let _e1094 = (_e1086.y - (_e428 * _e1086.z));
-                                let _e1096 = triangles.member[(0u + _e1033)].v2_;
-                                let _e1099 = (_e1096.x - _e164.origin.x);
-                                let _e1102 = (_e1096.y - _e164.origin.y);
-                                let _e1105 = (_e1096.z - _e164.origin.z);
-                                if (_e406 == 0u) {
-                                    phi_1668_ = vec3<f32>(_e1102, _e1105, _e1099);
+                                let _e1076 = phi_1640_;
+                                let _e1080 = (_e1076.x - (_e415 * _e1076.z));
+                                let _e1084 = (_e1076.y - (_e418 * _e1076.z));
+                                let _e1086 = triangles.member[(0u + _e1023)].v2_;
+                                let _e1089 = (_e1086.x - _e164.origin.x);
+                                let _e1092 = (_e1086.y - _e164.origin.y);
+                                let _e1095 = (_e1086.z - _e164.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1672_ = vec3<f32>(_e1092, _e1095, _e1089);
                                 } else {
-                                    if (_e406 == 1u) {
-                                        phi_1667_ = vec3<f32>(_e1105, _e1099, _e1102);
+                                    if (_e398 == 1u) {
+                                        phi_1671_ = vec3<f32>(_e1095, _e1089, _e1092);
                                     } else {
-                                        phi_1667_ = (_e1096 - _e164.origin);
+                                        phi_1671_ = (_e1086 - _e164.origin);
                                     }
-                                    let _e1112 = phi_1667_;
-                                    phi_1668_ = _e1112;
+                                    let _e1102 = phi_1671_;
+                                    phi_1672_ = _e1102;
                                 }
-                                let _e1114 = phi_1668_;
-                                let _e1118 = (_e1114.x - (_e425 * _e1114.z));
-                                let _e1122 = (_e1114.y - (_e428 * _e1114.z));
-                                if (_e1090 < _e1118) {
-                                    phi_1687_ = true;
+                                let _e1104 = phi_1672_;
+                                let _e1108 = (_e1104.x - (_e415 * _e1104.z));
+                                let _e1112 = (_e1104.y - (_e418 * _e1104.z));
+                                if (_e1080 < _e1108) {
+                                    phi_1691_ = true;
                                 } else {
-                                    if (_e1090 == _e1118) {
-                                        phi_1686_ = (_e1094 < _e1122);
+                                    if (_e1080 == _e1108) {
+                                        phi_1690_ = (_e1084 < _e1112);
                                     } else {
-                                        phi_1686_ = false;
+                                        phi_1690_ = false;
                                     }
-                                    let _e1127 = phi_1686_;
-                                    phi_1687_ = _e1127;
+                                    let _e1117 = phi_1690_;
+                                    phi_1691_ = _e1117;
                                 }
-                                let _e1129 = phi_1687_;
-                                if _e1129 {
-                                    phi_1691_ = _e1122;
-                                    phi_1692_ = _e1118;
-                                    phi_1693_ = _e1094;
-                                    phi_1694_ = _e1090;
+                                let _e1119 = phi_1691_;
+                                if _e1119 {
+                                    phi_1695_ = _e1112;
+                                    phi_1696_ = _e1108;
+                                    phi_1697_ = _e1084;
+                                    phi_1698_ = _e1080;
                                 } else {
-                                    phi_1691_ = _e1094;
-                                    phi_1692_ = _e1090;
-                                    phi_1693_ = _e1122;
-                                    phi_1694_ = _e1118;
+                                    phi_1695_ = _e1084;
+                                    phi_1696_ = _e1080;
+                                    phi_1697_ = _e1112;
+                                    phi_1698_ = _e1108;
                                 }
-                                let _e1131 = phi_1691_;
-                                let _e1133 = phi_1692_;
-                                let _e1135 = phi_1693_;
-                                let _e1137 = phi_1694_;
-                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
-                                if _e1129 {
-                                    phi_1702_ = -(_e1140);
+                                let _e1121 = phi_1695_;
+                                let _e1123 = phi_1696_;
+                                let _e1125 = phi_1697_;
+                                let _e1127 = phi_1698_;
+                                let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
+                                if _e1119 {
+                                    phi_1706_ = -(_e1130);
                                 } else {
-                                    phi_1702_ = _e1140;
+                                    phi_1706_ = _e1130;
                                 }
-                                let _e1143 = phi_1702_;
-                                if (_e1118 < _e1062) {
-                                    phi_1713_ = true;
+                                let _e1133 = phi_1706_;
+                                if (_e1108 < _e1052) {
+                                    phi_1717_ = true;
                                 } else {
-                                    if (_e1118 == _e1062) {
-                                        phi_1712_ = (_e1122 < _e1066);
+                                    if (_e1108 == _e1052) {
+                                        phi_1716_ = (_e1112 < _e1056);
                                     } else {
-                                        phi_1712_ = false;
+                                        phi_1716_ = false;
                                     }
-                                    let _e1148 = phi_1712_;
-                                    phi_1713_ = _e1148;
+                                    let _e1138 = phi_1716_;
+                                    phi_1717_ = _e1138;
                                 }
-                                let _e1150 = phi_1713_;
-                                if _e1150 {
-                                    phi_1717_ = _e1066;
-                                    phi_1718_ = _e1062;
-                                    phi_1719_ = _e1122;
-                                    phi_1720_ = _e1118;
+                                let _e1140 = phi_1717_;
+                                if _e1140 {
+                                    phi_1721_ = _e1056;
+                                    phi_1722_ = _e1052;
+                                    phi_1723_ = _e1112;
+                                    phi_1724_ = _e1108;
                                 } else {
-                                    phi_1717_ = _e1122;
-                                    phi_1718_ = _e1118;
-                                    phi_1719_ = _e1066;
-                                    phi_1720_ = _e1062;
+                                    phi_1721_ = _e1112;
+                                    phi_1722_ = _e1108;
+                                    phi_1723_ = _e1056;
+                                    phi_1724_ = _e1052;
                                 }
-                                let _e1152 = phi_1717_;
-                                let _e1154 = phi_1718_;
-                                let _e1156 = phi_1719_;
-                                let _e1158 = phi_1720_;
-                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
-                                if _e1150 {
-                                    phi_1728_ = -(_e1161);
+                                let _e1142 = phi_1721_;
+                                let _e1144 = phi_1722_;
+                                let _e1146 = phi_1723_;
+                                let _e1148 = phi_1724_;
+                                let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
+                                if _e1140 {
+                                    phi_1732_ = -(_e1151);
                                 } else {
-                                    phi_1728_ = _e1161;
+                                    phi_1732_ = _e1151;
                                 }
-                                let _e1164 = phi_1728_;
-                                if (_e1062 < _e1090) {
-                                    phi_1739_ = true;
+                                let _e1154 = phi_1732_;
+                                if (_e1052 < _e1080) {
+                                    phi_1743_ = true;
                                 } else {
-                                    if (_e1062 == _e1090) {
-                                        phi_1738_ = (_e1066 < _e1094);
+                                    if (_e1052 == _e1080) {
+                                        phi_1742_ = (_e1056 < _e1084);
                                     } else {
-                                        phi_1738_ = false;
+                                        phi_1742_ = false;
                                     }
-                                    let _e1169 = phi_1738_;
-                                    phi_1739_ = _e1169;
+                                    let _e1159 = phi_1742_;
+                                    phi_1743_ = _e1159;
                                 }
-                                let _e1171 = phi_1739_;
-                                if _e1171 {
-                                    phi_1743_ = _e1094;
-                                    phi_1744_ = _e1090;
-                                    phi_1745_ = _e1066;
-                                    phi_1746_ = _e1062;
+                                let _e1161 = phi_1743_;
+                                if _e1161 {
+                                    phi_1747_ = _e1084;
+                                    phi_1748_ = _e1080;
+                                    phi_1749_ = _e1056;
+                                    phi_1750_ = _e1052;
                                 } else {
-                                    phi_1743_ = _e1066;
-                                    phi_1744_ = _e1062;
-                                    phi_1745_ = _e1094;
-                                    phi_1746_ = _e1090;
+                                    phi_1747_ = _e1056;
+                                    phi_1748_ = _e1052;
+                                    phi_1749_ = _e1084;
+                                    phi_1750_ = _e1080;
                                 }
-                                let _e1173 = phi_1743_;
-                                let _e1175 = phi_1744_;
-                                let _e1177 = phi_1745_;
-                                let _e1179 = phi_1746_;
-                                let _e1182 = ((_e1179 * _e1173) - (_e1177 * _e1175));
-                                if _e1171 {
-                                    phi_1754_ = -(_e1182);
+                                let _e1163 = phi_1747_;
+                                let _e1165 = phi_1748_;
+                                let _e1167 = phi_1749_;
+                                let _e1169 = phi_1750_;
+                                let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
+                                if _e1161 {
+                                    phi_1758_ = -(_e1172);
                                 } else {
-                                    phi_1754_ = _e1182;
+                                    phi_1758_ = _e1172;
                                 }
-                                let _e1185 = phi_1754_;
-                                if (_e1143 >= 0f) {
-                                    if (_e1164 >= 0f) {
-                                        if (_e1185 >= 0f) {
-                                            phi_1769_ = ((_e1143 + _e1164) + _e1185);
-                                            phi_1770_ = false;
+                                let _e1175 = phi_1758_;
+                                if (_e1133 >= 0f) {
+                                    if (_e1154 >= 0f) {
+                                        if (_e1175 >= 0f) {
+                                            phi_1773_ = ((_e1133 + _e1154) + _e1175);
+                                            phi_1774_ = false;
                                         } else {
-                                            phi_1769_ = f32();
-                                            phi_1770_ = true;
+                                            phi_1773_ = f32();
+                                            phi_1774_ = true;
                                         }
-                                        let _e1192 = phi_1769_;
-                                        let _e1194 = phi_1770_;
-                                        phi_1771_ = _e1192;
-                                        phi_1772_ = _e1194;
+                                        let _e1182 = phi_1773_;
+                                        let _e1184 = phi_1774_;
+                                        phi_1775_ = _e1182;
+                                        phi_1776_ = _e1184;
                                     } else {
-                                        phi_1771_ = f32();
-                                        phi_1772_ = true;
+                                        phi_1775_ = f32();
+                                        phi_1776_ = true;
                                     }
-                                    let _e1196 = phi_1771_;
-                                    let _e1198 = phi_1772_;
-                                    phi_1773_ = _e1196;
-                                    phi_1774_ = _e1198;
+                                    let _e1186 = phi_1775_;
+                                    let _e1188 = phi_1776_;
+                                    phi_1777_ = _e1186;
+                                    phi_1778_ = _e1188;
                                 } else {
-                                    phi_1773_ = f32();
-                                    phi_1774_ = true;
+                                    phi_1777_ = f32();
+                                    phi_1778_ = true;
                                 }
-                                let _e1200 = phi_1773_;
-                                let _e1202 = phi_1774_;
-                                if _e1202 {
-                                    if (_e1143 <= 0f) {
-                                        if (_e1164 <= 0f) {
-                                            let _e1205 = (_e1185 <= 0f);
-                                            if _e1205 {
+                                let _e1190 = phi_1777_;
+                                let _e1192 = phi_1778_;
+                                if _e1192 {
+                                    if (_e1133 <= 0f) {
+                                        if (_e1154 <= 0f) {
+                                            let _e1195 = (_e1175 <= 0f);
+                                            if _e1195 {
                                             }
-                                            phi_1792_ = ((_e1143 + _e1164) + _e1185);
-                                            phi_1793_ = false;
-                                            phi_1794_ = _e1205;
+                                            phi_1796_ = ((_e1133 + _e1154) + _e1175);
+                                            phi_1797_ = false;
+                                            phi_1798_ = _e1195;
                                         } else {
-                                            phi_1792_ = f32();
-                                            phi_1793_ = true;
-                                            phi_1794_ = false;
+                                            phi_1796_ = f32();
+                                            phi_1797_ = true;
+                                            phi_1798_ = false;
                                         }
-                                        let _e1209 = phi_1792_;
-                                        let _e1211 = phi_1793_;
-                                        let _e1213 = phi_1794_;
-                                        phi_1795_ = _e1209;
-                                        phi_1796_ = _e1211;
-                                        phi_1797_ = _e1213;
+                                        let _e1199 = phi_1796_;
+                                        let _e1201 = phi_1797_;
+                                        let _e1203 = phi_1798_;
+                                        phi_1799_ = _e1199;
+                                        phi_1800_ = _e1201;
+                                        phi_1801_ = _e1203;
                                     } else {
-                                        phi_1795_ = f32();
-                                        phi_1796_ = true;
-                                        phi_1797_ = false;
-                                    }
-                                    let _e1215 = phi_1795_;
-                                    let _e1217 = phi_1796_;
-                                    let _e1219 = phi_1797_;
-                                    if _e1217 {
+                                        phi_1799_ = f32();
+                                        phi_1800_ = true;
                                         phi_1801_ = false;
-                                    } else {
-                                        phi_1801_ = _e1219;
                                     }
-                                    let _e1221 = phi_1801_;
-                                    phi_1802_ = _e1215;
-                                    phi_1803_ = _e1221;
-                                } else {
-                                    phi_1802_ = _e1200;
-                                    phi_1803_ = true;
-                                }
-                                let _e1223 = phi_1802_;
-                                let _e1225 = phi_1803_;
-                                if _e1225 {
-                                    let _e1226 = (_e1223 == 0f);
-                                    if _e1226 {
-                                        phi_2129_ = lt_bvh_triangle_Intersection();
-                                        phi_2130_ = false;
+                                    let _e1205 = phi_1799_;
+                                    let _e1207 = phi_1800_;
+                                    let _e1209 = phi_1801_;
+                                    if _e1207 {
+                                        phi_1805_ = false;
                                     } else {
-                                        let _e1228 = triangles.member[(0u + _e1033)].v0_;
-                                        let _e1231 = (_e1228.x - _e164.origin.x);
-                                        let _e1234 = (_e1228.y - _e164.origin.y);
-                                        let _e1237 = (_e1228.z - _e164.origin.z);
-                                        if (_e406 == 0u) {
-                                            phi_1834_ = vec3<f32>(_e1234, _e1237, _e1231);
-                                        } else {
-                                            if (_e406 == 1u) {
-                                                phi_1833_ = vec3<f32>(_e1237, _e1231, _e1234);
-                                            } else {
-                                                phi_1833_ = (_e1228 - _e164.origin);
-                                            }
-                                            let _e1244 = phi_1833_;
-                                            phi_1834_ = _e1244;
-                                        }
-                                        let _e1246 = phi_1834_;
-                                        let _e1248 = triangles.member[(0u + _e1033)].v1_;
-                                        let _e1250 = triangles.member[(0u + _e1033)].v0_;
-                                        let _e1253 = (_e1248.x - _e1250.x);
-                                        let _e1256 = (_e1248.y - _e1250.y);
-                                        let _e1259 = (_e1248.z - _e1250.z);
-                                        if (_e406 == 0u) {
-                                            phi_1860_ = vec3<f32>(_e1256, _e1259, _e1253);
-                                        } else {
-                                            if (_e406 == 1u) {
-                                                phi_1859_ = vec3<f32>(_e1259, _e1253, _e1256);
-                                            } else {
-                                                phi_1859_ = (_e1248 - _e1250);
-                                            }
-                                            let _e1266 = phi_1859_;
-                                            phi_1860_ = _e1266;
-                                        }
-                                        let _e1268 = phi_1860_;
-                                        let _e1270 = triangles.member[(0u + _e1033)].v2_;
-                                        let _e1272 = triangles.member[(0u + _e1033)].v0_;
-                                        let _e1275 = (_e1270.x - _e1272.x);
-                                        let _e1278 = (_e1270.y - _e1272.y);
-                                        let _e1281 = (_e1270.z - _e1272.z);
-                                        if (_e406 == 0u) {
-                                            phi_1886_ = vec3<f32>(_e1278, _e1281, _e1275);
-                                        } else {
-                                            if (_e406 == 1u) {
-                                                phi_1885_ = vec3<f32>(_e1281, _e1275, _e1278);
-                                            } else {
-                                                phi_1885_ = (_e1270 - _e1272);
-                                            }
-                                            let _e1288 = phi_1885_;
-                                            phi_1886_ = _e1288;
-                                        }
-                                        let _e1290 = phi_1886_;
-                                        let _e1297 = ((_e1268.y * _e1290.z) - (_e1268.z * _e1290.y));
-                                        let _e1304 = ((_e1268.z * _e1290.x) - (_e1268.x * _e1290.z));
-                                        let _e1311 = ((_e1268.x * _e1290.y) - (_e1268.y * _e1290.x));
-                                        let _e1325 = (((1f / _e421.z) * (((_e1297 * _e1246.x) + (_e1304 * _e1246.y)) + (_e1311 * _e1246.z))) / (((_e1297 * _e425) + (_e1304 * _e428)) + _e1311));
-                                        if (_e1325 > _e164.tmin) {
-                                            if (_e1325 < _e164.tmax) {
-                                                let _e1331 = triangles.member[(0u + _e1033)].v0_;
-                                                let _e1333 = triangles.member[(0u + _e1033)].v1_;
-                                                if (_e1331.x < _e1333.x) {
-                                                    phi_1944_ = _e1331.x;
-                                                } else {
-                                                    phi_1944_ = _e1333.x;
-                                                }
-                                                let _e1340 = phi_1944_;
-                                                if (_e1331.y < _e1333.y) {
-                                                    phi_1953_ = _e1331.y;
-                                                } else {
-                                                    phi_1953_ = _e1333.y;
-                                                }
-                                                let _e1347 = phi_1953_;
-                                                if (_e1331.z < _e1333.z) {
-                                                    phi_1962_ = _e1331.z;
-                                                } else {
-                                                    phi_1962_ = _e1333.z;
-                                                }
-                                                let _e1354 = phi_1962_;
-                                                let _e1356 = triangles.member[(0u + _e1033)].v2_;
-                                                if (_e1340 < _e1356.x) {
-                                                    phi_1971_ = _e1340;
-                                                } else {
-                                                    phi_1971_ = _e1356.x;
-                                                }
-                                                let _e1361 = phi_1971_;
-                                                if (_e1347 < _e1356.y) {
-                                                    phi_1978_ = _e1347;
-                                                } else {
-                                                    phi_1978_ = _e1356.y;
-                                                }
-                                                let _e1366 = phi_1978_;
-                                                if (_e1354 < _e1356.z) {
-                                                    phi_1985_ = _e1354;
-                                                } else {
-                                                    phi_1985_ = _e1356.z;
-                                                }
-                                                let _e1371 = phi_1985_;
-                                                let _e1373 = triangles.member[(0u + _e1033)].v0_;
-                                                let _e1375 = triangles.member[(0u + _e1033)].v1_;
-                                                if (_e1373.x > _e1375.x) {
-                                                    phi_1998_ = _e1373.x;
-                                                } else {
-                                                    phi_1998_ = _e1375.x;
-                                                }
-                                                let _e1382 = phi_1998_;
-                                                if (_e1373.y > _e1375.y) {
-                                                    phi_2007_ = _e1373.y;
-                                                } else {
-                                                    phi_2007_ = _e1375.y;
-                                                }
-                                                let _e1389 = phi_2007_;
-                                                if (_e1373.z > _e1375.z) {
-                                                    phi_2016_ = _e1373.z;
-                                                } else {
-                                                    phi_2016_ = _e1375.z;
-                                                }
-                                                let _e1396 = phi_2016_;
-                                                let _e1398 = triangles.member[(0u + _e1033)].v2_;
-                                                if (_e1382 > _e1398.x) {
-                                                    phi_2025_ = _e1382;
-                                                } else {
-                                                    phi_2025_ = _e1398.x;
-                                                }
-                                                let _e1403 = phi_2025_;
-                                                if (_e1389 > _e1398.y) {
-                                                    phi_2032_ = _e1389;
-                                                } else {
-                                                    phi_2032_ = _e1398.y;
-                                                }
-                                                let _e1408 = phi_2032_;
-                                                if (_e1396 > _e1398.z) {
-                                                    phi_2039_ = _e1396;
-                                                } else {
-                                                    phi_2039_ = _e1398.z;
-                                                }
-                                                let _e1413 = phi_2039_;
-                                                let _e1420 = ((_e1361 - _e164.origin.x) * _e318);
-                                                let _e1421 = ((_e1366 - _e164.origin.y) * _e330);
-                                                let _e1422 = ((_e1371 - _e164.origin.z) * _e342);
-                                                let _e1429 = ((_e1403 - _e164.origin.x) * _e318);
-                                                let _e1430 = ((_e1408 - _e164.origin.y) * _e330);
-                                                let _e1431 = ((_e1413 - _e164.origin.z) * _e342);
-                                                if (_e1420 < _e1429) {
-                                                    phi_2062_ = _e1420;
-                                                } else {
-                                                    phi_2062_ = _e1429;
-                                                }
-                                                let _e1434 = phi_2062_;
-                                                if (_e1421 < _e1430) {
-                                                    phi_2067_ = _e1421;
-                                                } else {
-                                                    phi_2067_ = _e1430;
-                                                }
-                                                let _e1437 = phi_2067_;
-                                                if (_e1422 < _e1431) {
-                                                    phi_2072_ = _e1422;
-                                                } else {
-                                                    phi_2072_ = _e1431;
-                                                }
-                                                let _e1440 = phi_2072_;
-                                                if (_e1420 > _e1429) {
-                                                    phi_2080_ = _e1420;
-                                                } else {
-                                                    phi_2080_ = _e1429;
-                                                }
-                                                let _e1446 = phi_2080_;
-                                                if (_e1421 > _e1430) {
-                                                    phi_2085_ = _e1421;
-                                                } else {
-                                                    phi_2085_ = _e1430;
-                                                }
-                                                let _e1449 = phi_2085_;
-                                                if (_e1422 > _e1431) {
-                                                    phi_2090_ = _e1422;
-                                                } else {
-                                                    phi_2090_ = _e1431;
-                                                }
-                                                let _e1452 = phi_2090_;
-                                                let _e1456 = core_intrinsics_maximum_number_nsz_f32_((_e1434 - _e386), (_e1437 - _e387));
-                                                let _e1457 = core_intrinsics_maximum_number_nsz_f32_(_e1456, (_e1440 - _e388));
-                                                let _e1458 = core_intrinsics_minimum_number_nsz_f32_((_e1446 + _e386), (_e1449 + _e387));
-                                                let _e1459 = core_intrinsics_minimum_number_nsz_f32_(_e1458, (_e1452 + _e388));
-                                                if (_e1457 > -300000000000000000000000000000000000000f) {
-                                                    phi_2102_ = _e1457;
-                                                } else {
-                                                    phi_2102_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1462 = phi_2102_;
-                                                if (_e1459 < 300000000000000000000000000000000000000f) {
-                                                    phi_2107_ = _e1459;
-                                                } else {
-                                                    phi_2107_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1465 = phi_2107_;
-                                                if (_e1325 < _e1462) {
-                                                    phi_2112_ = _e1462;
-                                                } else {
-                                                    phi_2112_ = _e1325;
-                                                }
-                                                let _e1468 = phi_2112_;
-                                                if (_e1468 > _e1465) {
-                                                    phi_2117_ = _e1465;
-                                                } else {
-                                                    phi_2117_ = _e1468;
-                                                }
-                                                let _e1471 = phi_2117_;
-                                                phi_2122_ = lt_bvh_triangle_Intersection(_e1471, (_e1164 / _e1223), (_e1185 / _e1223), (_e1462 <= _e1465));
-                                                phi_2123_ = false;
-                                            } else {
-                                                phi_2122_ = lt_bvh_triangle_Intersection();
-                                                phi_2123_ = true;
-                                            }
-                                            let _e1477 = phi_2122_;
-                                            let _e1479 = phi_2123_;
-                                            phi_2124_ = _e1477;
-                                            phi_2125_ = _e1479;
-                                        } else {
-                                            phi_2124_ = lt_bvh_triangle_Intersection();
-                                            phi_2125_ = true;
-                                        }
-                                        let _e1481 = phi_2124_;
-                                        let _e1483 = phi_2125_;
-                                        if _e1483 {
-                                        }
-                                        phi_2129_ = _e1481;
-                                        phi_2130_ = _e1483;
+                                        phi_1805_ = _e1209;
                                     }
-                                    let _e1485 = phi_2129_;
-                                    let _e1487 = phi_2130_;
-                                    phi_2131_ = _e1485;
-                                    phi_2132_ = _e1226;
-                                    phi_2133_ = _e1487;
+                                    let _e1211 = phi_1805_;
+                                    phi_1806_ = _e1205;
+                                    phi_1807_ = _e1211;
                                 } else {
-                                    phi_2131_ = lt_bvh_triangle_Intersection();
-                                    phi_2132_ = true;
-                                    phi_2133_ = false;
+                                    phi_1806_ = _e1190;
+                                    phi_1807_ = true;
                                 }
-                                let _e1489 = phi_2131_;
-                                let _e1491 = phi_2132_;
-                                let _e1493 = phi_2133_;
-                                if _e1491 {
-                                    phi_2137_ = true;
-                                } else {
-                                    phi_2137_ = _e1493;
-                                }
-                                let _e1495 = phi_2137_;
-                                if _e1495 {
-                                    phi_2141_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2141_ = _e1489;
-                                }
-                                let _e1497 = phi_2141_;
-                                if _e1497.is_hit {
-                                    if (_e1497.t > _e164.tmin) {
-                                        if (_e1497.t < _e1022.t) {
-                                            phi_2190_ = true;
+                                let _e1213 = phi_1806_;
+                                let _e1215 = phi_1807_;
+                                if _e1215 {
+                                    let _e1216 = (_e1213 == 0f);
+                                    if _e1216 {
+                                        phi_2133_ = lt_bvh_triangle_Intersection();
+                                        phi_2134_ = false;
+                                    } else {
+                                        let _e1218 = triangles.member[(0u + _e1023)].v0_;
+                                        let _e1221 = (_e1218.x - _e164.origin.x);
+                                        let _e1224 = (_e1218.y - _e164.origin.y);
+                                        let _e1227 = (_e1218.z - _e164.origin.z);
+                                        if (_e398 == 0u) {
+                                            phi_1838_ = vec3<f32>(_e1224, _e1227, _e1221);
                                         } else {
-                                            if (_e1497.t == _e1022.t) {
-                                                if (_e1022.triangle != 4294967295u) {
-                                                    if (_e1033 < _e1022.triangle) {
-                                                        phi_2181_ = true;
+                                            if (_e398 == 1u) {
+                                                phi_1837_ = vec3<f32>(_e1227, _e1221, _e1224);
+                                            } else {
+                                                phi_1837_ = (_e1218 - _e164.origin);
+                                            }
+                                            let _e1234 = phi_1837_;
+                                            phi_1838_ = _e1234;
+                                        }
+                                        let _e1236 = phi_1838_;
+                                        let _e1238 = triangles.member[(0u + _e1023)].v1_;
+                                        let _e1240 = triangles.member[(0u + _e1023)].v0_;
+                                        let _e1243 = (_e1238.x - _e1240.x);
+                                        let _e1246 = (_e1238.y - _e1240.y);
+                                        let _e1249 = (_e1238.z - _e1240.z);
+                                        if (_e398 == 0u) {
+                                            phi_1864_ = vec3<f32>(_e1246, _e1249, _e1243);
+                                        } else {
+                                            if (_e398 == 1u) {
+                                                phi_1863_ = vec3<f32>(_e1249, _e1243, _e1246);
+                                            } else {
+                                                phi_1863_ = (_e1238 - _e1240);
+                                            }
+                                            let _e1256 = phi_1863_;
+                                            phi_1864_ = _e1256;
+                                        }
+                                        let _e1258 = phi_1864_;
+                                        let _e1260 = triangles.member[(0u + _e1023)].v2_;
+                                        let _e1262 = triangles.member[(0u + _e1023)].v0_;
+                                        let _e1265 = (_e1260.x - _e1262.x);
+                                        let _e1268 = (_e1260.y - _e1262.y);
+                                        let _e1271 = (_e1260.z - _e1262.z);
+                                        if (_e398 == 0u) {
+                                            phi_1890_ = vec3<f32>(_e1268, _e1271, _e1265);
+                                        } else {
+                                            if (_e398 == 1u) {
+                                                phi_1889_ = vec3<f32>(_e1271, _e1265, _e1268);
+                                            } else {
+                                                phi_1889_ = (_e1260 - _e1262);
+                                            }
+                                            let _e1278 = phi_1889_;
+                                            phi_1890_ = _e1278;
+                                        }
+                                        let _e1280 = phi_1890_;
+                                        let _e1287 = ((_e1258.y * _e1280.z) - (_e1258.z * _e1280.y));
+                                        let _e1294 = ((_e1258.z * _e1280.x) - (_e1258.x * _e1280.z));
+                                        let _e1301 = ((_e1258.x * _e1280.y) - (_e1258.y * _e1280.x));
+                                        let _e1315 = (((1f / _e412.z) * (((_e1287 * _e1236.x) + (_e1294 * _e1236.y)) + (_e1301 * _e1236.z))) / (((_e1287 * _e415) + (_e1294 * _e418)) + _e1301));
+                                        if (_e1315 > _e164.tmin) {
+                                            if (_e1315 < _e164.tmax) {
+                                                let _e1321 = triangles.member[(0u + _e1023)].v0_;
+                                                let _e1323 = triangles.member[(0u + _e1023)].v1_;
+                                                if (_e1321.x < _e1323.x) {
+                                                    phi_1948_ = _e1321.x;
+                                                } else {
+                                                    phi_1948_ = _e1323.x;
+                                                }
+                                                let _e1330 = phi_1948_;
+                                                if (_e1321.y < _e1323.y) {
+                                                    phi_1957_ = _e1321.y;
+                                                } else {
+                                                    phi_1957_ = _e1323.y;
+                                                }
+                                                let _e1337 = phi_1957_;
+                                                if (_e1321.z < _e1323.z) {
+                                                    phi_1966_ = _e1321.z;
+                                                } else {
+                                                    phi_1966_ = _e1323.z;
+                                                }
+                                                let _e1344 = phi_1966_;
+                                                let _e1346 = triangles.member[(0u + _e1023)].v2_;
+                                                if (_e1330 < _e1346.x) {
+                                                    phi_1975_ = _e1330;
+                                                } else {
+                                                    phi_1975_ = _e1346.x;
+                                                }
+                                                let _e1351 = phi_1975_;
+                                                if (_e1337 < _e1346.y) {
+                                                    phi_1982_ = _e1337;
+                                                } else {
+                                                    phi_1982_ = _e1346.y;
+                                                }
+                                                let _e1356 = phi_1982_;
+                                                if (_e1344 < _e1346.z) {
+                                                    phi_1989_ = _e1344;
+                                                } else {
+                                                    phi_1989_ = _e1346.z;
+                                                }
+                                                let _e1361 = phi_1989_;
+                                                let _e1363 = triangles.member[(0u + _e1023)].v0_;
+                                                let _e1365 = triangles.member[(0u + _e1023)].v1_;
+                                                if (_e1363.x > _e1365.x) {
+                                                    phi_2002_ = _e1363.x;
+                                                } else {
+                                                    phi_2002_ = _e1365.x;
+                                                }
+                                                let _e1372 = phi_2002_;
+                                                if (_e1363.y > _e1365.y) {
+                                                    phi_2011_ = _e1363.y;
+                                                } else {
+                                                    phi_2011_ = _e1365.y;
+                                                }
+                                                let _e1379 = phi_2011_;
+                                                if (_e1363.z > _e1365.z) {
+                                                    phi_2020_ = _e1363.z;
+                                                } else {
+                                                    phi_2020_ = _e1365.z;
+                                                }
+                                                let _e1386 = phi_2020_;
+                                                let _e1388 = triangles.member[(0u + _e1023)].v2_;
+                                                if (_e1372 > _e1388.x) {
+                                                    phi_2029_ = _e1372;
+                                                } else {
+                                                    phi_2029_ = _e1388.x;
+                                                }
+                                                let _e1393 = phi_2029_;
+                                                if (_e1379 > _e1388.y) {
+                                                    phi_2036_ = _e1379;
+                                                } else {
+                                                    phi_2036_ = _e1388.y;
+                                                }
+                                                let _e1398 = phi_2036_;
+                                                if (_e1386 > _e1388.z) {
+                                                    phi_2043_ = _e1386;
+                                                } else {
+                                                    phi_2043_ = _e1388.z;
+                                                }
+                                                let _e1403 = phi_2043_;
+                                                let _e1410 = ((_e1351 - _e164.origin.x) * _e310);
+                                                let _e1411 = ((_e1356 - _e164.origin.y) * _e321);
+                                                let _e1412 = ((_e1361 - _e164.origin.z) * _e332);
+                                                let _e1419 = ((_e1393 - _e164.origin.x) * _e310);
+                                                let _e1420 = ((_e1398 - _e164.origin.y) * _e321);
+                                                let _e1421 = ((_e1403 - _e164.origin.z) * _e332);
+                                                if (_e1410 < _e1419) {
+                                                    phi_2066_ = _e1410;
+                                                } else {
+                                                    phi_2066_ = _e1419;
+                                                }
+                                                let _e1424 = phi_2066_;
+                                                if (_e1411 < _e1420) {
+                                                    phi_2071_ = _e1411;
+                                                } else {
+                                                    phi_2071_ = _e1420;
+                                                }
+                                                let _e1427 = phi_2071_;
+                                                if (_e1412 < _e1421) {
+                                                    phi_2076_ = _e1412;
+                                                } else {
+                                                    phi_2076_ = _e1421;
+                                                }
+                                                let _e1430 = phi_2076_;
+                                                if (_e1410 > _e1419) {
+                                                    phi_2084_ = _e1410;
+                                                } else {
+                                                    phi_2084_ = _e1419;
+                                                }
+                                                let _e1436 = phi_2084_;
+                                                if (_e1411 > _e1420) {
+                                                    phi_2089_ = _e1411;
+                                                } else {
+                                                    phi_2089_ = _e1420;
+                                                }
+                                                let _e1439 = phi_2089_;
+                                                if (_e1412 > _e1421) {
+                                                    phi_2094_ = _e1412;
+                                                } else {
+                                                    phi_2094_ = _e1421;
+                                                }
+                                                let _e1442 = phi_2094_;
+                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_((_e1424 - _e377), (_e1427 - _e378));
+                                                let _e1447 = core_intrinsics_maximum_number_nsz_f32_(_e1446, (_e1430 - _e379));
+                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_((_e1436 + _e377), (_e1439 + _e378));
+                                                let _e1449 = core_intrinsics_minimum_number_nsz_f32_(_e1448, (_e1442 + _e379));
+                                                if (_e1447 > -300000000000000000000000000000000000000f) {
+                                                    phi_2106_ = _e1447;
+                                                } else {
+                                                    phi_2106_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1452 = phi_2106_;
+                                                if (_e1449 < 300000000000000000000000000000000000000f) {
+                                                    phi_2111_ = _e1449;
+                                                } else {
+                                                    phi_2111_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1455 = phi_2111_;
+                                                if (_e1315 < _e1452) {
+                                                    phi_2116_ = _e1452;
+                                                } else {
+                                                    phi_2116_ = _e1315;
+                                                }
+                                                let _e1458 = phi_2116_;
+                                                if (_e1458 > _e1455) {
+                                                    phi_2121_ = _e1455;
+                                                } else {
+                                                    phi_2121_ = _e1458;
+                                                }
+                                                let _e1461 = phi_2121_;
+                                                phi_2126_ = lt_bvh_triangle_Intersection(_e1461, (_e1154 / _e1213), (_e1175 / _e1213), (_e1452 <= _e1455));
+                                                phi_2127_ = false;
+                                            } else {
+                                                phi_2126_ = lt_bvh_triangle_Intersection();
+                                                phi_2127_ = true;
+                                            }
+                                            let _e1467 = phi_2126_;
+                                            let _e1469 = phi_2127_;
+                                            phi_2128_ = _e1467;
+                                            phi_2129_ = _e1469;
+                                        } else {
+                                            phi_2128_ = lt_bvh_triangle_Intersection();
+                                            phi_2129_ = true;
+                                        }
+                                        let _e1471 = phi_2128_;
+                                        let _e1473 = phi_2129_;
+                                        if _e1473 {
+                                        }
+                                        phi_2133_ = _e1471;
+                                        phi_2134_ = _e1473;
+                                    }
+                                    let _e1475 = phi_2133_;
+                                    let _e1477 = phi_2134_;
+                                    phi_2135_ = _e1475;
+                                    phi_2136_ = _e1216;
+                                    phi_2137_ = _e1477;
+                                } else {
+                                    phi_2135_ = lt_bvh_triangle_Intersection();
+                                    phi_2136_ = true;
+                                    phi_2137_ = false;
+                                }
+                                let _e1479 = phi_2135_;
+                                let _e1481 = phi_2136_;
+                                let _e1483 = phi_2137_;
+                                if _e1481 {
+                                    phi_2141_ = true;
+                                } else {
+                                    phi_2141_ = _e1483;
+                                }
+                                let _e1485 = phi_2141_;
+                                if _e1485 {
+                                    phi_2145_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2145_ = _e1479;
+                                }
+                                let _e1487 = phi_2145_;
+                                if _e1487.is_hit {
+                                    if (_e1487.t > _e164.tmin) {
+                                        if (_e1487.t < _e1012.t) {
+                                            phi_2194_ = true;
+                                        } else {
+                                            if (_e1487.t == _e1012.t) {
+                                                if (_e1012.triangle != 4294967295u) {
+                                                    if (_e1023 < _e1012.triangle) {
+                                                        phi_2185_ = true;
                                                     } else {
-                                                        if (_e1033 == _e1022.triangle) {
-                                                            phi_2180_ = (4294967295u < _e1022.instance);
+                                                        if (_e1023 == _e1012.triangle) {
+                                                            phi_2184_ = (4294967295u < _e1012.instance);
                                                         } else {
-                                                            phi_2180_ = false;
+                                                            phi_2184_ = false;
                                                         }
-                                                        let _e1516 = phi_2180_;
-                                                        phi_2181_ = _e1516;
+                                                        let _e1506 = phi_2184_;
+                                                        phi_2185_ = _e1506;
                                                     }
-                                                    let _e1518 = phi_2181_;
-                                                    phi_2182_ = _e1518;
-                                                    phi_2183_ = false;
+                                                    let _e1508 = phi_2185_;
+                                                    phi_2186_ = _e1508;
+                                                    phi_2187_ = false;
                                                 } else {
-                                                    phi_2182_ = bool();
-                                                    phi_2183_ = true;
+                                                    phi_2186_ = bool();
+                                                    phi_2187_ = true;
                                                 }
-                                                let _e1520 = phi_2182_;
-                                                let _e1522 = phi_2183_;
-                                                phi_2184_ = _e1520;
-                                                phi_2185_ = _e1522;
+                                                let _e1510 = phi_2186_;
+                                                let _e1512 = phi_2187_;
+                                                phi_2188_ = _e1510;
+                                                phi_2189_ = _e1512;
                                             } else {
-                                                phi_2184_ = bool();
-                                                phi_2185_ = true;
+                                                phi_2188_ = bool();
+                                                phi_2189_ = true;
                                             }
-                                            let _e1524 = phi_2184_;
-                                            let _e1526 = phi_2185_;
-                                            if _e1526 {
-                                                phi_2189_ = false;
+                                            let _e1514 = phi_2188_;
+                                            let _e1516 = phi_2189_;
+                                            if _e1516 {
+                                                phi_2193_ = false;
                                             } else {
-                                                phi_2189_ = _e1524;
+                                                phi_2193_ = _e1514;
                                             }
-                                            let _e1528 = phi_2189_;
-                                            phi_2190_ = _e1528;
+                                            let _e1518 = phi_2193_;
+                                            phi_2194_ = _e1518;
                                         }
-                                        let _e1530 = phi_2190_;
-                                        if _e1530 {
-                                            let _e1532 = triangles.member[(0u + _e1033)].i0_;
-                                            if ((_e1532 & 2147483648u) == 0u) {
-                                                phi_2401_ = true;
+                                        let _e1520 = phi_2194_;
+                                        if _e1520 {
+                                            let _e1522 = triangles.member[(0u + _e1023)].i0_;
+                                            if ((_e1522 & 2147483648u) == 0u) {
+                                                phi_2405_ = true;
                                             } else {
-                                                if (_e1033 < _e82) {
+                                                if (_e1023 < _e82) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1541 = triangles.member[(0u + _e1033)].i0_;
-                                                let _e1542 = (_e1541 & 2147483647u);
-                                                let _e1544 = triangles.member[(0u + _e1033)].i1_;
-                                                let _e1546 = triangles.member[(0u + _e1033)].i2_;
-                                                if (_e1542 < _e85) {
+                                                let _e1531 = triangles.member[(0u + _e1023)].i0_;
+                                                let _e1532 = (_e1531 & 2147483647u);
+                                                let _e1534 = triangles.member[(0u + _e1023)].i1_;
+                                                let _e1536 = triangles.member[(0u + _e1023)].i2_;
+                                                if (_e1532 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1550 = vertices.member[(0u + _e1542)];
-                                                if (_e1544 < _e85) {
+                                                let _e1540 = vertices.member[(0u + _e1532)];
+                                                if (_e1534 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1554 = vertices.member[(0u + _e1544)];
-                                                if (_e1546 < _e85) {
+                                                let _e1544 = vertices.member[(0u + _e1534)];
+                                                if (_e1536 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1558 = vertices.member[(0u + _e1546)];
-                                                let _e1559 = array<abi_Vertex, 3>(_e1550, _e1554, _e1558);
-                                                if (_e1559[0].material < _e88) {
+                                                let _e1548 = vertices.member[(0u + _e1536)];
+                                                let _e1549 = array<abi_Vertex, 3>(_e1540, _e1544, _e1548);
+                                                if (_e1549[0].material < _e88) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1565 = materials.member[(0u + _e1559[0].material)];
-                                                if ((_e1565.flags & 0u) == 0u) {
-                                                    let _e1570 = ((1f - _e1497.u) - _e1497.v);
-                                                    if (_e1565.cutoff <= 0f) {
-                                                        phi_2396_ = true;
+                                                let _e1555 = materials.member[(0u + _e1549[0].material)];
+                                                if ((_e1555.flags & 0u) == 0u) {
+                                                    let _e1560 = ((1f - _e1487.u) - _e1487.v);
+                                                    if (_e1555.cutoff <= 0f) {
+                                                        phi_2400_ = true;
                                                     } else {
-                                                        let _e1597 = (_e1565.base_color.w * ((((f32((_e1559[0].color >> bitcast<u32>(24i))) * _e1570) + (f32((_e1559[1].color >> bitcast<u32>(24i))) * _e1497.u)) + (f32((_e1559[2].color >> bitcast<u32>(24i))) * _e1497.v)) * (1f / 255f)));
-                                                        if (_e1565.alpha_size == 0u) {
-                                                            phi_2393_ = _e1597;
+                                                        let _e1587 = (_e1555.base_color.w * ((((f32((_e1549[0].color >> bitcast<u32>(24i))) * _e1560) + (f32((_e1549[1].color >> bitcast<u32>(24i))) * _e1487.u)) + (f32((_e1549[2].color >> bitcast<u32>(24i))) * _e1487.v)) * (1f / 255f)));
+                                                        if (_e1555.alpha_size == 0u) {
+                                                            phi_2397_ = _e1587;
                                                         } else {
-                                                            local_1.offset = _e1565.alpha_offset;
-                                                            local_1.size = _e1565.alpha_size;
-                                                            local_1.flags = _e1565.flags;
-                                                            let _e1628 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1559[0].u * _e1570) + (_e1559[1].u * _e1497.u)) + (_e1559[2].u * _e1497.v)), (((_e1559[0].v * _e1570) + (_e1559[1].v * _e1497.u)) + (_e1559[2].v * _e1497.v)));
-                                                            let _e1632 = (_e1628.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1632 < _e94) {
+                                                            local_1.offset = _e1555.alpha_offset;
+                                                            local_1.size = _e1555.alpha_size;
+                                                            local_1.flags = _e1555.flags;
+                                                            let _e1618 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1549[0].u * _e1560) + (_e1549[1].u * _e1487.u)) + (_e1549[2].u * _e1487.v)), (((_e1549[0].v * _e1560) + (_e1549[1].v * _e1487.u)) + (_e1549[2].v * _e1487.v)));
+                                                            let _e1622 = (_e1618.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1622 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1636 = alpha_texels.member[(0u + _e1632)];
-                                                            let _e1652 = (_e1628.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1652 < _e94) {
+                                                            let _e1626 = alpha_texels.member[(0u + _e1622)];
+                                                            let _e1642 = (_e1618.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1642 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1656 = alpha_texels.member[(0u + _e1652)];
-                                                            let _e1673 = (_e1628.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1673 < _e94) {
+                                                            let _e1646 = alpha_texels.member[(0u + _e1642)];
+                                                            let _e1663 = (_e1618.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1663 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1677 = alpha_texels.member[(0u + _e1673)];
-                                                            let _e1694 = (_e1628.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1694 < _e94) {
+                                                            let _e1667 = alpha_texels.member[(0u + _e1663)];
+                                                            let _e1684 = (_e1618.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1684 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1698 = alpha_texels.member[(0u + _e1694)];
-                                                            phi_2393_ = (_e1597 * (((((f32(((_e1636 >> bitcast<u32>((((_e1628.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.x) + ((f32(((_e1656 >> bitcast<u32>((((_e1628.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.y)) + ((f32(((_e1677 >> bitcast<u32>((((_e1628.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.z)) + ((f32(((_e1698 >> bitcast<u32>((((_e1628.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.w)));
+                                                            let _e1688 = alpha_texels.member[(0u + _e1684)];
+                                                            phi_2397_ = (_e1587 * (((((f32(((_e1626 >> bitcast<u32>((((_e1618.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.x) + ((f32(((_e1646 >> bitcast<u32>((((_e1618.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.y)) + ((f32(((_e1667 >> bitcast<u32>((((_e1618.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.z)) + ((f32(((_e1688 >> bitcast<u32>((((_e1618.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1618.weights.w)));
                                                         }
-                                                        let _e1714 = phi_2393_;
-                                                        phi_2396_ = (_e1714 >= _e1565.cutoff);
+                                                        let _e1704 = phi_2397_;
+                                                        phi_2400_ = (_e1704 >= _e1555.cutoff);
                                                     }
-                                                    let _e1718 = phi_2396_;
-                                                    phi_2397_ = _e1718;
+                                                    let _e1708 = phi_2400_;
+                                                    phi_2401_ = _e1708;
                                                 } else {
-                                                    phi_2397_ = false;
+                                                    phi_2401_ = false;
                                                 }
-                                                let _e1720 = phi_2397_;
-                                                if _e1720 {
+                                                let _e1710 = phi_2401_;
+                                                if _e1710 {
                                                 }
-                                                phi_2401_ = _e1720;
+                                                phi_2405_ = _e1710;
                                             }
-                                            let _e1722 = phi_2401_;
-                                            if _e1722 {
-                                                phi_2409_ = lt_bvh_Hit(_e1497.t, _e1497.u, _e1497.v, _e1033, 4294967295u);
+                                            let _e1712 = phi_2405_;
+                                            if _e1712 {
+                                                phi_2413_ = lt_bvh_Hit(_e1487.t, _e1487.u, _e1487.v, _e1023, 4294967295u);
                                             } else {
-                                                phi_2409_ = _e1022;
+                                                phi_2413_ = _e1012;
                                             }
-                                            let _e1728 = phi_2409_;
-                                            phi_2410_ = _e1728;
+                                            let _e1718 = phi_2413_;
+                                            phi_2414_ = _e1718;
                                         } else {
-                                            phi_2410_ = _e1022;
+                                            phi_2414_ = _e1012;
                                         }
-                                        let _e1730 = phi_2410_;
-                                        phi_2411_ = _e1730;
+                                        let _e1720 = phi_2414_;
+                                        phi_2415_ = _e1720;
                                     } else {
-                                        phi_2411_ = _e1022;
+                                        phi_2415_ = _e1012;
                                     }
-                                    let _e1732 = phi_2411_;
-                                    phi_2412_ = _e1732;
+                                    let _e1722 = phi_2415_;
+                                    phi_2416_ = _e1722;
                                 } else {
-                                    phi_2412_ = _e1022;
+                                    phi_2416_ = _e1012;
                                 }
-                                let _e1734 = phi_2412_;
-                                phi_1555_ = _e1734;
-                                phi_1558_ = (_e1024 & (_e1024 - 1u));
-                                phi_2413_ = true;
+                                let _e1724 = phi_2416_;
+                                phi_1559_ = _e1724;
+                                phi_1562_ = (_e1014 & (_e1014 - 1u));
+                                phi_2417_ = true;
                             }
-                            let _e1736 = phi_1555_;
-                            let _e1738 = phi_1558_;
-                            let _e1740 = phi_2413_;
+                            let _e1726 = phi_1559_;
+                            let _e1728 = phi_1562_;
+                            let _e1730 = phi_2417_;
                             continue;
                             continuing {
-                                phi_1554_ = _e1736;
-                                phi_1557_ = _e1738;
-                                break if !(_e1740);
+                                phi_1558_ = _e1726;
+                                phi_1561_ = _e1728;
+                                break if !(_e1730);
                             }
                         }
-                        let _e1743 = local_2.group_mask;
-                        if ((_e1743 & 4278190080u) == 0u) {
-                            let _e1747 = local_2.len;
-                            if (_e1747 == 0u) {
-                                phi_2452_ = false;
+                        let _e1733 = local_2.group_mask;
+                        if ((_e1733 & 4278190080u) == 0u) {
+                            let _e1737 = local_2.len;
+                            if (_e1737 == 0u) {
+                                phi_2456_ = false;
                             } else {
-                                let _e1751 = local_2.len;
-                                local_2.len = (_e1751 - 1u);
-                                let _e1754 = local_2.len;
-                                if (_e1754 < 32u) {
+                                let _e1741 = local_2.len;
+                                local_2.len = (_e1741 - 1u);
+                                let _e1744 = local_2.len;
+                                if (_e1744 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1759 = local_2.first[(0u + _e1754)];
-                                local_2.group = _e1759;
-                                let _e1762 = local_2.len;
-                                if (_e1762 < 32u) {
+                                let _e1749 = local_2.first[(0u + _e1744)];
+                                local_2.group = _e1749;
+                                let _e1752 = local_2.len;
+                                if (_e1752 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1767 = local_2.mask[(0u + _e1762)];
-                                local_2.group_mask = _e1767;
-                                phi_2452_ = true;
+                                let _e1757 = local_2.mask[(0u + _e1752)];
+                                local_2.group_mask = _e1757;
+                                phi_2456_ = true;
                             }
-                            let _e1770 = phi_2452_;
-                            phi_2453_ = _e1770;
+                            let _e1760 = phi_2456_;
+                            phi_2457_ = _e1760;
                         } else {
-                            phi_2453_ = true;
+                            phi_2457_ = true;
                         }
-                        let _e1772 = phi_2453_;
-                        if _e1772 {
+                        let _e1762 = phi_2457_;
+                        if _e1762 {
+                            let _e1764 = local_2.group_mask;
+                            let _e1770 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1764)), 32u, (_e1764 == 0u)));
                             let _e1774 = local_2.group_mask;
-                            let _e1780 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1774)), 32u, (_e1774 == 0u)));
-                            let _e1784 = local_2.group_mask;
-                            let _e1798 = local_2.group_mask;
-                            local_2.group_mask = (_e1798 & ~((1u << bitcast<u32>((_e1780 & 31u)))));
-                            let _e1801 = local_2.group;
-                            phi_2484_ = (_e1801 + countOneBits(((_e1784 & ~((4294967295u << bitcast<u32>((((_e1780 - 24u) ^ _e441) & 31u))))) & 255u)));
+                            let _e1788 = local_2.group_mask;
+                            local_2.group_mask = (_e1788 & ~((1u << bitcast<u32>((_e1770 & 31u)))));
+                            let _e1791 = local_2.group;
+                            phi_2488_ = (_e1791 + countOneBits(((_e1774 & ~((4294967295u << bitcast<u32>((((_e1770 - 24u) ^ _e431) & 31u))))) & 255u)));
                         } else {
-                            phi_2484_ = 4294967295u;
+                            phi_2488_ = 4294967295u;
                         }
-                        let _e1804 = phi_2484_;
-                        let _e2727 = local_6;
-                        phi_1218_ = _e2727;
-                        phi_1221_ = _e1804;
+                        let _e1794 = phi_2488_;
+                        let _e2715 = local_6;
+                        phi_1222_ = _e2715;
+                        phi_1225_ = _e1794;
                     } else {
-                        phi_1218_ = lt_bvh_Hit();
-                        phi_1221_ = u32();
+                        phi_1222_ = lt_bvh_Hit();
+                        phi_1225_ = u32();
                     }
-                    let _e1806 = phi_1218_;
-                    let _e1808 = phi_1221_;
+                    let _e1796 = phi_1222_;
+                    let _e1798 = phi_1225_;
                     continue;
                     continuing {
-                        phi_1217_ = _e1806;
-                        phi_1220_ = _e1808;
-                        break if !(_e582);
+                        phi_1221_ = _e1796;
+                        phi_1224_ = _e1798;
+                        break if !(_e572);
                     }
                 }
-                let _e2731 = local_7;
-                phi_2485_ = _e2731;
+                let _e2719 = local_7;
+                phi_2489_ = _e2719;
             }
-            let _e1811 = phi_2485_;
-            phi_2486_ = _e1811;
-            phi_2487_ = _e236;
+            let _e1801 = phi_2489_;
+            phi_2490_ = _e1801;
+            phi_2491_ = _e228;
         } else {
-            phi_2486_ = lt_bvh_Hit();
-            phi_2487_ = true;
+            phi_2490_ = lt_bvh_Hit();
+            phi_2491_ = true;
         }
-        let _e1813 = phi_2486_;
-        let _e1815 = phi_2487_;
-        if _e1815 {
-            phi_2491_ = _e166;
+        let _e1803 = phi_2490_;
+        let _e1805 = phi_2491_;
+        if _e1805 {
+            phi_2495_ = _e166;
         } else {
-            phi_2491_ = _e1813;
+            phi_2495_ = _e1803;
         }
-        let _e1817 = phi_2491_;
-        if (_e1817.triangle != 4294967295u) {
-            let _e1823 = ((1f - _e1817.u) - _e1817.v);
-            if (_e1817.triangle < _e82) {
+        let _e1807 = phi_2495_;
+        if (_e1807.triangle != 4294967295u) {
+            let _e1813 = ((1f - _e1807.u) - _e1807.v);
+            if (_e1807.triangle < _e82) {
             } else {
                 return;
             }
-            let _e1828 = triangles.member[(0u + _e1817.triangle)];
-            let _e1853 = (((_e1828.v0_.x * _e1823) + (_e1828.v1_.x * _e1817.u)) + (_e1828.v2_.x * _e1817.v));
-            let _e1854 = (((_e1828.v0_.y * _e1823) + (_e1828.v1_.y * _e1817.u)) + (_e1828.v2_.y * _e1817.v));
-            let _e1855 = (((_e1828.v0_.z * _e1823) + (_e1828.v1_.z * _e1817.u)) + (_e1828.v2_.z * _e1817.v));
-            let _e1858 = abs(_e1828.v0_.x);
-            let _e1860 = abs(_e1828.v0_.y);
-            let _e1862 = abs(_e1828.v0_.z);
-            let _e1864 = abs(_e1828.v1_.x);
-            let _e1866 = abs(_e1828.v1_.y);
-            let _e1868 = abs(_e1828.v1_.z);
-            if (_e1858 > _e1864) {
-                phi_2555_ = _e1858;
+            let _e1818 = triangles.member[(0u + _e1807.triangle)];
+            let _e1843 = (((_e1818.v0_.x * _e1813) + (_e1818.v1_.x * _e1807.u)) + (_e1818.v2_.x * _e1807.v));
+            let _e1844 = (((_e1818.v0_.y * _e1813) + (_e1818.v1_.y * _e1807.u)) + (_e1818.v2_.y * _e1807.v));
+            let _e1845 = (((_e1818.v0_.z * _e1813) + (_e1818.v1_.z * _e1807.u)) + (_e1818.v2_.z * _e1807.v));
+            let _e1848 = abs(_e1818.v0_.x);
+            let _e1850 = abs(_e1818.v0_.y);
+            let _e1852 = abs(_e1818.v0_.z);
+            let _e1854 = abs(_e1818.v1_.x);
+            let _e1856 = abs(_e1818.v1_.y);
+            let _e1858 = abs(_e1818.v1_.z);
+            if (_e1848 > _e1854) {
+                phi_2559_ = _e1848;
             } else {
-                phi_2555_ = _e1864;
+                phi_2559_ = _e1854;
             }
-            let _e1871 = phi_2555_;
-            if (_e1860 > _e1866) {
-                phi_2560_ = _e1860;
+            let _e1861 = phi_2559_;
+            if (_e1850 > _e1856) {
+                phi_2564_ = _e1850;
             } else {
-                phi_2560_ = _e1866;
+                phi_2564_ = _e1856;
             }
-            let _e1874 = phi_2560_;
-            if (_e1862 > _e1868) {
-                phi_2565_ = _e1862;
+            let _e1864 = phi_2564_;
+            if (_e1852 > _e1858) {
+                phi_2569_ = _e1852;
             } else {
-                phi_2565_ = _e1868;
+                phi_2569_ = _e1858;
             }
-            let _e1877 = phi_2565_;
-            let _e1879 = abs(_e1828.v2_.x);
-            let _e1881 = abs(_e1828.v2_.y);
-            let _e1883 = abs(_e1828.v2_.z);
-            if (_e1871 > _e1879) {
-                phi_2576_ = _e1871;
+            let _e1867 = phi_2569_;
+            let _e1869 = abs(_e1818.v2_.x);
+            let _e1871 = abs(_e1818.v2_.y);
+            let _e1873 = abs(_e1818.v2_.z);
+            if (_e1861 > _e1869) {
+                phi_2580_ = _e1861;
             } else {
-                phi_2576_ = _e1879;
+                phi_2580_ = _e1869;
             }
-            let _e1886 = phi_2576_;
-            if (_e1874 > _e1881) {
-                phi_2581_ = _e1874;
+            let _e1876 = phi_2580_;
+            if (_e1864 > _e1871) {
+                phi_2585_ = _e1864;
             } else {
-                phi_2581_ = _e1881;
+                phi_2585_ = _e1871;
             }
-            let _e1889 = phi_2581_;
-            if (_e1877 > _e1883) {
-                phi_2586_ = _e1877;
+            let _e1879 = phi_2585_;
+            if (_e1867 > _e1873) {
+                phi_2590_ = _e1867;
             } else {
-                phi_2586_ = _e1883;
+                phi_2590_ = _e1873;
             }
-            let _e1892 = phi_2586_;
-            let _e1895 = (_e1828.v1_.x - _e1828.v0_.x);
-            let _e1898 = (_e1828.v1_.y - _e1828.v0_.y);
-            let _e1901 = (_e1828.v1_.z - _e1828.v0_.z);
-            let _e1904 = (_e1828.v2_.x - _e1828.v0_.x);
-            let _e1907 = (_e1828.v2_.y - _e1828.v0_.y);
-            let _e1910 = (_e1828.v2_.z - _e1828.v0_.z);
-            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1898), abs(_e1901));
-            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), _e1914);
-            let _e1916 = (_e1895 / _e1915);
-            let _e1917 = (_e1898 / _e1915);
-            let _e1918 = (_e1901 / _e1915);
-            let _e1922 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1907), abs(_e1910));
-            let _e1923 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1904), _e1922);
-            let _e1924 = (_e1904 / _e1923);
-            let _e1925 = (_e1907 / _e1923);
-            let _e1926 = (_e1910 / _e1923);
-            let _e1929 = ((_e1917 * _e1926) - (_e1925 * _e1918));
-            let _e1932 = ((_e1918 * _e1924) - (_e1926 * _e1916));
-            let _e1935 = ((_e1916 * _e1925) - (_e1924 * _e1917));
-            let _e1937 = p.member.eye;
-            let _e1950 = (1f / sqrt((((_e1929 * _e1929) + (_e1932 * _e1932)) + (_e1935 * _e1935))));
-            let _e1951 = (_e1929 * _e1950);
-            let _e1952 = (_e1932 * _e1950);
-            let _e1953 = (_e1935 * _e1950);
-            if ((((_e1951 * (_e1937.x - _e1853)) + (_e1952 * (_e1937.y - _e1854))) + (_e1953 * (_e1937.z - _e1855))) < 0f) {
-                phi_2662_ = vec3<f32>(-(_e1951), -(_e1952), -(_e1953));
+            let _e1882 = phi_2590_;
+            let _e1885 = (_e1818.v1_.x - _e1818.v0_.x);
+            let _e1888 = (_e1818.v1_.y - _e1818.v0_.y);
+            let _e1891 = (_e1818.v1_.z - _e1818.v0_.z);
+            let _e1894 = (_e1818.v2_.x - _e1818.v0_.x);
+            let _e1897 = (_e1818.v2_.y - _e1818.v0_.y);
+            let _e1900 = (_e1818.v2_.z - _e1818.v0_.z);
+            let _e1904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1888), abs(_e1891));
+            let _e1905 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1885), _e1904);
+            let _e1906 = (_e1885 / _e1905);
+            let _e1907 = (_e1888 / _e1905);
+            let _e1908 = (_e1891 / _e1905);
+            let _e1912 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1897), abs(_e1900));
+            let _e1913 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), _e1912);
+            let _e1914 = (_e1894 / _e1913);
+            let _e1915 = (_e1897 / _e1913);
+            let _e1916 = (_e1900 / _e1913);
+            let _e1919 = ((_e1907 * _e1916) - (_e1915 * _e1908));
+            let _e1922 = ((_e1908 * _e1914) - (_e1916 * _e1906));
+            let _e1925 = ((_e1906 * _e1915) - (_e1914 * _e1907));
+            let _e1927 = p.member.eye;
+            let _e1940 = (1f / sqrt((((_e1919 * _e1919) + (_e1922 * _e1922)) + (_e1925 * _e1925))));
+            let _e1941 = (_e1919 * _e1940);
+            let _e1942 = (_e1922 * _e1940);
+            let _e1943 = (_e1925 * _e1940);
+            if ((((_e1941 * (_e1927.x - _e1843)) + (_e1942 * (_e1927.y - _e1844))) + (_e1943 * (_e1927.z - _e1845))) < 0f) {
+                phi_2666_ = vec3<f32>(-(_e1941), -(_e1942), -(_e1943));
             } else {
-                phi_2662_ = vec3<f32>(_e1951, _e1952, _e1953);
+                phi_2666_ = vec3<f32>(_e1941, _e1942, _e1943);
             }
-            let _e1966 = phi_2662_;
-            if (_e1817.triangle < _e82) {
+            let _e1956 = phi_2666_;
+            if (_e1807.triangle < _e82) {
             } else {
                 return;
             }
-            let _e1971 = triangles.member[(0u + _e1817.triangle)];
-            let _e1973 = (_e1971.i0_ & 2147483647u);
-            if (_e1973 < _e85) {
+            let _e1961 = triangles.member[(0u + _e1807.triangle)];
+            let _e1963 = (_e1961.i0_ & 2147483647u);
+            if (_e1963 < _e85) {
             } else {
                 return;
             }
-            let _e1979 = vertices.member[(0u + _e1973)];
-            if (_e1971.i1_ < _e85) {
+            let _e1969 = vertices.member[(0u + _e1963)];
+            if (_e1961.i1_ < _e85) {
             } else {
                 return;
             }
-            let _e1983 = vertices.member[(0u + _e1971.i1_)];
-            if (_e1971.i2_ < _e85) {
+            let _e1973 = vertices.member[(0u + _e1961.i1_)];
+            if (_e1961.i2_ < _e85) {
             } else {
                 return;
             }
-            let _e1987 = vertices.member[(0u + _e1971.i2_)];
-            let _e1988 = array<abi_Vertex, 3>(_e1979, _e1983, _e1987);
-            if (_e1988[0].material < _e88) {
+            let _e1977 = vertices.member[(0u + _e1961.i2_)];
+            let _e1978 = array<abi_Vertex, 3>(_e1969, _e1973, _e1977);
+            if (_e1978[0].material < _e88) {
             } else {
                 return;
             }
-            let _e1994 = materials.member[(0u + _e1988[0].material)];
-            let _e2011 = (1f / 255f);
-            let _e2030 = (1f / 255f);
-            let _e2052 = (1f / 255f);
-            if (_e1994.color_size == 0u) {
-                phi_2905_ = vec3<f32>(1f, 1f, 1f);
+            let _e1984 = materials.member[(0u + _e1978[0].material)];
+            let _e2001 = (1f / 255f);
+            let _e2020 = (1f / 255f);
+            let _e2042 = (1f / 255f);
+            if (_e1984.color_size == 0u) {
+                phi_2909_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1994.color_offset;
-                local.size = _e1994.color_size;
-                local.flags = _e1994.flags;
-                let _e2095 = _lt_shaders_texture_TextureView_quad((&local), (((_e1988[0].u * _e1823) + (_e1988[1].u * _e1817.u)) + (_e1988[2].u * _e1817.v)), (((_e1988[0].v * _e1823) + (_e1988[1].v * _e1817.u)) + (_e1988[2].v * _e1817.v)));
-                if (_e2095.indices[0] < _e97) {
+                local.offset = _e1984.color_offset;
+                local.size = _e1984.color_size;
+                local.flags = _e1984.flags;
+                let _e2085 = _lt_shaders_texture_TextureView_quad((&local), (((_e1978[0].u * _e1813) + (_e1978[1].u * _e1807.u)) + (_e1978[2].u * _e1807.v)), (((_e1978[0].v * _e1813) + (_e1978[1].v * _e1807.u)) + (_e1978[2].v * _e1807.v)));
+                if (_e2085.indices[0] < _e97) {
                 } else {
                     return;
                 }
-                let _e2101 = color_texels.member[(0u + _e2095.indices[0])];
-                let _e2112 = (1f / 255f);
-                if (_e2095.indices[1] < _e97) {
+                let _e2091 = color_texels.member[(0u + _e2085.indices[0])];
+                let _e2102 = (1f / 255f);
+                if (_e2085.indices[1] < _e97) {
                 } else {
                     return;
                 }
-                let _e2126 = color_texels.member[(0u + _e2095.indices[1])];
-                let _e2137 = (1f / 255f);
-                if (_e2095.indices[2] < _e97) {
+                let _e2116 = color_texels.member[(0u + _e2085.indices[1])];
+                let _e2127 = (1f / 255f);
+                if (_e2085.indices[2] < _e97) {
                 } else {
                     return;
                 }
-                let _e2154 = color_texels.member[(0u + _e2095.indices[2])];
-                let _e2165 = (1f / 255f);
-                if (_e2095.indices[3] < _e97) {
+                let _e2144 = color_texels.member[(0u + _e2085.indices[2])];
+                let _e2155 = (1f / 255f);
+                if (_e2085.indices[3] < _e97) {
                 } else {
                     return;
                 }
-                let _e2182 = color_texels.member[(0u + _e2095.indices[3])];
-                let _e2193 = (1f / 255f);
-                let _e2202 = (((((f32((_e2101 & 255u)) * _e2112) * _e2095.weights.x) + ((f32((_e2126 & 255u)) * _e2137) * _e2095.weights.y)) + ((f32((_e2154 & 255u)) * _e2165) * _e2095.weights.z)) + ((f32((_e2182 & 255u)) * _e2193) * _e2095.weights.w));
-                let _e2203 = (((((f32(((_e2101 >> bitcast<u32>(8i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(8i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(8i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(8i)) & 255u)) * _e2193) * _e2095.weights.w));
-                let _e2204 = (((((f32(((_e2101 >> bitcast<u32>(16i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(16i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(16i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(16i)) & 255u)) * _e2193) * _e2095.weights.w));
-                phi_2905_ = vec3<f32>((_e2202 * _e2202), (_e2203 * _e2203), (_e2204 * _e2204));
+                let _e2172 = color_texels.member[(0u + _e2085.indices[3])];
+                let _e2183 = (1f / 255f);
+                let _e2192 = (((((f32((_e2091 & 255u)) * _e2102) * _e2085.weights.x) + ((f32((_e2116 & 255u)) * _e2127) * _e2085.weights.y)) + ((f32((_e2144 & 255u)) * _e2155) * _e2085.weights.z)) + ((f32((_e2172 & 255u)) * _e2183) * _e2085.weights.w));
+                let _e2193 = (((((f32(((_e2091 >> bitcast<u32>(8i)) & 255u)) * _e2102) * _e2085.weights.x) + ((f32(((_e2116 >> bitcast<u32>(8i)) & 255u)) * _e2127) * _e2085.weights.y)) + ((f32(((_e2144 >> bitcast<u32>(8i)) & 255u)) * _e2155) * _e2085.weights.z)) + ((f32(((_e2172 >> bitcast<u32>(8i)) & 255u)) * _e2183) * _e2085.weights.w));
+                let _e2194 = (((((f32(((_e2091 >> bitcast<u32>(16i)) & 255u)) * _e2102) * _e2085.weights.x) + ((f32(((_e2116 >> bitcast<u32>(16i)) & 255u)) * _e2127) * _e2085.weights.y)) + ((f32(((_e2144 >> bitcast<u32>(16i)) & 255u)) * _e2155) * _e2085.weights.z)) + ((f32(((_e2172 >> bitcast<u32>(16i)) & 255u)) * _e2183) * _e2085.weights.w));
+                phi_2909_ = vec3<f32>((_e2192 * _e2192), (_e2193 * _e2193), (_e2194 * _e2194));
             }
-            let _e2210 = phi_2905_;
-            let _e2212 = ((_e1994.base_color.x * ((((f32((_e1988[0].color & 255u)) * _e2011) * _e1823) + ((f32((_e1988[1].color & 255u)) * _e2030) * _e1817.u)) + ((f32((_e1988[2].color & 255u)) * _e2052) * _e1817.v))) * _e2210.x);
-            let _e2214 = ((_e1994.base_color.y * ((((f32(((_e1988[0].color >> bitcast<u32>(8i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(8i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(8i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.y);
-            let _e2216 = ((_e1994.base_color.z * ((((f32(((_e1988[0].color >> bitcast<u32>(16i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(16i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(16i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.z);
-            let _e2217 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1889, _e1892);
-            let _e2218 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1886, _e2217);
-            if ((_e1994.flags & 2u) == 0u) {
-                phi_2920_ = 0u;
+            let _e2200 = phi_2909_;
+            let _e2202 = ((_e1984.base_color.x * ((((f32((_e1978[0].color & 255u)) * _e2001) * _e1813) + ((f32((_e1978[1].color & 255u)) * _e2020) * _e1807.u)) + ((f32((_e1978[2].color & 255u)) * _e2042) * _e1807.v))) * _e2200.x);
+            let _e2204 = ((_e1984.base_color.y * ((((f32(((_e1978[0].color >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1813) + ((f32(((_e1978[1].color >> bitcast<u32>(8i)) & 255u)) * _e2020) * _e1807.u)) + ((f32(((_e1978[2].color >> bitcast<u32>(8i)) & 255u)) * _e2042) * _e1807.v))) * _e2200.y);
+            let _e2206 = ((_e1984.base_color.z * ((((f32(((_e1978[0].color >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1813) + ((f32(((_e1978[1].color >> bitcast<u32>(16i)) & 255u)) * _e2020) * _e1807.u)) + ((f32(((_e1978[2].color >> bitcast<u32>(16i)) & 255u)) * _e2042) * _e1807.v))) * _e2200.z);
+            let _e2207 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1879, _e1882);
+            let _e2208 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1876, _e2207);
+            if ((_e1984.flags & 2u) == 0u) {
+                phi_2924_ = 0u;
             } else {
-                phi_2920_ = 1u;
+                phi_2924_ = 1u;
             }
-            let _e2223 = phi_2920_;
-            if (_e1988[0].normal == 2147516416u) {
-                phi_3123_ = _e1966;
+            let _e2213 = phi_2924_;
+            if (_e1978[0].normal == 2147516416u) {
+                phi_3127_ = _e1956;
             } else {
-                let _e2236 = (f32((bitcast<i32>((_e1988[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2242 = (f32((bitcast<i32>(_e1988[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2246 = ((1f - abs(_e2236)) - abs(_e2242));
-                if (_e2246 < 0f) {
-                    phi_2947_ = -(_e2246);
-                } else {
-                    phi_2947_ = 0f;
-                }
-                let _e2250 = phi_2947_;
+                let _e2226 = (f32((bitcast<i32>((_e1978[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2232 = (f32((bitcast<i32>(_e1978[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2236 = ((1f - abs(_e2226)) - abs(_e2232));
                 if (_e2236 < 0f) {
-                    phi_2954_ = (_e2236 + _e2250);
+                    phi_2951_ = -(_e2236);
                 } else {
-                    phi_2954_ = (_e2236 - _e2250);
+                    phi_2951_ = 0f;
                 }
-                let _e2255 = phi_2954_;
-                if (_e2242 < 0f) {
-                    phi_2961_ = (_e2242 + _e2250);
+                let _e2240 = phi_2951_;
+                if (_e2226 < 0f) {
+                    phi_2958_ = (_e2226 + _e2240);
                 } else {
-                    phi_2961_ = (_e2242 - _e2250);
+                    phi_2958_ = (_e2226 - _e2240);
                 }
-                let _e2260 = phi_2961_;
-                let _e2267 = (1f / sqrt((((_e2255 * _e2255) + (_e2260 * _e2260)) + (_e2246 * _e2246))));
-                let _e2283 = (f32((bitcast<i32>((_e1988[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2289 = (f32((bitcast<i32>(_e1988[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2293 = ((1f - abs(_e2283)) - abs(_e2289));
-                if (_e2293 < 0f) {
-                    phi_2996_ = -(_e2293);
+                let _e2245 = phi_2958_;
+                if (_e2232 < 0f) {
+                    phi_2965_ = (_e2232 + _e2240);
                 } else {
-                    phi_2996_ = 0f;
+                    phi_2965_ = (_e2232 - _e2240);
                 }
-                let _e2297 = phi_2996_;
+                let _e2250 = phi_2965_;
+                let _e2257 = (1f / sqrt((((_e2245 * _e2245) + (_e2250 * _e2250)) + (_e2236 * _e2236))));
+                let _e2273 = (f32((bitcast<i32>((_e1978[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2279 = (f32((bitcast<i32>(_e1978[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2283 = ((1f - abs(_e2273)) - abs(_e2279));
                 if (_e2283 < 0f) {
-                    phi_3003_ = (_e2283 + _e2297);
+                    phi_3000_ = -(_e2283);
                 } else {
-                    phi_3003_ = (_e2283 - _e2297);
+                    phi_3000_ = 0f;
                 }
-                let _e2302 = phi_3003_;
-                if (_e2289 < 0f) {
-                    phi_3010_ = (_e2289 + _e2297);
+                let _e2287 = phi_3000_;
+                if (_e2273 < 0f) {
+                    phi_3007_ = (_e2273 + _e2287);
                 } else {
-                    phi_3010_ = (_e2289 - _e2297);
+                    phi_3007_ = (_e2273 - _e2287);
                 }
-                let _e2307 = phi_3010_;
-                let _e2314 = (1f / sqrt((((_e2302 * _e2302) + (_e2307 * _e2307)) + (_e2293 * _e2293))));
-                let _e2333 = (f32((bitcast<i32>((_e1988[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2339 = (f32((bitcast<i32>(_e1988[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2343 = ((1f - abs(_e2333)) - abs(_e2339));
-                if (_e2343 < 0f) {
-                    phi_3048_ = -(_e2343);
+                let _e2292 = phi_3007_;
+                if (_e2279 < 0f) {
+                    phi_3014_ = (_e2279 + _e2287);
                 } else {
-                    phi_3048_ = 0f;
+                    phi_3014_ = (_e2279 - _e2287);
                 }
-                let _e2347 = phi_3048_;
+                let _e2297 = phi_3014_;
+                let _e2304 = (1f / sqrt((((_e2292 * _e2292) + (_e2297 * _e2297)) + (_e2283 * _e2283))));
+                let _e2323 = (f32((bitcast<i32>((_e1978[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2329 = (f32((bitcast<i32>(_e1978[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2333 = ((1f - abs(_e2323)) - abs(_e2329));
                 if (_e2333 < 0f) {
-                    phi_3055_ = (_e2333 + _e2347);
+                    phi_3052_ = -(_e2333);
                 } else {
-                    phi_3055_ = (_e2333 - _e2347);
+                    phi_3052_ = 0f;
                 }
-                let _e2352 = phi_3055_;
-                if (_e2339 < 0f) {
-                    phi_3062_ = (_e2339 + _e2347);
+                let _e2337 = phi_3052_;
+                if (_e2323 < 0f) {
+                    phi_3059_ = (_e2323 + _e2337);
                 } else {
-                    phi_3062_ = (_e2339 - _e2347);
+                    phi_3059_ = (_e2323 - _e2337);
                 }
-                let _e2357 = phi_3062_;
-                let _e2364 = (1f / sqrt((((_e2352 * _e2352) + (_e2357 * _e2357)) + (_e2343 * _e2343))));
-                let _e2375 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2255 * _e2267) * _e1823) + ((_e2302 * _e2314) * _e1817.u)) + ((_e2352 * _e2364) * _e1817.v)), ((((_e2260 * _e2267) * _e1823) + ((_e2307 * _e2314) * _e1817.u)) + ((_e2357 * _e2364) * _e1817.v)), ((((_e2246 * _e2267) * _e1823) + ((_e2293 * _e2314) * _e1817.u)) + ((_e2343 * _e2364) * _e1817.v))));
-                let _e2387 = sqrt((((_e2375.x * _e2375.x) + (_e2375.y * _e2375.y)) + (_e2375.z * _e2375.z)));
-                if (_e2387 > 0f) {
-                    let _e2390 = (_e2375.x / _e2387);
-                    let _e2392 = (_e2375.y / _e2387);
-                    let _e2394 = (_e2375.z / _e2387);
-                    if ((((_e2390 * _e1966.x) + (_e2392 * _e1966.y)) + (_e2394 * _e1966.z)) < 0f) {
-                        phi_3121_ = vec3<f32>(-(_e2390), -(_e2392), -(_e2394));
+                let _e2342 = phi_3059_;
+                if (_e2329 < 0f) {
+                    phi_3066_ = (_e2329 + _e2337);
+                } else {
+                    phi_3066_ = (_e2329 - _e2337);
+                }
+                let _e2347 = phi_3066_;
+                let _e2354 = (1f / sqrt((((_e2342 * _e2342) + (_e2347 * _e2347)) + (_e2333 * _e2333))));
+                let _e2365 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2245 * _e2257) * _e1813) + ((_e2292 * _e2304) * _e1807.u)) + ((_e2342 * _e2354) * _e1807.v)), ((((_e2250 * _e2257) * _e1813) + ((_e2297 * _e2304) * _e1807.u)) + ((_e2347 * _e2354) * _e1807.v)), ((((_e2236 * _e2257) * _e1813) + ((_e2283 * _e2304) * _e1807.u)) + ((_e2333 * _e2354) * _e1807.v))));
+                let _e2377 = sqrt((((_e2365.x * _e2365.x) + (_e2365.y * _e2365.y)) + (_e2365.z * _e2365.z)));
+                if (_e2377 > 0f) {
+                    let _e2380 = (_e2365.x / _e2377);
+                    let _e2382 = (_e2365.y / _e2377);
+                    let _e2384 = (_e2365.z / _e2377);
+                    if ((((_e2380 * _e1956.x) + (_e2382 * _e1956.y)) + (_e2384 * _e1956.z)) < 0f) {
+                        phi_3125_ = vec3<f32>(-(_e2380), -(_e2382), -(_e2384));
                     } else {
-                        phi_3121_ = (_e2375 / vec3(_e2387));
+                        phi_3125_ = (_e2365 / vec3(_e2377));
                     }
-                    let _e2411 = phi_3121_;
-                    phi_3122_ = _e2411;
+                    let _e2401 = phi_3125_;
+                    phi_3126_ = _e2401;
                 } else {
-                    phi_3122_ = _e1966;
+                    phi_3126_ = _e1956;
                 }
-                let _e2413 = phi_3122_;
-                phi_3123_ = _e2413;
+                let _e2403 = phi_3126_;
+                phi_3127_ = _e2403;
             }
-            let _e2415 = phi_3123_;
-            if (_e2212 > 0f) {
-                if (_e2212 < 1f) {
-                    phi_3132_ = _e2212;
+            let _e2405 = phi_3127_;
+            if (_e2202 > 0f) {
+                if (_e2202 < 1f) {
+                    phi_3136_ = _e2202;
                 } else {
-                    phi_3132_ = 1f;
+                    phi_3136_ = 1f;
                 }
-                let _e2419 = phi_3132_;
-                phi_3133_ = _e2419;
+                let _e2409 = phi_3136_;
+                phi_3137_ = _e2409;
             } else {
-                phi_3133_ = 0f;
+                phi_3137_ = 0f;
             }
-            let _e2421 = phi_3133_;
-            if (_e2214 > 0f) {
-                if (_e2214 < 1f) {
-                    phi_3143_ = _e2214;
+            let _e2411 = phi_3137_;
+            if (_e2204 > 0f) {
+                if (_e2204 < 1f) {
+                    phi_3147_ = _e2204;
                 } else {
-                    phi_3143_ = 1f;
+                    phi_3147_ = 1f;
                 }
-                let _e2426 = phi_3143_;
-                phi_3144_ = _e2426;
+                let _e2416 = phi_3147_;
+                phi_3148_ = _e2416;
             } else {
-                phi_3144_ = 0f;
+                phi_3148_ = 0f;
             }
-            let _e2428 = phi_3144_;
-            if (_e2216 > 0f) {
-                if (_e2216 < 1f) {
-                    phi_3154_ = _e2216;
+            let _e2418 = phi_3148_;
+            if (_e2206 > 0f) {
+                if (_e2206 < 1f) {
+                    phi_3158_ = _e2206;
                 } else {
-                    phi_3154_ = 1f;
+                    phi_3158_ = 1f;
                 }
-                let _e2433 = phi_3154_;
-                phi_3155_ = _e2433;
+                let _e2423 = phi_3158_;
+                phi_3159_ = _e2423;
             } else {
-                phi_3155_ = 0f;
+                phi_3159_ = 0f;
             }
-            let _e2435 = phi_3155_;
-            let _e2438 = ((sqrt(_e2421) * 255f) + 0.5f);
-            let _e2447 = ((sqrt(_e2428) * 255f) + 0.5f);
-            let _e2459 = ((sqrt(_e2435) * 255f) + 0.5f);
-            phi_3190_ = abi_Sample(vec3<f32>(_e1853, _e1854, _e1855), _e2218, _e1966, _e2223, _e2415, ((select(select(u32(_e2438), 0u, (_e2438 < bitcast<f32>(0u))), 4294967295u, (_e2438 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2447), 0u, (_e2447 < bitcast<f32>(0u))), 4294967295u, (_e2447 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2459), 0u, (_e2459 < bitcast<f32>(0u))), 4294967295u, (_e2459 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2425 = phi_3159_;
+            let _e2428 = ((sqrt(_e2411) * 255f) + 0.5f);
+            let _e2437 = ((sqrt(_e2418) * 255f) + 0.5f);
+            let _e2449 = ((sqrt(_e2425) * 255f) + 0.5f);
+            phi_3194_ = abi_Sample(vec3<f32>(_e1843, _e1844, _e1845), _e2208, _e1956, _e2213, _e2405, ((select(select(u32(_e2428), 0u, (_e2428 < bitcast<f32>(0u))), 4294967295u, (_e2428 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2437), 0u, (_e2437 < bitcast<f32>(0u))), 4294967295u, (_e2437 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2449), 0u, (_e2449 < bitcast<f32>(0u))), 4294967295u, (_e2449 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3190_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3194_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2473 = phi_3190_;
-        if (_e109.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e109.first_primitive)] = _e2473;
-        if (_e1817.triangle != 4294967295u) {
-            let _e2482 = ((1f - _e1817.u) - _e1817.v);
-            if (_e1817.triangle < _e82) {
-            } else {
-                return;
-            }
-            let _e2487 = triangles.member[(0u + _e1817.triangle)];
-            let _e2489 = (_e2487.i0_ & 2147483647u);
-            if (_e2489 < _e100) {
-            } else {
-                return;
-            }
-            let _e2495 = before.member[(0u + _e2489)];
-            if (_e2487.i1_ < _e100) {
-            } else {
-                return;
-            }
-            let _e2499 = before.member[(0u + _e2487.i1_)];
-            if (_e2487.i2_ < _e100) {
-            } else {
-                return;
-            }
-            let _e2503 = before.member[(0u + _e2487.i2_)];
-            let _e2508 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2495.x, _e2495.y, _e2495.z));
-            let _e2519 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2499.x, _e2499.y, _e2499.z));
-            let _e2533 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2503.x, _e2503.y, _e2503.z));
-            phi_3281_ = vec3<f32>((((_e2508.x * _e2482) + (_e2519.x * _e1817.u)) + (_e2533.x * _e1817.v)), (((_e2508.y * _e2482) + (_e2519.y * _e1817.u)) + (_e2533.y * _e1817.v)), (((_e2508.z * _e2482) + (_e2519.z * _e1817.u)) + (_e2533.z * _e1817.v)));
-        } else {
-            phi_3281_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2545 = phi_3281_;
-        if (_e109.first_primitive < arrayLength((&past.member))) {
+        let _e2463 = phi_3194_;
+        if (_e109.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2545.x, _e2545.y, _e2545.z, 1f);
+        samples.member[(0u + _e109.shift)] = _e2463;
+        if (_e1807.triangle != 4294967295u) {
+            let _e2472 = ((1f - _e1807.u) - _e1807.v);
+            if (_e1807.triangle < _e82) {
+            } else {
+                return;
+            }
+            let _e2477 = triangles.member[(0u + _e1807.triangle)];
+            let _e2479 = (_e2477.i0_ & 2147483647u);
+            if (_e2479 < _e100) {
+            } else {
+                return;
+            }
+            let _e2485 = before.member[(0u + _e2479)];
+            if (_e2477.i1_ < _e100) {
+            } else {
+                return;
+            }
+            let _e2489 = before.member[(0u + _e2477.i1_)];
+            if (_e2477.i2_ < _e100) {
+            } else {
+                return;
+            }
+            let _e2493 = before.member[(0u + _e2477.i2_)];
+            let _e2498 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2485.x, _e2485.y, _e2485.z));
+            let _e2509 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2489.x, _e2489.y, _e2489.z));
+            let _e2523 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2493.x, _e2493.y, _e2493.z));
+            phi_3285_ = vec3<f32>((((_e2498.x * _e2472) + (_e2509.x * _e1807.u)) + (_e2523.x * _e1807.v)), (((_e2498.y * _e2472) + (_e2509.y * _e1807.u)) + (_e2523.y * _e1807.v)), (((_e2498.z * _e2472) + (_e2509.z * _e1807.u)) + (_e2523.z * _e1807.v)));
+        } else {
+            phi_3285_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2535 = phi_3285_;
+        if (_e109.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e109.shift)] = vec4<f32>(_e2535.x, _e2535.y, _e2535.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -158,19 +158,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> alpha_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_212_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_212_: lt_mask_LightPlace;
     var phi_213_: bool;
-    var phi_214_: lt_bvh_traverse_Tree;
+    var phi_214_: lt_mask_LightPlace;
     var phi_215_: bool;
-    var phi_220_: lt_bvh_traverse_Tree;
+    var phi_220_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_212_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_212_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_213_ = false;
         } else {
-            phi_212_ = lt_bvh_traverse_Tree();
+            phi_212_ = lt_mask_LightPlace();
             phi_213_ = true;
         }
         let _e82 = phi_212_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_214_ = _e82;
         phi_215_ = _e84;
     } else {
-        phi_214_ = lt_bvh_traverse_Tree();
+        phi_214_ = lt_mask_LightPlace();
         phi_215_ = true;
     }
     let _e86 = phi_214_;
     let _e88 = phi_215_;
     if _e88 {
-        phi_220_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_220_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_220_ = _e86;
     }
     let _e93 = phi_220_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -594,14 +594,14 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_12: f32, param_13: f32) -> f32 {
-    var phi_3041_: f32;
+    var phi_3045_: f32;
 
     if (param_12 > param_13) {
-        phi_3041_ = param_12;
+        phi_3045_ = param_12;
     } else {
-        phi_3041_ = param_13;
+        phi_3045_ = param_13;
     }
-    let _e73 = phi_3041_;
+    let _e73 = phi_3045_;
     return _e73;
 }
 
@@ -612,211 +612,209 @@ fn _lt_bvh_ray_Ray_new(param_14: vec3<f32>, param_15: vec3<f32>) -> lt_bvh_Ray {
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_789_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_757_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: bool;
+    var phi_777_: bool;
     var phi_790_: bool;
     var phi_791_: bool;
     var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
     var phi_796_: bool;
     var phi_797_: bool;
-    var phi_801_: bool;
-    var phi_805_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_800_: bool;
+    var phi_804_: bool;
     var phi_880_: f32;
     var phi_887_: f32;
     var phi_895_: f32;
     var phi_902_: f32;
     var phi_910_: f32;
     var phi_917_: f32;
-    var phi_942_: f32;
-    var phi_947_: f32;
-    var phi_952_: f32;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_994_: u32;
-    var phi_995_: u32;
-    var phi_1013_: vec3<f32>;
-    var phi_1014_: vec3<f32>;
-    var phi_1028_: u32;
-    var phi_1033_: u32;
-    var phi_1038_: u32;
-    var phi_1152_: bool;
-    var phi_1153_: bool;
-    var phi_1184_: u32;
-    var phi_1186_: lt_bvh_Hit;
-    var phi_1189_: u32;
-    var phi_1274_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1301_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1328_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1334_: u32;
-    var phi_1337_: u32;
-    var phi_1351_: u32;
-    var phi_1361_: u32;
-    var phi_1371_: u32;
-    var phi_1389_: u32;
-    var phi_1399_: u32;
-    var phi_1409_: u32;
-    var phi_1445_: u32;
-    var phi_1458_: u32;
-    var phi_1463_: u32;
-    var phi_1464_: u32;
-    var phi_1465_: u32;
-    var phi_1335_: u32;
+    var phi_940_: f32;
+    var phi_945_: f32;
+    var phi_950_: f32;
+    var phi_955_: f32;
+    var phi_960_: f32;
+    var phi_991_: bool;
+    var phi_992_: bool;
+    var phi_1000_: u32;
+    var phi_1001_: u32;
+    var phi_1018_: vec3<f32>;
+    var phi_1019_: vec3<f32>;
+    var phi_1032_: u32;
+    var phi_1037_: u32;
+    var phi_1042_: u32;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1188_: u32;
+    var phi_1190_: lt_bvh_Hit;
+    var phi_1193_: u32;
+    var phi_1278_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1305_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1332_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1338_: u32;
+    var phi_1341_: u32;
+    var phi_1355_: u32;
+    var phi_1365_: u32;
+    var phi_1375_: u32;
+    var phi_1393_: u32;
+    var phi_1403_: u32;
+    var phi_1413_: u32;
+    var phi_1449_: u32;
+    var phi_1462_: u32;
+    var phi_1467_: u32;
+    var phi_1468_: u32;
+    var phi_1469_: u32;
+    var phi_1339_: u32;
+    var phi_1342_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1523_: lt_bvh_Hit;
-    var phi_1526_: u32;
-    var phi_1572_: vec3<f32>;
-    var phi_1573_: vec3<f32>;
-    var phi_1604_: vec3<f32>;
-    var phi_1605_: vec3<f32>;
-    var phi_1636_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1655_: bool;
-    var phi_1656_: bool;
-    var phi_1660_: f32;
-    var phi_1661_: f32;
-    var phi_1662_: f32;
-    var phi_1663_: f32;
-    var phi_1671_: f32;
-    var phi_1681_: bool;
-    var phi_1682_: bool;
-    var phi_1686_: f32;
-    var phi_1687_: f32;
-    var phi_1688_: f32;
-    var phi_1689_: f32;
-    var phi_1697_: f32;
-    var phi_1707_: bool;
-    var phi_1708_: bool;
-    var phi_1712_: f32;
-    var phi_1713_: f32;
-    var phi_1714_: f32;
-    var phi_1715_: f32;
-    var phi_1723_: f32;
-    var phi_1738_: f32;
-    var phi_1739_: bool;
-    var phi_1740_: f32;
-    var phi_1741_: bool;
+    var phi_1527_: lt_bvh_Hit;
+    var phi_1530_: u32;
+    var phi_1576_: vec3<f32>;
+    var phi_1577_: vec3<f32>;
+    var phi_1608_: vec3<f32>;
+    var phi_1609_: vec3<f32>;
+    var phi_1640_: vec3<f32>;
+    var phi_1641_: vec3<f32>;
+    var phi_1659_: bool;
+    var phi_1660_: bool;
+    var phi_1664_: f32;
+    var phi_1665_: f32;
+    var phi_1666_: f32;
+    var phi_1667_: f32;
+    var phi_1675_: f32;
+    var phi_1685_: bool;
+    var phi_1686_: bool;
+    var phi_1690_: f32;
+    var phi_1691_: f32;
+    var phi_1692_: f32;
+    var phi_1693_: f32;
+    var phi_1701_: f32;
+    var phi_1711_: bool;
+    var phi_1712_: bool;
+    var phi_1716_: f32;
+    var phi_1717_: f32;
+    var phi_1718_: f32;
+    var phi_1719_: f32;
+    var phi_1727_: f32;
     var phi_1742_: f32;
     var phi_1743_: bool;
-    var phi_1761_: f32;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1764_: f32;
-    var phi_1765_: bool;
+    var phi_1744_: f32;
+    var phi_1745_: bool;
+    var phi_1746_: f32;
+    var phi_1747_: bool;
+    var phi_1765_: f32;
     var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: f32;
+    var phi_1769_: bool;
     var phi_1770_: bool;
-    var phi_1771_: f32;
-    var phi_1772_: bool;
-    var phi_1802_: vec3<f32>;
-    var phi_1803_: vec3<f32>;
-    var phi_1828_: vec3<f32>;
-    var phi_1829_: vec3<f32>;
-    var phi_1854_: vec3<f32>;
-    var phi_1855_: vec3<f32>;
-    var phi_1913_: f32;
-    var phi_1922_: f32;
-    var phi_1931_: f32;
-    var phi_1940_: f32;
-    var phi_1947_: f32;
-    var phi_1954_: f32;
-    var phi_1967_: f32;
-    var phi_1976_: f32;
-    var phi_1985_: f32;
-    var phi_1994_: f32;
-    var phi_2001_: f32;
-    var phi_2008_: f32;
-    var phi_2031_: f32;
-    var phi_2036_: f32;
-    var phi_2041_: f32;
-    var phi_2049_: f32;
-    var phi_2054_: f32;
-    var phi_2059_: f32;
-    var phi_2071_: f32;
-    var phi_2076_: f32;
-    var phi_2081_: f32;
-    var phi_2086_: f32;
-    var phi_2091_: lt_bvh_triangle_Intersection;
-    var phi_2092_: bool;
-    var phi_2093_: lt_bvh_triangle_Intersection;
-    var phi_2094_: bool;
-    var phi_2098_: lt_bvh_triangle_Intersection;
-    var phi_2099_: bool;
-    var phi_2100_: lt_bvh_triangle_Intersection;
-    var phi_2101_: bool;
-    var phi_2102_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: f32;
+    var phi_1776_: bool;
+    var phi_1806_: vec3<f32>;
+    var phi_1807_: vec3<f32>;
+    var phi_1832_: vec3<f32>;
+    var phi_1833_: vec3<f32>;
+    var phi_1858_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1917_: f32;
+    var phi_1926_: f32;
+    var phi_1935_: f32;
+    var phi_1944_: f32;
+    var phi_1951_: f32;
+    var phi_1958_: f32;
+    var phi_1971_: f32;
+    var phi_1980_: f32;
+    var phi_1989_: f32;
+    var phi_1998_: f32;
+    var phi_2005_: f32;
+    var phi_2012_: f32;
+    var phi_2035_: f32;
+    var phi_2040_: f32;
+    var phi_2045_: f32;
+    var phi_2053_: f32;
+    var phi_2058_: f32;
+    var phi_2063_: f32;
+    var phi_2075_: f32;
+    var phi_2080_: f32;
+    var phi_2085_: f32;
+    var phi_2090_: f32;
+    var phi_2095_: lt_bvh_triangle_Intersection;
+    var phi_2096_: bool;
+    var phi_2097_: lt_bvh_triangle_Intersection;
+    var phi_2098_: bool;
+    var phi_2102_: lt_bvh_triangle_Intersection;
+    var phi_2103_: bool;
+    var phi_2104_: lt_bvh_triangle_Intersection;
+    var phi_2105_: bool;
     var phi_2106_: bool;
-    var phi_2110_: lt_bvh_triangle_Intersection;
-    var phi_2149_: bool;
-    var phi_2150_: bool;
-    var phi_2151_: bool;
-    var phi_2152_: bool;
+    var phi_2110_: bool;
+    var phi_2114_: lt_bvh_triangle_Intersection;
     var phi_2153_: bool;
     var phi_2154_: bool;
+    var phi_2155_: bool;
+    var phi_2156_: bool;
+    var phi_2157_: bool;
     var phi_2158_: bool;
-    var phi_2159_: bool;
-    var phi_2362_: f32;
-    var phi_2365_: bool;
-    var phi_2366_: bool;
+    var phi_2162_: bool;
+    var phi_2163_: bool;
+    var phi_2366_: f32;
+    var phi_2369_: bool;
     var phi_2370_: bool;
-    var phi_2378_: lt_bvh_Hit;
-    var phi_2379_: lt_bvh_Hit;
-    var phi_2380_: lt_bvh_Hit;
-    var phi_2381_: lt_bvh_Hit;
-    var phi_1524_: lt_bvh_Hit;
-    var phi_1527_: u32;
-    var phi_2382_: bool;
-    var phi_2421_: bool;
-    var phi_2422_: bool;
-    var phi_2453_: u32;
-    var phi_1187_: lt_bvh_Hit;
-    var phi_1190_: u32;
-    var phi_2454_: lt_bvh_Hit;
-    var phi_2455_: lt_bvh_Hit;
-    var phi_2456_: bool;
-    var phi_2460_: lt_bvh_Hit;
-    var phi_2525_: f32;
-    var phi_2530_: f32;
-    var phi_2535_: f32;
-    var phi_2546_: f32;
-    var phi_2551_: f32;
-    var phi_2556_: f32;
-    var phi_2632_: vec3<f32>;
-    var phi_2753_: u32;
-    var phi_2780_: f32;
-    var phi_2787_: f32;
-    var phi_2794_: f32;
-    var phi_2829_: f32;
-    var phi_2836_: f32;
-    var phi_2843_: f32;
-    var phi_2881_: f32;
-    var phi_2888_: f32;
-    var phi_2895_: f32;
-    var phi_2954_: vec3<f32>;
-    var phi_2955_: vec3<f32>;
-    var phi_2956_: vec3<f32>;
-    var phi_2965_: f32;
-    var phi_2966_: f32;
-    var phi_2976_: f32;
-    var phi_2977_: f32;
-    var phi_2987_: f32;
-    var phi_2988_: f32;
-    var phi_3023_: abi_Sample;
+    var phi_2374_: bool;
+    var phi_2382_: lt_bvh_Hit;
+    var phi_2383_: lt_bvh_Hit;
+    var phi_2384_: lt_bvh_Hit;
+    var phi_2385_: lt_bvh_Hit;
+    var phi_1528_: lt_bvh_Hit;
+    var phi_1531_: u32;
+    var phi_2386_: bool;
+    var phi_2425_: bool;
+    var phi_2426_: bool;
+    var phi_2457_: u32;
+    var phi_1191_: lt_bvh_Hit;
+    var phi_1194_: u32;
+    var phi_2458_: lt_bvh_Hit;
+    var phi_2459_: lt_bvh_Hit;
+    var phi_2460_: bool;
+    var phi_2464_: lt_bvh_Hit;
+    var phi_2529_: f32;
+    var phi_2534_: f32;
+    var phi_2539_: f32;
+    var phi_2550_: f32;
+    var phi_2555_: f32;
+    var phi_2560_: f32;
+    var phi_2636_: vec3<f32>;
+    var phi_2757_: u32;
+    var phi_2784_: f32;
+    var phi_2791_: f32;
+    var phi_2798_: f32;
+    var phi_2833_: f32;
+    var phi_2840_: f32;
+    var phi_2847_: f32;
+    var phi_2885_: f32;
+    var phi_2892_: f32;
+    var phi_2899_: f32;
+    var phi_2958_: vec3<f32>;
+    var phi_2959_: vec3<f32>;
+    var phi_2960_: vec3<f32>;
+    var phi_2969_: f32;
+    var phi_2970_: f32;
+    var phi_2980_: f32;
+    var phi_2981_: f32;
+    var phi_2991_: f32;
+    var phi_2992_: f32;
+    var phi_3027_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -829,7 +827,7 @@ fn function_() {
     let _e93 = p.member.size[0u];
     let _e95 = p.member.size[1u];
     let _e96 = lt_shaders_entry_pixel_index(_e71, _e93, _e95);
-    if (bitcast<i32>(_e96.root) != 0i) {
+    if (bitcast<i32>(_e96.word) != 0i) {
         let _e104 = p.member.eye;
         let _e109 = p.member.size[0u];
         let _e113 = ((((f32(_e71.x) + 0.5f) / f32(_e109)) * 2f) - 1f);
@@ -840,1505 +838,1506 @@ fn function_() {
         let _e140 = p.member.up;
         let _e151 = _lt_bvh_ray_Ray_new(_e104, vec3<f32>(((_e124.x + (_e126.x * _e113)) + (_e140.x * _e122)), ((_e124.y + (_e126.y * _e113)) + (_e140.y * _e122)), ((_e124.z + (_e126.z * _e113)) + (_e140.z * _e122))));
         let _e153 = lt_bvh_Hit(_e151.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e163 = abs(_e151.direction.x);
-        let _e165 = abs(_e151.direction.y);
-        let _e167 = abs(_e151.direction.z);
+        let _e156 = abs(_e151.direction.x);
+        let _e158 = abs(_e151.direction.y);
+        let _e160 = abs(_e151.direction.z);
         if (abs(_e151.origin.x) < 1000000000000000f) {
             if (abs(_e151.origin.y) < 1000000000000000f) {
-                if (abs(_e151.origin.z) < 1000000000000000f) {
-                    if (_e163 < 1000000000000000f) {
-                        if (_e165 < 1000000000000000f) {
-                            if (_e167 < 1000000000000000f) {
-                                if (_e163 > 0f) {
-                                    phi_775_ = bool();
-                                    phi_776_ = true;
-                                } else {
-                                    let _e175 = (_e165 > 0f);
-                                    if _e175 {
-                                        phi_774_ = bool();
-                                    } else {
-                                        phi_774_ = (_e167 > 0f);
-                                    }
-                                    let _e178 = phi_774_;
-                                    phi_775_ = _e178;
-                                    phi_776_ = _e175;
-                                }
-                                let _e180 = phi_775_;
-                                let _e182 = phi_776_;
-                                if _e182 {
-                                    phi_780_ = true;
-                                } else {
-                                    phi_780_ = _e180;
-                                }
-                                let _e184 = phi_780_;
-                                phi_781_ = _e184;
-                                phi_782_ = false;
-                            } else {
-                                phi_781_ = bool();
-                                phi_782_ = true;
-                            }
-                            let _e186 = phi_781_;
-                            let _e188 = phi_782_;
-                            phi_783_ = _e186;
-                            phi_784_ = false;
-                            phi_785_ = _e188;
-                        } else {
-                            phi_783_ = bool();
-                            phi_784_ = true;
-                            phi_785_ = false;
-                        }
-                        let _e190 = phi_783_;
-                        let _e192 = phi_784_;
-                        let _e194 = phi_785_;
-                        phi_786_ = _e190;
-                        phi_787_ = _e192;
-                        phi_788_ = _e194;
-                    } else {
-                        phi_786_ = bool();
-                        phi_787_ = true;
-                        phi_788_ = false;
-                    }
-                    let _e196 = phi_786_;
-                    let _e198 = phi_787_;
-                    let _e200 = phi_788_;
-                    phi_789_ = _e196;
-                    phi_790_ = _e198;
-                    phi_791_ = _e200;
-                } else {
-                    phi_789_ = bool();
-                    phi_790_ = true;
-                    phi_791_ = false;
-                }
-                let _e202 = phi_789_;
-                let _e204 = phi_790_;
-                let _e206 = phi_791_;
-                phi_792_ = _e202;
-                phi_793_ = _e204;
-                phi_794_ = _e206;
+                phi_750_ = (abs(_e151.origin.z) < 1000000000000000f);
+                phi_751_ = false;
             } else {
-                phi_792_ = bool();
-                phi_793_ = true;
-                phi_794_ = false;
+                phi_750_ = bool();
+                phi_751_ = true;
             }
-            let _e208 = phi_792_;
-            let _e210 = phi_793_;
-            let _e212 = phi_794_;
-            phi_795_ = _e208;
-            phi_796_ = _e210;
-            phi_797_ = _e212;
+            let _e172 = phi_750_;
+            let _e174 = phi_751_;
+            phi_752_ = _e172;
+            phi_753_ = _e174;
         } else {
-            phi_795_ = bool();
-            phi_796_ = true;
-            phi_797_ = false;
+            phi_752_ = bool();
+            phi_753_ = true;
         }
-        let _e214 = phi_795_;
-        let _e216 = phi_796_;
-        let _e218 = phi_797_;
-        if _e216 {
-            phi_801_ = true;
+        let _e176 = phi_752_;
+        let _e178 = phi_753_;
+        if _e178 {
+            phi_757_ = false;
         } else {
-            phi_801_ = _e218;
+            phi_757_ = _e176;
         }
-        let _e220 = phi_801_;
-        if _e220 {
-            phi_805_ = false;
+        let _e180 = phi_757_;
+        if _e180 {
+            if (_e156 < 1000000000000000f) {
+                if (_e158 < 1000000000000000f) {
+                    phi_770_ = (_e160 < 1000000000000000f);
+                    phi_771_ = false;
+                } else {
+                    phi_770_ = bool();
+                    phi_771_ = true;
+                }
+                let _e185 = phi_770_;
+                let _e187 = phi_771_;
+                phi_772_ = _e185;
+                phi_773_ = _e187;
+            } else {
+                phi_772_ = bool();
+                phi_773_ = true;
+            }
+            let _e189 = phi_772_;
+            let _e191 = phi_773_;
+            if _e191 {
+                phi_777_ = false;
+            } else {
+                phi_777_ = _e189;
+            }
+            let _e193 = phi_777_;
+            if _e193 {
+                if (_e156 > 0f) {
+                    phi_791_ = bool();
+                    phi_792_ = true;
+                } else {
+                    let _e195 = (_e158 > 0f);
+                    if _e195 {
+                        phi_790_ = bool();
+                    } else {
+                        phi_790_ = (_e160 > 0f);
+                    }
+                    let _e198 = phi_790_;
+                    phi_791_ = _e198;
+                    phi_792_ = _e195;
+                }
+                let _e200 = phi_791_;
+                let _e202 = phi_792_;
+                if _e202 {
+                    phi_796_ = true;
+                } else {
+                    phi_796_ = _e200;
+                }
+                let _e204 = phi_796_;
+                phi_797_ = _e204;
+                phi_798_ = false;
+            } else {
+                phi_797_ = bool();
+                phi_798_ = true;
+            }
+            let _e206 = phi_797_;
+            let _e208 = phi_798_;
+            phi_799_ = _e206;
+            phi_800_ = _e208;
         } else {
-            phi_805_ = _e214;
+            phi_799_ = bool();
+            phi_800_ = true;
         }
-        let _e222 = phi_805_;
-        if _e222 {
-            let _e223 = (0u >= _e75);
-            if _e223 {
-                phi_2454_ = lt_bvh_Hit();
+        let _e210 = phi_799_;
+        let _e212 = phi_800_;
+        if _e212 {
+            phi_804_ = false;
+        } else {
+            phi_804_ = _e210;
+        }
+        let _e214 = phi_804_;
+        if _e214 {
+            let _e215 = (0u >= _e75);
+            if _e215 {
+                phi_2458_ = lt_bvh_Hit();
             } else {
                 if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e229 = nodes.member[(0u + 0u)].frame[0u];
-                let _e233 = nodes.member[(0u + 0u)].frame[1u];
-                let _e237 = nodes.member[(0u + 0u)].frame[2u];
-                let _e241 = nodes.member[(0u + 0u)].frame[0u];
-                let _e245 = nodes.member[(0u + 0u)].frame[1u];
-                let _e249 = nodes.member[(0u + 0u)].frame[2u];
-                let _e253 = nodes.member[(0u + 0u)].frame[3u];
-                let _e291 = core_intrinsics_maximum_number_nsz_f32_(abs(_e151.direction.x), abs(_e151.direction.y));
-                let _e292 = core_intrinsics_maximum_number_nsz_f32_(_e291, abs(_e151.direction.z));
-                let _e293 = (_e292 * 0.0000000000009094947f);
-                if (abs(_e151.direction.x) < _e293) {
-                    phi_880_ = _e293;
+                let _e221 = nodes.member[(0u + 0u)].frame[0u];
+                let _e225 = nodes.member[(0u + 0u)].frame[1u];
+                let _e229 = nodes.member[(0u + 0u)].frame[2u];
+                let _e233 = nodes.member[(0u + 0u)].frame[0u];
+                let _e237 = nodes.member[(0u + 0u)].frame[1u];
+                let _e241 = nodes.member[(0u + 0u)].frame[2u];
+                let _e245 = nodes.member[(0u + 0u)].frame[3u];
+                let _e284 = core_intrinsics_maximum_number_nsz_f32_(abs(_e151.direction.x), abs(_e151.direction.y));
+                let _e285 = core_intrinsics_maximum_number_nsz_f32_(_e284, abs(_e151.direction.z));
+                let _e286 = (_e285 * 0.0000000000009094947f);
+                if (abs(_e151.direction.x) < _e286) {
+                    phi_880_ = _e286;
                 } else {
                     phi_880_ = abs(_e151.direction.x);
                 }
-                let _e300 = phi_880_;
+                let _e292 = phi_880_;
                 if (_e151.direction.x < 0f) {
-                    phi_887_ = (-1f / _e300);
+                    phi_887_ = (-1f / _e292);
                 } else {
-                    phi_887_ = (1f / _e300);
+                    phi_887_ = (1f / _e292);
                 }
-                let _e305 = phi_887_;
-                if (abs(_e151.direction.y) < _e293) {
-                    phi_895_ = _e293;
+                let _e297 = phi_887_;
+                if (abs(_e151.direction.y) < _e286) {
+                    phi_895_ = _e286;
                 } else {
                     phi_895_ = abs(_e151.direction.y);
                 }
-                let _e312 = phi_895_;
+                let _e303 = phi_895_;
                 if (_e151.direction.y < 0f) {
-                    phi_902_ = (-1f / _e312);
+                    phi_902_ = (-1f / _e303);
                 } else {
-                    phi_902_ = (1f / _e312);
+                    phi_902_ = (1f / _e303);
                 }
-                let _e317 = phi_902_;
-                if (abs(_e151.direction.z) < _e293) {
-                    phi_910_ = _e293;
+                let _e308 = phi_902_;
+                if (abs(_e151.direction.z) < _e286) {
+                    phi_910_ = _e286;
                 } else {
                     phi_910_ = abs(_e151.direction.z);
                 }
-                let _e324 = phi_910_;
+                let _e314 = phi_910_;
                 if (_e151.direction.z < 0f) {
-                    phi_917_ = (-1f / _e324);
+                    phi_917_ = (-1f / _e314);
                 } else {
-                    phi_917_ = (1f / _e324);
+                    phi_917_ = (1f / _e314);
                 }
-                let _e329 = phi_917_;
-                let _e337 = abs((bitcast<f32>(_e229) - _e151.origin.x));
-                let _e338 = abs((bitcast<f32>(_e233) - _e151.origin.y));
-                let _e339 = abs((bitcast<f32>(_e237) - _e151.origin.z));
-                let _e347 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e253 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.x));
-                let _e348 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e253 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
-                let _e349 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e253 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
-                if (_e337 > _e347) {
-                    phi_942_ = _e337;
+                let _e319 = phi_917_;
+                let _e326 = abs((bitcast<f32>(_e221) - _e151.origin.x));
+                let _e327 = abs((bitcast<f32>(_e225) - _e151.origin.y));
+                let _e328 = abs((bitcast<f32>(_e229) - _e151.origin.z));
+                let _e335 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e245 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.x));
+                let _e336 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e245 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
+                let _e337 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e245 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
+                if (_e326 > _e335) {
+                    phi_940_ = _e326;
                 } else {
-                    phi_942_ = _e347;
+                    phi_940_ = _e335;
                 }
-                let _e352 = phi_942_;
-                if (_e338 > _e348) {
-                    phi_947_ = _e338;
+                let _e340 = phi_940_;
+                if (_e327 > _e336) {
+                    phi_945_ = _e327;
                 } else {
-                    phi_947_ = _e348;
+                    phi_945_ = _e336;
                 }
-                let _e355 = phi_947_;
-                if (_e339 > _e349) {
-                    phi_952_ = _e339;
+                let _e343 = phi_945_;
+                if (_e328 > _e337) {
+                    phi_950_ = _e328;
                 } else {
-                    phi_952_ = _e349;
+                    phi_950_ = _e337;
                 }
-                let _e358 = phi_952_;
-                let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e352, _e355);
-                let _e360 = core_intrinsics_maximum_number_nsz_f32_(_e359, _e358);
-                let _e365 = (_e360 * 0.0000019073486f);
-                let _e366 = (abs(_e305) * _e365);
-                let _e367 = (abs(_e317) * _e365);
-                let _e368 = (abs(_e329) * _e365);
-                let _e372 = (_e360 * 0.0000009536743f);
-                let _e373 = (abs(_e305) * _e372);
-                let _e374 = (abs(_e317) * _e372);
-                let _e375 = (abs(_e329) * _e372);
-                let _e378 = abs(_e151.direction.x);
-                let _e380 = abs(_e151.direction.y);
-                let _e382 = abs(_e151.direction.z);
-                if (_e378 >= _e380) {
-                    if (_e378 >= _e382) {
-                        phi_985_ = false;
+                let _e346 = phi_950_;
+                if (_e340 > _e343) {
+                    phi_955_ = _e340;
+                } else {
+                    phi_955_ = _e343;
+                }
+                let _e349 = phi_955_;
+                if (_e349 > _e346) {
+                    phi_960_ = _e349;
+                } else {
+                    phi_960_ = _e346;
+                }
+                let _e352 = phi_960_;
+                let _e356 = (_e352 * 0.0000019073486f);
+                let _e357 = (abs(_e297) * _e356);
+                let _e358 = (abs(_e308) * _e356);
+                let _e359 = (abs(_e319) * _e356);
+                let _e363 = (_e352 * 0.0000009536743f);
+                let _e364 = (abs(_e297) * _e363);
+                let _e365 = (abs(_e308) * _e363);
+                let _e366 = (abs(_e319) * _e363);
+                let _e370 = abs(_e151.direction.x);
+                let _e372 = abs(_e151.direction.y);
+                let _e374 = abs(_e151.direction.z);
+                if (_e370 >= _e372) {
+                    if (_e370 >= _e374) {
+                        phi_991_ = false;
                     } else {
-                        phi_985_ = true;
+                        phi_991_ = true;
                     }
-                    let _e386 = phi_985_;
-                    phi_986_ = _e386;
+                    let _e378 = phi_991_;
+                    phi_992_ = _e378;
                 } else {
-                    phi_986_ = true;
+                    phi_992_ = true;
                 }
-                let _e388 = phi_986_;
-                if _e388 {
-                    if (_e380 >= _e382) {
-                        phi_994_ = 1u;
+                let _e380 = phi_992_;
+                if _e380 {
+                    if (_e372 >= _e374) {
+                        phi_1000_ = 1u;
                     } else {
-                        phi_994_ = 2u;
+                        phi_1000_ = 2u;
                     }
-                    let _e391 = phi_994_;
-                    phi_995_ = _e391;
+                    let _e383 = phi_1000_;
+                    phi_1001_ = _e383;
                 } else {
-                    phi_995_ = 0u;
+                    phi_1001_ = 0u;
                 }
-                let _e393 = phi_995_;
-                if (_e393 == 0u) {
-                    phi_1014_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
+                let _e385 = phi_1001_;
+                if (_e385 == 0u) {
+                    phi_1019_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
                 } else {
-                    if (_e393 == 1u) {
-                        phi_1013_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
+                    if (_e385 == 1u) {
+                        phi_1018_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
                     } else {
-                        phi_1013_ = _e151.direction;
+                        phi_1018_ = _e151.direction;
                     }
-                    let _e406 = phi_1013_;
-                    phi_1014_ = _e406;
+                    let _e397 = phi_1018_;
+                    phi_1019_ = _e397;
                 }
-                let _e408 = phi_1014_;
-                let _e412 = (_e408.x / _e408.z);
-                let _e415 = (_e408.y / _e408.z);
-                if (_e305 < 0f) {
-                    phi_1028_ = 0u;
+                let _e399 = phi_1019_;
+                let _e402 = (_e399.x / _e399.z);
+                let _e405 = (_e399.y / _e399.z);
+                if (_e297 < 0f) {
+                    phi_1032_ = 0u;
                 } else {
-                    phi_1028_ = 1u;
+                    phi_1032_ = 1u;
                 }
-                let _e420 = phi_1028_;
-                if (_e317 < 0f) {
-                    phi_1033_ = 0u;
+                let _e410 = phi_1032_;
+                if (_e308 < 0f) {
+                    phi_1037_ = 0u;
                 } else {
-                    phi_1033_ = 2u;
+                    phi_1037_ = 2u;
                 }
-                let _e423 = phi_1033_;
-                if (_e329 < 0f) {
-                    phi_1038_ = 0u;
+                let _e413 = phi_1037_;
+                if (_e319 < 0f) {
+                    phi_1042_ = 0u;
                 } else {
-                    phi_1038_ = 4u;
+                    phi_1042_ = 4u;
                 }
-                let _e426 = phi_1038_;
-                let _e428 = ((_e420 | _e423) | _e426);
-                let _e429 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e429.first[0], _e429.first[1], _e429.first[2], _e429.first[3], _e429.first[4], _e429.first[5], _e429.first[6], _e429.first[7], _e429.first[8], _e429.first[9], _e429.first[10], _e429.first[11], _e429.first[12], _e429.first[13], _e429.first[14], _e429.first[15], _e429.first[16], _e429.first[17], _e429.first[18], _e429.first[19], _e429.first[20], _e429.first[21], _e429.first[22], _e429.first[23], _e429.first[24], _e429.first[25], _e429.first[26], _e429.first[27], _e429.first[28], _e429.first[29], _e429.first[30], _e429.first[31]), array<u32, 32>(_e429.mask[0], _e429.mask[1], _e429.mask[2], _e429.mask[3], _e429.mask[4], _e429.mask[5], _e429.mask[6], _e429.mask[7], _e429.mask[8], _e429.mask[9], _e429.mask[10], _e429.mask[11], _e429.mask[12], _e429.mask[13], _e429.mask[14], _e429.mask[15], _e429.mask[16], _e429.mask[17], _e429.mask[18], _e429.mask[19], _e429.mask[20], _e429.mask[21], _e429.mask[22], _e429.mask[23], _e429.mask[24], _e429.mask[25], _e429.mask[26], _e429.mask[27], _e429.mask[28], _e429.mask[29], _e429.mask[30], _e429.mask[31]), _e429.len, _e429.group, _e429.group_mask);
-                let _e503 = local_1.group_mask;
-                if ((_e503 & 4278190080u) == 0u) {
-                    let _e507 = local_1.len;
-                    if (_e507 == 0u) {
-                        phi_1152_ = false;
+                let _e416 = phi_1042_;
+                let _e418 = ((_e410 | _e413) | _e416);
+                let _e419 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e419.first[0], _e419.first[1], _e419.first[2], _e419.first[3], _e419.first[4], _e419.first[5], _e419.first[6], _e419.first[7], _e419.first[8], _e419.first[9], _e419.first[10], _e419.first[11], _e419.first[12], _e419.first[13], _e419.first[14], _e419.first[15], _e419.first[16], _e419.first[17], _e419.first[18], _e419.first[19], _e419.first[20], _e419.first[21], _e419.first[22], _e419.first[23], _e419.first[24], _e419.first[25], _e419.first[26], _e419.first[27], _e419.first[28], _e419.first[29], _e419.first[30], _e419.first[31]), array<u32, 32>(_e419.mask[0], _e419.mask[1], _e419.mask[2], _e419.mask[3], _e419.mask[4], _e419.mask[5], _e419.mask[6], _e419.mask[7], _e419.mask[8], _e419.mask[9], _e419.mask[10], _e419.mask[11], _e419.mask[12], _e419.mask[13], _e419.mask[14], _e419.mask[15], _e419.mask[16], _e419.mask[17], _e419.mask[18], _e419.mask[19], _e419.mask[20], _e419.mask[21], _e419.mask[22], _e419.mask[23], _e419.mask[24], _e419.mask[25], _e419.mask[26], _e419.mask[27], _e419.mask[28], _e419.mask[29], _e419.mask[30], _e419.mask[31]), _e419.len, _e419.group, _e419.group_mask);
+                let _e493 = local_1.group_mask;
+                if ((_e493 & 4278190080u) == 0u) {
+                    let _e497 = local_1.len;
+                    if (_e497 == 0u) {
+                        phi_1156_ = false;
                     } else {
-                        let _e511 = local_1.len;
-                        local_1.len = (_e511 - 1u);
-                        let _e514 = local_1.len;
-                        if (_e514 < 32u) {
+                        let _e501 = local_1.len;
+                        local_1.len = (_e501 - 1u);
+                        let _e504 = local_1.len;
+                        if (_e504 < 32u) {
                         } else {
                             return;
                         }
-                        let _e519 = local_1.first[(0u + _e514)];
-                        local_1.group = _e519;
-                        let _e522 = local_1.len;
-                        if (_e522 < 32u) {
+                        let _e509 = local_1.first[(0u + _e504)];
+                        local_1.group = _e509;
+                        let _e512 = local_1.len;
+                        if (_e512 < 32u) {
                         } else {
                             return;
                         }
-                        let _e527 = local_1.mask[(0u + _e522)];
-                        local_1.group_mask = _e527;
-                        phi_1152_ = true;
+                        let _e517 = local_1.mask[(0u + _e512)];
+                        local_1.group_mask = _e517;
+                        phi_1156_ = true;
                     }
-                    let _e530 = phi_1152_;
-                    phi_1153_ = _e530;
+                    let _e520 = phi_1156_;
+                    phi_1157_ = _e520;
                 } else {
-                    phi_1153_ = true;
+                    phi_1157_ = true;
                 }
-                let _e532 = phi_1153_;
-                if _e532 {
+                let _e522 = phi_1157_;
+                if _e522 {
+                    let _e524 = local_1.group_mask;
+                    let _e530 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e524)), 32u, (_e524 == 0u)));
                     let _e534 = local_1.group_mask;
-                    let _e540 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e534)), 32u, (_e534 == 0u)));
-                    let _e544 = local_1.group_mask;
-                    let _e558 = local_1.group_mask;
-                    local_1.group_mask = (_e558 & ~((1u << bitcast<u32>((_e540 & 31u)))));
-                    let _e561 = local_1.group;
-                    phi_1184_ = (_e561 + countOneBits(((_e544 & ~((4294967295u << bitcast<u32>((((_e540 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e548 = local_1.group_mask;
+                    local_1.group_mask = (_e548 & ~((1u << bitcast<u32>((_e530 & 31u)))));
+                    let _e551 = local_1.group;
+                    phi_1188_ = (_e551 + countOneBits(((_e534 & ~((4294967295u << bitcast<u32>((((_e530 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1184_ = 4294967295u;
+                    phi_1188_ = 4294967295u;
                 }
-                let _e564 = phi_1184_;
-                phi_1186_ = _e153;
-                phi_1189_ = _e564;
+                let _e554 = phi_1188_;
+                phi_1190_ = _e153;
+                phi_1193_ = _e554;
                 loop {
-                    let _e566 = phi_1186_;
-                    let _e568 = phi_1189_;
-                    local_6 = _e566;
-                    let _e569 = (_e568 != 4294967295u);
-                    if _e569 {
-                        if (_e568 < _e75) {
+                    let _e556 = phi_1190_;
+                    let _e558 = phi_1193_;
+                    local_6 = _e556;
+                    let _e559 = (_e558 != 4294967295u);
+                    if _e559 {
+                        if (_e558 < _e75) {
                         } else {
                             return;
                         }
-                        let _e577 = nodes.member[(0u + _e568)].frame[3u];
-                        let _e602 = (bitcast<f32>((((_e577 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
-                        let _e603 = (bitcast<f32>((((_e577 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e317);
-                        let _e604 = (bitcast<f32>((((_e577 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e329);
-                        let _e607 = nodes.member[(0u + _e568)].frame[0u];
-                        let _e611 = nodes.member[(0u + _e568)].frame[1u];
-                        let _e615 = nodes.member[(0u + _e568)].frame[2u];
-                        let _e623 = ((bitcast<f32>(_e607) - _e151.origin.x) * _e305);
-                        let _e624 = ((bitcast<f32>(_e611) - _e151.origin.y) * _e317);
-                        let _e625 = ((bitcast<f32>(_e615) - _e151.origin.z) * _e329);
-                        let _e633 = nodes.member[(0u + _e568)].x;
-                        if (_e305 < 0f) {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e633.w), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e633.x, _e650.unnamed_1.first_primitive));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e633.y));
+                        let _e567 = nodes.member[(0u + _e558)].frame[3u];
+                        let _e592 = (bitcast<f32>((((_e567 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e297);
+                        let _e593 = (bitcast<f32>((((_e567 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
+                        let _e594 = (bitcast<f32>((((_e567 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
+                        let _e597 = nodes.member[(0u + _e558)].frame[0u];
+                        let _e601 = nodes.member[(0u + _e558)].frame[1u];
+                        let _e605 = nodes.member[(0u + _e558)].frame[2u];
+                        let _e613 = ((bitcast<f32>(_e597) - _e151.origin.x) * _e297);
+                        let _e614 = ((bitcast<f32>(_e601) - _e151.origin.y) * _e308);
+                        let _e615 = ((bitcast<f32>(_e605) - _e151.origin.z) * _e319);
+                        let _e623 = nodes.member[(0u + _e558)].x;
+                        if (_e297 < 0f) {
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e634.unnamed.word, _e623.w), _e634.unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_mask_LightPlace(_e623.x, _e640.unnamed_1.shift));
+                            phi_1278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e646.unnamed_1.word, _e623.y));
                         } else {
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.unnamed.root, _e633.y), _e672.unnamed_1);
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e633.z, _e678.unnamed_1.first_primitive));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e684.unnamed_1.root, _e633.w));
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.unnamed.word, _e623.y), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e623.z, _e668.unnamed_1.shift));
+                            phi_1278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e674.unnamed_1.word, _e623.w));
                         }
-                        let _e692 = phi_1274_;
-                        let _e702 = nodes.member[(0u + _e568)].y;
-                        if (_e317 < 0f) {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e702.w), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e702.x, _e719.unnamed_1.first_primitive));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e702.y));
+                        let _e682 = phi_1278_;
+                        let _e692 = nodes.member[(0u + _e558)].y;
+                        if (_e308 < 0f) {
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e703.unnamed.word, _e692.w), _e703.unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e692.x, _e709.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e715.unnamed_1.word, _e692.y));
                         } else {
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.unnamed.root, _e702.y), _e741.unnamed_1);
-                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e702.z, _e747.unnamed_1.first_primitive));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e753.unnamed_1.root, _e702.w));
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.unnamed.word, _e692.y), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e692.z, _e737.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e743.unnamed_1.word, _e692.w));
                         }
-                        let _e761 = phi_1301_;
-                        let _e771 = nodes.member[(0u + _e568)].z;
-                        if (_e329 < 0f) {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e771.w), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e771.x, _e788.unnamed_1.first_primitive));
-                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e771.y));
+                        let _e751 = phi_1305_;
+                        let _e761 = nodes.member[(0u + _e558)].z;
+                        if (_e319 < 0f) {
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e772.unnamed.word, _e761.w), _e772.unnamed_1);
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_mask_LightPlace(_e761.x, _e778.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_mask_LightPlace(_e784.unnamed_1.word, _e761.y));
                         } else {
-                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.unnamed.root, _e771.y), _e810.unnamed_1);
-                            let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e816.unnamed, lt_bvh_traverse_Tree(_e771.z, _e816.unnamed_1.first_primitive));
-                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e822.unnamed_1.root, _e771.w));
+                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e800.unnamed.word, _e761.y), _e800.unnamed_1);
+                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_mask_LightPlace(_e761.z, _e806.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_mask_LightPlace(_e812.unnamed_1.word, _e761.w));
                         }
-                        let _e830 = phi_1328_;
-                        phi_1334_ = 0u;
-                        phi_1337_ = 0u;
+                        let _e820 = phi_1332_;
+                        phi_1338_ = 0u;
+                        phi_1341_ = 0u;
                         loop {
-                            let _e840 = phi_1334_;
-                            let _e842 = phi_1337_;
-                            local_2 = _e842;
-                            local_3 = _e842;
-                            local_4 = _e842;
-                            let _e843 = (_e840 < 8u);
-                            if _e843 {
-                                let _e845 = (_e840 >> bitcast<u32>(2i));
-                                let _e846 = (_e840 & 3u);
-                                if (_e845 == 0u) {
-                                    phi_1351_ = _e692.unnamed.root;
+                            let _e830 = phi_1338_;
+                            let _e832 = phi_1341_;
+                            local_2 = _e832;
+                            local_3 = _e832;
+                            local_4 = _e832;
+                            let _e833 = (_e830 < 8u);
+                            if _e833 {
+                                let _e835 = (_e830 >> bitcast<u32>(2i));
+                                let _e836 = (_e830 & 3u);
+                                if (_e835 == 0u) {
+                                    phi_1355_ = _e682.unnamed.word;
                                 } else {
-                                    phi_1351_ = _e692.unnamed.first_primitive;
+                                    phi_1355_ = _e682.unnamed.shift;
                                 }
-                                let _e849 = phi_1351_;
-                                if (_e845 == 0u) {
-                                    phi_1361_ = _e761.unnamed.root;
+                                let _e839 = phi_1355_;
+                                if (_e835 == 0u) {
+                                    phi_1365_ = _e751.unnamed.word;
                                 } else {
-                                    phi_1361_ = _e761.unnamed.first_primitive;
+                                    phi_1365_ = _e751.unnamed.shift;
                                 }
-                                let _e858 = phi_1361_;
-                                if (_e845 == 0u) {
-                                    phi_1371_ = _e830.unnamed.root;
+                                let _e848 = phi_1365_;
+                                if (_e835 == 0u) {
+                                    phi_1375_ = _e820.unnamed.word;
                                 } else {
-                                    phi_1371_ = _e830.unnamed.first_primitive;
+                                    phi_1375_ = _e820.unnamed.shift;
                                 }
-                                let _e867 = phi_1371_;
-                                let _e880 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e849 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)), ((f32(((_e858 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
-                                let _e881 = core_intrinsics_maximum_number_nsz_f32_(_e880, ((f32(((_e867 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)));
-                                if (_e845 == 0u) {
-                                    phi_1389_ = _e692.unnamed_1.root;
+                                let _e857 = phi_1375_;
+                                let _e870 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e839 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e592) + (_e613 - _e357)), ((f32(((_e848 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e593) + (_e614 - _e358)));
+                                let _e871 = core_intrinsics_maximum_number_nsz_f32_(_e870, ((f32(((_e857 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e594) + (_e615 - _e359)));
+                                if (_e835 == 0u) {
+                                    phi_1393_ = _e682.unnamed_1.word;
                                 } else {
-                                    phi_1389_ = _e692.unnamed_1.first_primitive;
+                                    phi_1393_ = _e682.unnamed_1.shift;
                                 }
-                                let _e884 = phi_1389_;
-                                if (_e845 == 0u) {
-                                    phi_1399_ = _e761.unnamed_1.root;
+                                let _e874 = phi_1393_;
+                                if (_e835 == 0u) {
+                                    phi_1403_ = _e751.unnamed_1.word;
                                 } else {
-                                    phi_1399_ = _e761.unnamed_1.first_primitive;
+                                    phi_1403_ = _e751.unnamed_1.shift;
                                 }
-                                let _e893 = phi_1399_;
-                                if (_e845 == 0u) {
-                                    phi_1409_ = _e830.unnamed_1.root;
+                                let _e883 = phi_1403_;
+                                if (_e835 == 0u) {
+                                    phi_1413_ = _e820.unnamed_1.word;
                                 } else {
-                                    phi_1409_ = _e830.unnamed_1.first_primitive;
+                                    phi_1413_ = _e820.unnamed_1.shift;
                                 }
-                                let _e902 = phi_1409_;
-                                let _e915 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e884 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)), ((f32(((_e893 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
-                                let _e916 = core_intrinsics_minimum_number_nsz_f32_(_e915, ((f32(((_e902 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)));
-                                if (_e881 <= _e916) {
-                                    if (_e881 <= _e566.t) {
-                                        if (_e916 >= _e151.tmin) {
-                                            if (_e845 == 0u) {
-                                                let _e923 = nodes.member[(0u + _e568)].links[2u];
-                                                phi_1445_ = _e923;
+                                let _e892 = phi_1413_;
+                                let _e905 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e874 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e592) + (_e613 + _e357)), ((f32(((_e883 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e593) + (_e614 + _e358)));
+                                let _e906 = core_intrinsics_minimum_number_nsz_f32_(_e905, ((f32(((_e892 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e594) + (_e615 + _e359)));
+                                if (_e871 <= _e906) {
+                                    if (_e871 <= _e556.t) {
+                                        if (_e906 >= _e151.tmin) {
+                                            if (_e835 == 0u) {
+                                                let _e913 = nodes.member[(0u + _e558)].links[2u];
+                                                phi_1449_ = _e913;
                                             } else {
-                                                let _e926 = nodes.member[(0u + _e568)].links[3u];
-                                                phi_1445_ = _e926;
+                                                let _e916 = nodes.member[(0u + _e558)].links[3u];
+                                                phi_1449_ = _e916;
                                             }
-                                            let _e928 = phi_1445_;
-                                            let _e933 = ((_e928 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u);
-                                            let _e934 = (_e933 & 31u);
-                                            if (_e934 >= 24u) {
-                                                phi_1458_ = (24u + ((_e934 - 24u) ^ _e428));
+                                            let _e918 = phi_1449_;
+                                            let _e923 = ((_e918 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u);
+                                            let _e924 = (_e923 & 31u);
+                                            if (_e924 >= 24u) {
+                                                phi_1462_ = (24u + ((_e924 - 24u) ^ _e418));
                                             } else {
-                                                phi_1458_ = _e934;
+                                                phi_1462_ = _e924;
                                             }
-                                            let _e940 = phi_1458_;
-                                            phi_1463_ = (_e842 | ((_e933 >> bitcast<u32>(5i)) << bitcast<u32>((_e940 & 31u))));
+                                            let _e930 = phi_1462_;
+                                            phi_1467_ = (_e832 | ((_e923 >> bitcast<u32>(5i)) << bitcast<u32>((_e930 & 31u))));
                                         } else {
-                                            phi_1463_ = _e842;
+                                            phi_1467_ = _e832;
                                         }
-                                        let _e948 = phi_1463_;
-                                        phi_1464_ = _e948;
+                                        let _e938 = phi_1467_;
+                                        phi_1468_ = _e938;
                                     } else {
-                                        phi_1464_ = _e842;
+                                        phi_1468_ = _e832;
                                     }
-                                    let _e950 = phi_1464_;
-                                    phi_1465_ = _e950;
+                                    let _e940 = phi_1468_;
+                                    phi_1469_ = _e940;
                                 } else {
-                                    phi_1465_ = _e842;
+                                    phi_1469_ = _e832;
                                 }
-                                let _e952 = phi_1465_;
-                                phi_1335_ = (_e840 + 1u);
-                                phi_1338_ = _e952;
+                                let _e942 = phi_1469_;
+                                phi_1339_ = (_e830 + 1u);
+                                phi_1342_ = _e942;
                             } else {
-                                phi_1335_ = u32();
-                                phi_1338_ = u32();
+                                phi_1339_ = u32();
+                                phi_1342_ = u32();
                             }
-                            let _e955 = phi_1335_;
-                            let _e957 = phi_1338_;
+                            let _e945 = phi_1339_;
+                            let _e947 = phi_1342_;
                             continue;
                             continuing {
-                                phi_1334_ = _e955;
-                                phi_1337_ = _e957;
-                                break if !(_e843);
+                                phi_1338_ = _e945;
+                                phi_1341_ = _e947;
+                                break if !(_e833);
                             }
                         }
-                        let _e961 = nodes.member[(0u + _e568)].links[0u];
-                        let _e965 = nodes.member[(0u + _e568)].frame[3u];
-                        let _e969 = local_2;
-                        if ((_e969 & 4278190080u) == 0u) {
+                        let _e951 = nodes.member[(0u + _e558)].links[0u];
+                        let _e955 = nodes.member[(0u + _e558)].frame[3u];
+                        let _e959 = local_2;
+                        if ((_e959 & 4278190080u) == 0u) {
                         } else {
-                            let _e973 = local_1.group_mask;
-                            if ((_e973 & 4278190080u) == 0u) {
+                            let _e963 = local_1.group_mask;
+                            if ((_e963 & 4278190080u) == 0u) {
                             } else {
-                                let _e977 = local_1.len;
-                                if (_e977 < 32u) {
-                                    let _e980 = local_1.group;
-                                    let _e982 = local_1.len;
-                                    if (_e982 < 32u) {
+                                let _e967 = local_1.len;
+                                if (_e967 < 32u) {
+                                    let _e970 = local_1.group;
+                                    let _e972 = local_1.len;
+                                    if (_e972 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e982)] = _e980;
-                                    let _e988 = local_1.group_mask;
-                                    let _e990 = local_1.len;
-                                    if (_e990 < 32u) {
+                                    local_1.first[(0u + _e972)] = _e970;
+                                    let _e978 = local_1.group_mask;
+                                    let _e980 = local_1.len;
+                                    if (_e980 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e990)] = _e988;
-                                    let _e997 = local_1.len;
-                                    local_1.len = (_e997 + 1u);
+                                    local_1.mask[(0u + _e980)] = _e978;
+                                    let _e987 = local_1.len;
+                                    local_1.len = (_e987 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e961);
-                            let _e1001 = local_3;
-                            local_1.group_mask = ((_e1001 & 4278190080u) | (_e965 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e951);
+                            let _e991 = local_3;
+                            local_1.group_mask = ((_e991 & 4278190080u) | (_e955 >> bitcast<u32>(24i)));
                         }
-                        let _e1006 = local_4;
-                        phi_1523_ = _e566;
-                        phi_1526_ = (_e1006 & 16777215u);
+                        let _e996 = local_4;
+                        phi_1527_ = _e556;
+                        phi_1530_ = (_e996 & 16777215u);
                         loop {
-                            let _e1009 = phi_1523_;
-                            let _e1011 = phi_1526_;
-                            local_5 = _e1009;
-                            if (_e1011 == 0u) {
-                                phi_1524_ = lt_bvh_Hit();
-                                phi_1527_ = u32();
-                                phi_2382_ = false;
+                            let _e999 = phi_1527_;
+                            let _e1001 = phi_1530_;
+                            local_5 = _e999;
+                            if (_e1001 == 0u) {
+                                phi_1528_ = lt_bvh_Hit();
+                                phi_1531_ = u32();
+                                phi_2386_ = false;
                             } else {
-                                let _e1015 = nodes.member[(0u + _e568)].links[1u];
-                                let _e1020 = ((0u + _e1015) + select(firstTrailingBit(_e1011), 32u, (_e1011 == 0u)));
-                                if (_e1020 < _e78) {
+                                let _e1005 = nodes.member[(0u + _e558)].links[1u];
+                                let _e1010 = ((0u + _e1005) + select(firstTrailingBit(_e1001), 32u, (_e1001 == 0u)));
+                                if (_e1010 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e1027 = triangles.member[(0u + _e1020)].v0_;
-                                let _e1030 = (_e1027.x - _e151.origin.x);
-                                let _e1033 = (_e1027.y - _e151.origin.y);
-                                let _e1036 = (_e1027.z - _e151.origin.z);
-                                if (_e393 == 0u) {
-                                    phi_1573_ = vec3<f32>(_e1033, _e1036, _e1030);
+                                let _e1017 = triangles.member[(0u + _e1010)].v0_;
+                                let _e1020 = (_e1017.x - _e151.origin.x);
+                                let _e1023 = (_e1017.y - _e151.origin.y);
+                                let _e1026 = (_e1017.z - _e151.origin.z);
+                                if (_e385 == 0u) {
+                                    phi_1577_ = vec3<f32>(_e1023, _e1026, _e1020);
                                 } else {
-                                    if (_e393 == 1u) {
-                                        phi_1572_ = vec3<f32>(_e1036, _e1030, _e1033);
+                                    if (_e385 == 1u) {
+                                        phi_1576_ = vec3<f32>(_e1026, _e1020, _e1023);
                                     } else {
-                                        phi_1572_ = (_e1027 - _e151.origin);
+                                        phi_1576_ = (_e1017 - _e151.origin);
                                     }
-                                    let _e1043 = phi_1572_;
-                                    phi_1573_ = _e1043;
+                                    let _e1033 = phi_1576_;
+                                    phi_1577_ = _e1033;
                                 }
-                                let _e1045 = phi_1573_;
-                                let _e1049 = (_e1045.x - (_e412 * _e1045.z));
-                                let _e1053 = (_e1045.y - (_e415 * _e1045.z));
-                                let _e1055 = triangles.member[(0u + _e1020)].v1_;
-                                let _e1058 = (_e1055.x - _e151.origin.x);
-                                let _e1061 = (_e1055.y - _e151.origin.y);
-                                let _e1064 = (_e1055.z - _e151.origin.z);
-                                if (_e393 == 0u) {
-                                    phi_1605_ = vec3<f32>(_e1061, _e1064, _e1058);
+                                let _e1035 = phi_1577_;
+                                let _e1039 = (_e1035.x - (_e402 * _e1035.z));
+                                let _e1043 = (_e1035.y - (_e405 * _e1035.z));
+                                let _e1045 = triangles.member[(0u + _e1010)].v1_;
+                                let _e1048 = (_e1045.x - _e151.origin.x);
+                                let _e1051 = (_e1045.y - _e151.origin.y);
+                                let _e1054 = (_e1045.z - _e151.origin.z);
+                                if (_e385 == 0u) {
+                                    phi_1609_ = vec3<f32>(_e1051, _e1054, _e1048);
                                 } else {
-                                    if (_e393 == 1u) {
-                                        phi_1604_ = vec3<f32>(_e1064, _e1058, _e1061);
+                                    if (_e385 == 1u) {
+                                        phi_1608_ = vec3<f32>(_e1054, _e1048, _e1051);
                                     } else {
-                                        phi_1604_ = (_e1055 - _e151.origin);
+                                        phi_1608_ = (_e1045 - _e151.origin);
                                     }
-                                    let _e1071 = phi_1604_;
-                                    phi_1605_ = _e1071;
+                                    let _e1061 = phi_1608_;
+                                    phi_1609_ = _e1061;
                                 }
-                                let _e1073 = phi_1605_;
-                                let _e1077 = (_e1073.x - (_e412 * _e1073.z));
-                                let _e1081 = (_e1073.y - (_e415 * _e1073.z));
-                                let _e1083 = triangles.member[(0u + _e1020)].v2_;
-                                let _e1086 = (_e1083.x - _e151.origin.x);
-                                let _e1089 = (_e1083.y - _e151.origin.y);
-                                let _e1092 = (_e1083.z - _e151.origin.z);
-                                if (_e393 == 0u) {
-                                    phi_1637_ = vec3<f32>(_e1089, _e1092, _e1086);
+                                let _e1063 = phi_1609_;
+                                let _e1067 = (_e1063.x - (_e402 * _e1063.z));
+                                let _e1071 = (_e1063.y - (_e405 * _e1063.z));
+                                let _e1073 = triangles.member[(0u + _e1010)].v2_;
+                                let _e1076 = (_e1073.x - _e151.origin.x);
+                                let _e1079 = (_e1073.y - _e151.origin.y);
+                                let _e1082 = (_e1073.z - _e151.origin.z);
+                                if (_e385 == 0u) {
+                                    phi_1641_ = vec3<f32>(_e1079, _e1082, _e1076);
                                 } else {
-                                    if (_e393 == 1u) {
-                                        phi_1636_ = vec3<f32>(_e1092, _e1086, _e1089);
+                                    if (_e385 == 1u) {
+                                        phi_1640_ = vec3<f32>(_e1082, _e1076, _e1079);
                                     } else {
-                                        phi_1636_ = (_e1083 - _e151.origin);
+                                        phi_1640_ = (_e1073 - _e151.origin);
                                     }
-                                    let _e1099 = phi_1636_;
-                                    phi_1637_ = _e1099;
+                                    let _e1089 = phi_1640_;
+                                    phi_1641_ = _e1089;
                                 }
-                                let _e1101 = phi_1637_;
-                                let _e1105 = (_e1101.x - (_e412 * _e1101.z));
-                                let _e1109 = (_e1101.y - (_e415 * _e1101.z));
-                                if (_e1077 < _e1105) {
-                                    phi_1656_ = true;
+                                let _e1091 = phi_1641_;
+                                let _e1095 = (_e1091.x - (_e402 * _e1091.z));
+                                let _e1099 = (_e1091.y - (_e405 * _e1091.z));
+                                if (_e1067 < _e1095) {
+                                    phi_1660_ = true;
                                 } else {
-                                    if (_e1077 == _e1105) {
-                                        phi_1655_ = (_e1081 < _e1109);
+                                    if (_e1067 == _e1095) {
+                                        phi_1659_ = (_e1071 < _e1099);
                                     } else {
-                                        phi_1655_ = false;
+                                        phi_1659_ = false;
                                     }
-                                    let _e1114 = phi_1655_;
-                                    phi_1656_ = _e1114;
+                                    let _e1104 = phi_1659_;
+                                    phi_1660_ = _e1104;
                                 }
-                                let _e1116 = phi_1656_;
-                                if _e1116 {
-                                    phi_1660_ = _e1109;
-                                    phi_1661_ = _e1105;
-                                    phi_1662_ = _e1081;
-                                    phi_1663_ = _e1077;
+                                let _e1106 = phi_1660_;
+                                if _e1106 {
+                                    phi_1664_ = _e1099;
+                                    phi_1665_ = _e1095;
+                                    phi_1666_ = _e1071;
+                                    phi_1667_ = _e1067;
                                 } else {
-                                    phi_1660_ = _e1081;
-                                    phi_1661_ = _e1077;
-                                    phi_1662_ = _e1109;
-                                    phi_1663_ = _e1105;
+                                    phi_1664_ = _e1071;
+                                    phi_1665_ = _e1067;
+                                    phi_1666_ = _e1099;
+                                    phi_1667_ = _e1095;
                                 }
-                                let _e1118 = phi_1660_;
-                                let _e1120 = phi_1661_;
-                                let _e1122 = phi_1662_;
-                                let _e1124 = phi_1663_;
-                                let _e1127 = ((_e1124 * _e1118) - (_e1122 * _e1120));
-                                if _e1116 {
-                                    phi_1671_ = -(_e1127);
+                                let _e1108 = phi_1664_;
+                                let _e1110 = phi_1665_;
+                                let _e1112 = phi_1666_;
+                                let _e1114 = phi_1667_;
+                                let _e1117 = ((_e1114 * _e1108) - (_e1112 * _e1110));
+                                if _e1106 {
+                                    phi_1675_ = -(_e1117);
                                 } else {
-                                    phi_1671_ = _e1127;
+                                    phi_1675_ = _e1117;
                                 }
-                                let _e1130 = phi_1671_;
-                                if (_e1105 < _e1049) {
-                                    phi_1682_ = true;
+                                let _e1120 = phi_1675_;
+                                if (_e1095 < _e1039) {
+                                    phi_1686_ = true;
                                 } else {
-                                    if (_e1105 == _e1049) {
-                                        phi_1681_ = (_e1109 < _e1053);
+                                    if (_e1095 == _e1039) {
+                                        phi_1685_ = (_e1099 < _e1043);
                                     } else {
-                                        phi_1681_ = false;
+                                        phi_1685_ = false;
                                     }
-                                    let _e1135 = phi_1681_;
-                                    phi_1682_ = _e1135;
+                                    let _e1125 = phi_1685_;
+                                    phi_1686_ = _e1125;
                                 }
-                                let _e1137 = phi_1682_;
-                                if _e1137 {
-                                    phi_1686_ = _e1053;
-                                    phi_1687_ = _e1049;
-                                    phi_1688_ = _e1109;
-                                    phi_1689_ = _e1105;
+                                let _e1127 = phi_1686_;
+                                if _e1127 {
+                                    phi_1690_ = _e1043;
+                                    phi_1691_ = _e1039;
+                                    phi_1692_ = _e1099;
+                                    phi_1693_ = _e1095;
                                 } else {
-                                    phi_1686_ = _e1109;
-                                    phi_1687_ = _e1105;
-                                    phi_1688_ = _e1053;
-                                    phi_1689_ = _e1049;
+                                    phi_1690_ = _e1099;
+                                    phi_1691_ = _e1095;
+                                    phi_1692_ = _e1043;
+                                    phi_1693_ = _e1039;
                                 }
-                                let _e1139 = phi_1686_;
-                                let _e1141 = phi_1687_;
-                                let _e1143 = phi_1688_;
-                                let _e1145 = phi_1689_;
-                                let _e1148 = ((_e1145 * _e1139) - (_e1143 * _e1141));
-                                if _e1137 {
-                                    phi_1697_ = -(_e1148);
+                                let _e1129 = phi_1690_;
+                                let _e1131 = phi_1691_;
+                                let _e1133 = phi_1692_;
+                                let _e1135 = phi_1693_;
+                                let _e1138 = ((_e1135 * _e1129) - (_e1133 * _e1131));
+                                if _e1127 {
+                                    phi_1701_ = -(_e1138);
                                 } else {
-                                    phi_1697_ = _e1148;
+                                    phi_1701_ = _e1138;
                                 }
-                                let _e1151 = phi_1697_;
-                                if (_e1049 < _e1077) {
-                                    phi_1708_ = true;
+                                let _e1141 = phi_1701_;
+                                if (_e1039 < _e1067) {
+                                    phi_1712_ = true;
                                 } else {
-                                    if (_e1049 == _e1077) {
-                                        phi_1707_ = (_e1053 < _e1081);
+                                    if (_e1039 == _e1067) {
+                                        phi_1711_ = (_e1043 < _e1071);
                                     } else {
-                                        phi_1707_ = false;
+                                        phi_1711_ = false;
                                     }
-                                    let _e1156 = phi_1707_;
-                                    phi_1708_ = _e1156;
+                                    let _e1146 = phi_1711_;
+                                    phi_1712_ = _e1146;
                                 }
-                                let _e1158 = phi_1708_;
-                                if _e1158 {
-                                    phi_1712_ = _e1081;
-                                    phi_1713_ = _e1077;
-                                    phi_1714_ = _e1053;
-                                    phi_1715_ = _e1049;
+                                let _e1148 = phi_1712_;
+                                if _e1148 {
+                                    phi_1716_ = _e1071;
+                                    phi_1717_ = _e1067;
+                                    phi_1718_ = _e1043;
+                                    phi_1719_ = _e1039;
                                 } else {
-                                    phi_1712_ = _e1053;
-                                    phi_1713_ = _e1049;
-                                    phi_1714_ = _e1081;
-                                    phi_1715_ = _e1077;
+                                    phi_1716_ = _e1043;
+                                    phi_1717_ = _e1039;
+                                    phi_1718_ = _e1071;
+                                    phi_1719_ = _e1067;
                                 }
-                                let _e1160 = phi_1712_;
-                                let _e1162 = phi_1713_;
-                                let _e1164 = phi_1714_;
-                                let _e1166 = phi_1715_;
-                                let _e1169 = ((_e1166 * _e1160) - (_e1164 * _e1162));
-                                if _e1158 {
-                                    phi_1723_ = -(_e1169);
+                                let _e1150 = phi_1716_;
+                                let _e1152 = phi_1717_;
+                                let _e1154 = phi_1718_;
+                                let _e1156 = phi_1719_;
+                                let _e1159 = ((_e1156 * _e1150) - (_e1154 * _e1152));
+                                if _e1148 {
+                                    phi_1727_ = -(_e1159);
                                 } else {
-                                    phi_1723_ = _e1169;
+                                    phi_1727_ = _e1159;
                                 }
-                                let _e1172 = phi_1723_;
-                                if (_e1130 >= 0f) {
-                                    if (_e1151 >= 0f) {
-                                        if (_e1172 >= 0f) {
-                                            phi_1738_ = ((_e1130 + _e1151) + _e1172);
-                                            phi_1739_ = false;
+                                let _e1162 = phi_1727_;
+                                if (_e1120 >= 0f) {
+                                    if (_e1141 >= 0f) {
+                                        if (_e1162 >= 0f) {
+                                            phi_1742_ = ((_e1120 + _e1141) + _e1162);
+                                            phi_1743_ = false;
                                         } else {
-                                            phi_1738_ = f32();
-                                            phi_1739_ = true;
+                                            phi_1742_ = f32();
+                                            phi_1743_ = true;
                                         }
-                                        let _e1179 = phi_1738_;
-                                        let _e1181 = phi_1739_;
-                                        phi_1740_ = _e1179;
-                                        phi_1741_ = _e1181;
+                                        let _e1169 = phi_1742_;
+                                        let _e1171 = phi_1743_;
+                                        phi_1744_ = _e1169;
+                                        phi_1745_ = _e1171;
                                     } else {
-                                        phi_1740_ = f32();
-                                        phi_1741_ = true;
+                                        phi_1744_ = f32();
+                                        phi_1745_ = true;
                                     }
-                                    let _e1183 = phi_1740_;
-                                    let _e1185 = phi_1741_;
-                                    phi_1742_ = _e1183;
-                                    phi_1743_ = _e1185;
+                                    let _e1173 = phi_1744_;
+                                    let _e1175 = phi_1745_;
+                                    phi_1746_ = _e1173;
+                                    phi_1747_ = _e1175;
                                 } else {
-                                    phi_1742_ = f32();
-                                    phi_1743_ = true;
+                                    phi_1746_ = f32();
+                                    phi_1747_ = true;
                                 }
-                                let _e1187 = phi_1742_;
-                                let _e1189 = phi_1743_;
-                                if _e1189 {
-                                    if (_e1130 <= 0f) {
-                                        if (_e1151 <= 0f) {
-                                            let _e1192 = (_e1172 <= 0f);
-                                            if _e1192 {
+                                let _e1177 = phi_1746_;
+                                let _e1179 = phi_1747_;
+                                if _e1179 {
+                                    if (_e1120 <= 0f) {
+                                        if (_e1141 <= 0f) {
+                                            let _e1182 = (_e1162 <= 0f);
+                                            if _e1182 {
                                             }
-                                            phi_1761_ = ((_e1130 + _e1151) + _e1172);
-                                            phi_1762_ = false;
-                                            phi_1763_ = _e1192;
+                                            phi_1765_ = ((_e1120 + _e1141) + _e1162);
+                                            phi_1766_ = false;
+                                            phi_1767_ = _e1182;
                                         } else {
-                                            phi_1761_ = f32();
-                                            phi_1762_ = true;
-                                            phi_1763_ = false;
+                                            phi_1765_ = f32();
+                                            phi_1766_ = true;
+                                            phi_1767_ = false;
                                         }
-                                        let _e1196 = phi_1761_;
-                                        let _e1198 = phi_1762_;
-                                        let _e1200 = phi_1763_;
-                                        phi_1764_ = _e1196;
-                                        phi_1765_ = _e1198;
-                                        phi_1766_ = _e1200;
+                                        let _e1186 = phi_1765_;
+                                        let _e1188 = phi_1766_;
+                                        let _e1190 = phi_1767_;
+                                        phi_1768_ = _e1186;
+                                        phi_1769_ = _e1188;
+                                        phi_1770_ = _e1190;
                                     } else {
-                                        phi_1764_ = f32();
-                                        phi_1765_ = true;
-                                        phi_1766_ = false;
-                                    }
-                                    let _e1202 = phi_1764_;
-                                    let _e1204 = phi_1765_;
-                                    let _e1206 = phi_1766_;
-                                    if _e1204 {
+                                        phi_1768_ = f32();
+                                        phi_1769_ = true;
                                         phi_1770_ = false;
-                                    } else {
-                                        phi_1770_ = _e1206;
                                     }
-                                    let _e1208 = phi_1770_;
-                                    phi_1771_ = _e1202;
-                                    phi_1772_ = _e1208;
-                                } else {
-                                    phi_1771_ = _e1187;
-                                    phi_1772_ = true;
-                                }
-                                let _e1210 = phi_1771_;
-                                let _e1212 = phi_1772_;
-                                if _e1212 {
-                                    let _e1213 = (_e1210 == 0f);
-                                    if _e1213 {
-                                        phi_2098_ = lt_bvh_triangle_Intersection();
-                                        phi_2099_ = false;
+                                    let _e1192 = phi_1768_;
+                                    let _e1194 = phi_1769_;
+                                    let _e1196 = phi_1770_;
+                                    if _e1194 {
+                                        phi_1774_ = false;
                                     } else {
-                                        let _e1215 = triangles.member[(0u + _e1020)].v0_;
-                                        let _e1218 = (_e1215.x - _e151.origin.x);
-                                        let _e1221 = (_e1215.y - _e151.origin.y);
-                                        let _e1224 = (_e1215.z - _e151.origin.z);
-                                        if (_e393 == 0u) {
-                                            phi_1803_ = vec3<f32>(_e1221, _e1224, _e1218);
-                                        } else {
-                                            if (_e393 == 1u) {
-                                                phi_1802_ = vec3<f32>(_e1224, _e1218, _e1221);
-                                            } else {
-                                                phi_1802_ = (_e1215 - _e151.origin);
-                                            }
-                                            let _e1231 = phi_1802_;
-                                            phi_1803_ = _e1231;
-                                        }
-                                        let _e1233 = phi_1803_;
-                                        let _e1235 = triangles.member[(0u + _e1020)].v1_;
-                                        let _e1237 = triangles.member[(0u + _e1020)].v0_;
-                                        let _e1240 = (_e1235.x - _e1237.x);
-                                        let _e1243 = (_e1235.y - _e1237.y);
-                                        let _e1246 = (_e1235.z - _e1237.z);
-                                        if (_e393 == 0u) {
-                                            phi_1829_ = vec3<f32>(_e1243, _e1246, _e1240);
-                                        } else {
-                                            if (_e393 == 1u) {
-                                                phi_1828_ = vec3<f32>(_e1246, _e1240, _e1243);
-                                            } else {
-                                                phi_1828_ = (_e1235 - _e1237);
-                                            }
-                                            let _e1253 = phi_1828_;
-                                            phi_1829_ = _e1253;
-                                        }
-                                        let _e1255 = phi_1829_;
-                                        let _e1257 = triangles.member[(0u + _e1020)].v2_;
-                                        let _e1259 = triangles.member[(0u + _e1020)].v0_;
-                                        let _e1262 = (_e1257.x - _e1259.x);
-                                        let _e1265 = (_e1257.y - _e1259.y);
-                                        let _e1268 = (_e1257.z - _e1259.z);
-                                        if (_e393 == 0u) {
-                                            phi_1855_ = vec3<f32>(_e1265, _e1268, _e1262);
-                                        } else {
-                                            if (_e393 == 1u) {
-                                                phi_1854_ = vec3<f32>(_e1268, _e1262, _e1265);
-                                            } else {
-                                                phi_1854_ = (_e1257 - _e1259);
-                                            }
-                                            let _e1275 = phi_1854_;
-                                            phi_1855_ = _e1275;
-                                        }
-                                        let _e1277 = phi_1855_;
-                                        let _e1284 = ((_e1255.y * _e1277.z) - (_e1255.z * _e1277.y));
-                                        let _e1291 = ((_e1255.z * _e1277.x) - (_e1255.x * _e1277.z));
-                                        let _e1298 = ((_e1255.x * _e1277.y) - (_e1255.y * _e1277.x));
-                                        let _e1312 = (((1f / _e408.z) * (((_e1284 * _e1233.x) + (_e1291 * _e1233.y)) + (_e1298 * _e1233.z))) / (((_e1284 * _e412) + (_e1291 * _e415)) + _e1298));
-                                        if (_e1312 > _e151.tmin) {
-                                            if (_e1312 < _e151.tmax) {
-                                                let _e1318 = triangles.member[(0u + _e1020)].v0_;
-                                                let _e1320 = triangles.member[(0u + _e1020)].v1_;
-                                                if (_e1318.x < _e1320.x) {
-                                                    phi_1913_ = _e1318.x;
-                                                } else {
-                                                    phi_1913_ = _e1320.x;
-                                                }
-                                                let _e1327 = phi_1913_;
-                                                if (_e1318.y < _e1320.y) {
-                                                    phi_1922_ = _e1318.y;
-                                                } else {
-                                                    phi_1922_ = _e1320.y;
-                                                }
-                                                let _e1334 = phi_1922_;
-                                                if (_e1318.z < _e1320.z) {
-                                                    phi_1931_ = _e1318.z;
-                                                } else {
-                                                    phi_1931_ = _e1320.z;
-                                                }
-                                                let _e1341 = phi_1931_;
-                                                let _e1343 = triangles.member[(0u + _e1020)].v2_;
-                                                if (_e1327 < _e1343.x) {
-                                                    phi_1940_ = _e1327;
-                                                } else {
-                                                    phi_1940_ = _e1343.x;
-                                                }
-                                                let _e1348 = phi_1940_;
-                                                if (_e1334 < _e1343.y) {
-                                                    phi_1947_ = _e1334;
-                                                } else {
-                                                    phi_1947_ = _e1343.y;
-                                                }
-                                                let _e1353 = phi_1947_;
-                                                if (_e1341 < _e1343.z) {
-                                                    phi_1954_ = _e1341;
-                                                } else {
-                                                    phi_1954_ = _e1343.z;
-                                                }
-                                                let _e1358 = phi_1954_;
-                                                let _e1360 = triangles.member[(0u + _e1020)].v0_;
-                                                let _e1362 = triangles.member[(0u + _e1020)].v1_;
-                                                if (_e1360.x > _e1362.x) {
-                                                    phi_1967_ = _e1360.x;
-                                                } else {
-                                                    phi_1967_ = _e1362.x;
-                                                }
-                                                let _e1369 = phi_1967_;
-                                                if (_e1360.y > _e1362.y) {
-                                                    phi_1976_ = _e1360.y;
-                                                } else {
-                                                    phi_1976_ = _e1362.y;
-                                                }
-                                                let _e1376 = phi_1976_;
-                                                if (_e1360.z > _e1362.z) {
-                                                    phi_1985_ = _e1360.z;
-                                                } else {
-                                                    phi_1985_ = _e1362.z;
-                                                }
-                                                let _e1383 = phi_1985_;
-                                                let _e1385 = triangles.member[(0u + _e1020)].v2_;
-                                                if (_e1369 > _e1385.x) {
-                                                    phi_1994_ = _e1369;
-                                                } else {
-                                                    phi_1994_ = _e1385.x;
-                                                }
-                                                let _e1390 = phi_1994_;
-                                                if (_e1376 > _e1385.y) {
-                                                    phi_2001_ = _e1376;
-                                                } else {
-                                                    phi_2001_ = _e1385.y;
-                                                }
-                                                let _e1395 = phi_2001_;
-                                                if (_e1383 > _e1385.z) {
-                                                    phi_2008_ = _e1383;
-                                                } else {
-                                                    phi_2008_ = _e1385.z;
-                                                }
-                                                let _e1400 = phi_2008_;
-                                                let _e1407 = ((_e1348 - _e151.origin.x) * _e305);
-                                                let _e1408 = ((_e1353 - _e151.origin.y) * _e317);
-                                                let _e1409 = ((_e1358 - _e151.origin.z) * _e329);
-                                                let _e1416 = ((_e1390 - _e151.origin.x) * _e305);
-                                                let _e1417 = ((_e1395 - _e151.origin.y) * _e317);
-                                                let _e1418 = ((_e1400 - _e151.origin.z) * _e329);
-                                                if (_e1407 < _e1416) {
-                                                    phi_2031_ = _e1407;
-                                                } else {
-                                                    phi_2031_ = _e1416;
-                                                }
-                                                let _e1421 = phi_2031_;
-                                                if (_e1408 < _e1417) {
-                                                    phi_2036_ = _e1408;
-                                                } else {
-                                                    phi_2036_ = _e1417;
-                                                }
-                                                let _e1424 = phi_2036_;
-                                                if (_e1409 < _e1418) {
-                                                    phi_2041_ = _e1409;
-                                                } else {
-                                                    phi_2041_ = _e1418;
-                                                }
-                                                let _e1427 = phi_2041_;
-                                                if (_e1407 > _e1416) {
-                                                    phi_2049_ = _e1407;
-                                                } else {
-                                                    phi_2049_ = _e1416;
-                                                }
-                                                let _e1433 = phi_2049_;
-                                                if (_e1408 > _e1417) {
-                                                    phi_2054_ = _e1408;
-                                                } else {
-                                                    phi_2054_ = _e1417;
-                                                }
-                                                let _e1436 = phi_2054_;
-                                                if (_e1409 > _e1418) {
-                                                    phi_2059_ = _e1409;
-                                                } else {
-                                                    phi_2059_ = _e1418;
-                                                }
-                                                let _e1439 = phi_2059_;
-                                                let _e1443 = core_intrinsics_maximum_number_nsz_f32_((_e1421 - _e373), (_e1424 - _e374));
-                                                let _e1444 = core_intrinsics_maximum_number_nsz_f32_(_e1443, (_e1427 - _e375));
-                                                let _e1445 = core_intrinsics_minimum_number_nsz_f32_((_e1433 + _e373), (_e1436 + _e374));
-                                                let _e1446 = core_intrinsics_minimum_number_nsz_f32_(_e1445, (_e1439 + _e375));
-                                                if (_e1444 > -300000000000000000000000000000000000000f) {
-                                                    phi_2071_ = _e1444;
-                                                } else {
-                                                    phi_2071_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1449 = phi_2071_;
-                                                if (_e1446 < 300000000000000000000000000000000000000f) {
-                                                    phi_2076_ = _e1446;
-                                                } else {
-                                                    phi_2076_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1452 = phi_2076_;
-                                                if (_e1312 < _e1449) {
-                                                    phi_2081_ = _e1449;
-                                                } else {
-                                                    phi_2081_ = _e1312;
-                                                }
-                                                let _e1455 = phi_2081_;
-                                                if (_e1455 > _e1452) {
-                                                    phi_2086_ = _e1452;
-                                                } else {
-                                                    phi_2086_ = _e1455;
-                                                }
-                                                let _e1458 = phi_2086_;
-                                                phi_2091_ = lt_bvh_triangle_Intersection(_e1458, (_e1151 / _e1210), (_e1172 / _e1210), (_e1449 <= _e1452));
-                                                phi_2092_ = false;
-                                            } else {
-                                                phi_2091_ = lt_bvh_triangle_Intersection();
-                                                phi_2092_ = true;
-                                            }
-                                            let _e1464 = phi_2091_;
-                                            let _e1466 = phi_2092_;
-                                            phi_2093_ = _e1464;
-                                            phi_2094_ = _e1466;
-                                        } else {
-                                            phi_2093_ = lt_bvh_triangle_Intersection();
-                                            phi_2094_ = true;
-                                        }
-                                        let _e1468 = phi_2093_;
-                                        let _e1470 = phi_2094_;
-                                        if _e1470 {
-                                        }
-                                        phi_2098_ = _e1468;
-                                        phi_2099_ = _e1470;
+                                        phi_1774_ = _e1196;
                                     }
-                                    let _e1472 = phi_2098_;
-                                    let _e1474 = phi_2099_;
-                                    phi_2100_ = _e1472;
-                                    phi_2101_ = _e1213;
-                                    phi_2102_ = _e1474;
+                                    let _e1198 = phi_1774_;
+                                    phi_1775_ = _e1192;
+                                    phi_1776_ = _e1198;
                                 } else {
-                                    phi_2100_ = lt_bvh_triangle_Intersection();
-                                    phi_2101_ = true;
-                                    phi_2102_ = false;
+                                    phi_1775_ = _e1177;
+                                    phi_1776_ = true;
                                 }
-                                let _e1476 = phi_2100_;
-                                let _e1478 = phi_2101_;
-                                let _e1480 = phi_2102_;
-                                if _e1478 {
-                                    phi_2106_ = true;
-                                } else {
-                                    phi_2106_ = _e1480;
-                                }
-                                let _e1482 = phi_2106_;
-                                if _e1482 {
-                                    phi_2110_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2110_ = _e1476;
-                                }
-                                let _e1484 = phi_2110_;
-                                if _e1484.is_hit {
-                                    if (_e1484.t > _e151.tmin) {
-                                        if (_e1484.t < _e1009.t) {
-                                            phi_2159_ = true;
+                                let _e1200 = phi_1775_;
+                                let _e1202 = phi_1776_;
+                                if _e1202 {
+                                    let _e1203 = (_e1200 == 0f);
+                                    if _e1203 {
+                                        phi_2102_ = lt_bvh_triangle_Intersection();
+                                        phi_2103_ = false;
+                                    } else {
+                                        let _e1205 = triangles.member[(0u + _e1010)].v0_;
+                                        let _e1208 = (_e1205.x - _e151.origin.x);
+                                        let _e1211 = (_e1205.y - _e151.origin.y);
+                                        let _e1214 = (_e1205.z - _e151.origin.z);
+                                        if (_e385 == 0u) {
+                                            phi_1807_ = vec3<f32>(_e1211, _e1214, _e1208);
                                         } else {
-                                            if (_e1484.t == _e1009.t) {
-                                                if (_e1009.triangle != 4294967295u) {
-                                                    if (_e1020 < _e1009.triangle) {
-                                                        phi_2150_ = true;
+                                            if (_e385 == 1u) {
+                                                phi_1806_ = vec3<f32>(_e1214, _e1208, _e1211);
+                                            } else {
+                                                phi_1806_ = (_e1205 - _e151.origin);
+                                            }
+                                            let _e1221 = phi_1806_;
+                                            phi_1807_ = _e1221;
+                                        }
+                                        let _e1223 = phi_1807_;
+                                        let _e1225 = triangles.member[(0u + _e1010)].v1_;
+                                        let _e1227 = triangles.member[(0u + _e1010)].v0_;
+                                        let _e1230 = (_e1225.x - _e1227.x);
+                                        let _e1233 = (_e1225.y - _e1227.y);
+                                        let _e1236 = (_e1225.z - _e1227.z);
+                                        if (_e385 == 0u) {
+                                            phi_1833_ = vec3<f32>(_e1233, _e1236, _e1230);
+                                        } else {
+                                            if (_e385 == 1u) {
+                                                phi_1832_ = vec3<f32>(_e1236, _e1230, _e1233);
+                                            } else {
+                                                phi_1832_ = (_e1225 - _e1227);
+                                            }
+                                            let _e1243 = phi_1832_;
+                                            phi_1833_ = _e1243;
+                                        }
+                                        let _e1245 = phi_1833_;
+                                        let _e1247 = triangles.member[(0u + _e1010)].v2_;
+                                        let _e1249 = triangles.member[(0u + _e1010)].v0_;
+                                        let _e1252 = (_e1247.x - _e1249.x);
+                                        let _e1255 = (_e1247.y - _e1249.y);
+                                        let _e1258 = (_e1247.z - _e1249.z);
+                                        if (_e385 == 0u) {
+                                            phi_1859_ = vec3<f32>(_e1255, _e1258, _e1252);
+                                        } else {
+                                            if (_e385 == 1u) {
+                                                phi_1858_ = vec3<f32>(_e1258, _e1252, _e1255);
+                                            } else {
+                                                phi_1858_ = (_e1247 - _e1249);
+                                            }
+                                            let _e1265 = phi_1858_;
+                                            phi_1859_ = _e1265;
+                                        }
+                                        let _e1267 = phi_1859_;
+                                        let _e1274 = ((_e1245.y * _e1267.z) - (_e1245.z * _e1267.y));
+                                        let _e1281 = ((_e1245.z * _e1267.x) - (_e1245.x * _e1267.z));
+                                        let _e1288 = ((_e1245.x * _e1267.y) - (_e1245.y * _e1267.x));
+                                        let _e1302 = (((1f / _e399.z) * (((_e1274 * _e1223.x) + (_e1281 * _e1223.y)) + (_e1288 * _e1223.z))) / (((_e1274 * _e402) + (_e1281 * _e405)) + _e1288));
+                                        if (_e1302 > _e151.tmin) {
+                                            if (_e1302 < _e151.tmax) {
+                                                let _e1308 = triangles.member[(0u + _e1010)].v0_;
+                                                let _e1310 = triangles.member[(0u + _e1010)].v1_;
+                                                if (_e1308.x < _e1310.x) {
+                                                    phi_1917_ = _e1308.x;
+                                                } else {
+                                                    phi_1917_ = _e1310.x;
+                                                }
+                                                let _e1317 = phi_1917_;
+                                                if (_e1308.y < _e1310.y) {
+                                                    phi_1926_ = _e1308.y;
+                                                } else {
+                                                    phi_1926_ = _e1310.y;
+                                                }
+                                                let _e1324 = phi_1926_;
+                                                if (_e1308.z < _e1310.z) {
+                                                    phi_1935_ = _e1308.z;
+                                                } else {
+                                                    phi_1935_ = _e1310.z;
+                                                }
+                                                let _e1331 = phi_1935_;
+                                                let _e1333 = triangles.member[(0u + _e1010)].v2_;
+                                                if (_e1317 < _e1333.x) {
+                                                    phi_1944_ = _e1317;
+                                                } else {
+                                                    phi_1944_ = _e1333.x;
+                                                }
+                                                let _e1338 = phi_1944_;
+                                                if (_e1324 < _e1333.y) {
+                                                    phi_1951_ = _e1324;
+                                                } else {
+                                                    phi_1951_ = _e1333.y;
+                                                }
+                                                let _e1343 = phi_1951_;
+                                                if (_e1331 < _e1333.z) {
+                                                    phi_1958_ = _e1331;
+                                                } else {
+                                                    phi_1958_ = _e1333.z;
+                                                }
+                                                let _e1348 = phi_1958_;
+                                                let _e1350 = triangles.member[(0u + _e1010)].v0_;
+                                                let _e1352 = triangles.member[(0u + _e1010)].v1_;
+                                                if (_e1350.x > _e1352.x) {
+                                                    phi_1971_ = _e1350.x;
+                                                } else {
+                                                    phi_1971_ = _e1352.x;
+                                                }
+                                                let _e1359 = phi_1971_;
+                                                if (_e1350.y > _e1352.y) {
+                                                    phi_1980_ = _e1350.y;
+                                                } else {
+                                                    phi_1980_ = _e1352.y;
+                                                }
+                                                let _e1366 = phi_1980_;
+                                                if (_e1350.z > _e1352.z) {
+                                                    phi_1989_ = _e1350.z;
+                                                } else {
+                                                    phi_1989_ = _e1352.z;
+                                                }
+                                                let _e1373 = phi_1989_;
+                                                let _e1375 = triangles.member[(0u + _e1010)].v2_;
+                                                if (_e1359 > _e1375.x) {
+                                                    phi_1998_ = _e1359;
+                                                } else {
+                                                    phi_1998_ = _e1375.x;
+                                                }
+                                                let _e1380 = phi_1998_;
+                                                if (_e1366 > _e1375.y) {
+                                                    phi_2005_ = _e1366;
+                                                } else {
+                                                    phi_2005_ = _e1375.y;
+                                                }
+                                                let _e1385 = phi_2005_;
+                                                if (_e1373 > _e1375.z) {
+                                                    phi_2012_ = _e1373;
+                                                } else {
+                                                    phi_2012_ = _e1375.z;
+                                                }
+                                                let _e1390 = phi_2012_;
+                                                let _e1397 = ((_e1338 - _e151.origin.x) * _e297);
+                                                let _e1398 = ((_e1343 - _e151.origin.y) * _e308);
+                                                let _e1399 = ((_e1348 - _e151.origin.z) * _e319);
+                                                let _e1406 = ((_e1380 - _e151.origin.x) * _e297);
+                                                let _e1407 = ((_e1385 - _e151.origin.y) * _e308);
+                                                let _e1408 = ((_e1390 - _e151.origin.z) * _e319);
+                                                if (_e1397 < _e1406) {
+                                                    phi_2035_ = _e1397;
+                                                } else {
+                                                    phi_2035_ = _e1406;
+                                                }
+                                                let _e1411 = phi_2035_;
+                                                if (_e1398 < _e1407) {
+                                                    phi_2040_ = _e1398;
+                                                } else {
+                                                    phi_2040_ = _e1407;
+                                                }
+                                                let _e1414 = phi_2040_;
+                                                if (_e1399 < _e1408) {
+                                                    phi_2045_ = _e1399;
+                                                } else {
+                                                    phi_2045_ = _e1408;
+                                                }
+                                                let _e1417 = phi_2045_;
+                                                if (_e1397 > _e1406) {
+                                                    phi_2053_ = _e1397;
+                                                } else {
+                                                    phi_2053_ = _e1406;
+                                                }
+                                                let _e1423 = phi_2053_;
+                                                if (_e1398 > _e1407) {
+                                                    phi_2058_ = _e1398;
+                                                } else {
+                                                    phi_2058_ = _e1407;
+                                                }
+                                                let _e1426 = phi_2058_;
+                                                if (_e1399 > _e1408) {
+                                                    phi_2063_ = _e1399;
+                                                } else {
+                                                    phi_2063_ = _e1408;
+                                                }
+                                                let _e1429 = phi_2063_;
+                                                let _e1433 = core_intrinsics_maximum_number_nsz_f32_((_e1411 - _e364), (_e1414 - _e365));
+                                                let _e1434 = core_intrinsics_maximum_number_nsz_f32_(_e1433, (_e1417 - _e366));
+                                                let _e1435 = core_intrinsics_minimum_number_nsz_f32_((_e1423 + _e364), (_e1426 + _e365));
+                                                let _e1436 = core_intrinsics_minimum_number_nsz_f32_(_e1435, (_e1429 + _e366));
+                                                if (_e1434 > -300000000000000000000000000000000000000f) {
+                                                    phi_2075_ = _e1434;
+                                                } else {
+                                                    phi_2075_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1439 = phi_2075_;
+                                                if (_e1436 < 300000000000000000000000000000000000000f) {
+                                                    phi_2080_ = _e1436;
+                                                } else {
+                                                    phi_2080_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1442 = phi_2080_;
+                                                if (_e1302 < _e1439) {
+                                                    phi_2085_ = _e1439;
+                                                } else {
+                                                    phi_2085_ = _e1302;
+                                                }
+                                                let _e1445 = phi_2085_;
+                                                if (_e1445 > _e1442) {
+                                                    phi_2090_ = _e1442;
+                                                } else {
+                                                    phi_2090_ = _e1445;
+                                                }
+                                                let _e1448 = phi_2090_;
+                                                phi_2095_ = lt_bvh_triangle_Intersection(_e1448, (_e1141 / _e1200), (_e1162 / _e1200), (_e1439 <= _e1442));
+                                                phi_2096_ = false;
+                                            } else {
+                                                phi_2095_ = lt_bvh_triangle_Intersection();
+                                                phi_2096_ = true;
+                                            }
+                                            let _e1454 = phi_2095_;
+                                            let _e1456 = phi_2096_;
+                                            phi_2097_ = _e1454;
+                                            phi_2098_ = _e1456;
+                                        } else {
+                                            phi_2097_ = lt_bvh_triangle_Intersection();
+                                            phi_2098_ = true;
+                                        }
+                                        let _e1458 = phi_2097_;
+                                        let _e1460 = phi_2098_;
+                                        if _e1460 {
+                                        }
+                                        phi_2102_ = _e1458;
+                                        phi_2103_ = _e1460;
+                                    }
+                                    let _e1462 = phi_2102_;
+                                    let _e1464 = phi_2103_;
+                                    phi_2104_ = _e1462;
+                                    phi_2105_ = _e1203;
+                                    phi_2106_ = _e1464;
+                                } else {
+                                    phi_2104_ = lt_bvh_triangle_Intersection();
+                                    phi_2105_ = true;
+                                    phi_2106_ = false;
+                                }
+                                let _e1466 = phi_2104_;
+                                let _e1468 = phi_2105_;
+                                let _e1470 = phi_2106_;
+                                if _e1468 {
+                                    phi_2110_ = true;
+                                } else {
+                                    phi_2110_ = _e1470;
+                                }
+                                let _e1472 = phi_2110_;
+                                if _e1472 {
+                                    phi_2114_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2114_ = _e1466;
+                                }
+                                let _e1474 = phi_2114_;
+                                if _e1474.is_hit {
+                                    if (_e1474.t > _e151.tmin) {
+                                        if (_e1474.t < _e999.t) {
+                                            phi_2163_ = true;
+                                        } else {
+                                            if (_e1474.t == _e999.t) {
+                                                if (_e999.triangle != 4294967295u) {
+                                                    if (_e1010 < _e999.triangle) {
+                                                        phi_2154_ = true;
                                                     } else {
-                                                        if (_e1020 == _e1009.triangle) {
-                                                            phi_2149_ = (4294967295u < _e1009.instance);
+                                                        if (_e1010 == _e999.triangle) {
+                                                            phi_2153_ = (4294967295u < _e999.instance);
                                                         } else {
-                                                            phi_2149_ = false;
+                                                            phi_2153_ = false;
                                                         }
-                                                        let _e1503 = phi_2149_;
-                                                        phi_2150_ = _e1503;
+                                                        let _e1493 = phi_2153_;
+                                                        phi_2154_ = _e1493;
                                                     }
-                                                    let _e1505 = phi_2150_;
-                                                    phi_2151_ = _e1505;
-                                                    phi_2152_ = false;
+                                                    let _e1495 = phi_2154_;
+                                                    phi_2155_ = _e1495;
+                                                    phi_2156_ = false;
                                                 } else {
-                                                    phi_2151_ = bool();
-                                                    phi_2152_ = true;
+                                                    phi_2155_ = bool();
+                                                    phi_2156_ = true;
                                                 }
-                                                let _e1507 = phi_2151_;
-                                                let _e1509 = phi_2152_;
-                                                phi_2153_ = _e1507;
-                                                phi_2154_ = _e1509;
+                                                let _e1497 = phi_2155_;
+                                                let _e1499 = phi_2156_;
+                                                phi_2157_ = _e1497;
+                                                phi_2158_ = _e1499;
                                             } else {
-                                                phi_2153_ = bool();
-                                                phi_2154_ = true;
+                                                phi_2157_ = bool();
+                                                phi_2158_ = true;
                                             }
-                                            let _e1511 = phi_2153_;
-                                            let _e1513 = phi_2154_;
-                                            if _e1513 {
-                                                phi_2158_ = false;
+                                            let _e1501 = phi_2157_;
+                                            let _e1503 = phi_2158_;
+                                            if _e1503 {
+                                                phi_2162_ = false;
                                             } else {
-                                                phi_2158_ = _e1511;
+                                                phi_2162_ = _e1501;
                                             }
-                                            let _e1515 = phi_2158_;
-                                            phi_2159_ = _e1515;
+                                            let _e1505 = phi_2162_;
+                                            phi_2163_ = _e1505;
                                         }
-                                        let _e1517 = phi_2159_;
-                                        if _e1517 {
-                                            let _e1519 = triangles.member[(0u + _e1020)].i0_;
-                                            if ((_e1519 & 2147483648u) == 0u) {
-                                                phi_2370_ = true;
+                                        let _e1507 = phi_2163_;
+                                        if _e1507 {
+                                            let _e1509 = triangles.member[(0u + _e1010)].i0_;
+                                            if ((_e1509 & 2147483648u) == 0u) {
+                                                phi_2374_ = true;
                                             } else {
-                                                if (_e1020 < _e78) {
+                                                if (_e1010 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1528 = triangles.member[(0u + _e1020)].i0_;
-                                                let _e1529 = (_e1528 & 2147483647u);
-                                                let _e1531 = triangles.member[(0u + _e1020)].i1_;
-                                                let _e1533 = triangles.member[(0u + _e1020)].i2_;
-                                                if (_e1529 < _e81) {
+                                                let _e1518 = triangles.member[(0u + _e1010)].i0_;
+                                                let _e1519 = (_e1518 & 2147483647u);
+                                                let _e1521 = triangles.member[(0u + _e1010)].i1_;
+                                                let _e1523 = triangles.member[(0u + _e1010)].i2_;
+                                                if (_e1519 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1537 = vertices.member[(0u + _e1529)];
-                                                if (_e1531 < _e81) {
+                                                let _e1527 = vertices.member[(0u + _e1519)];
+                                                if (_e1521 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1541 = vertices.member[(0u + _e1531)];
-                                                if (_e1533 < _e81) {
+                                                let _e1531 = vertices.member[(0u + _e1521)];
+                                                if (_e1523 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1545 = vertices.member[(0u + _e1533)];
-                                                let _e1546 = array<abi_Vertex, 3>(_e1537, _e1541, _e1545);
-                                                if (_e1546[0].material < _e84) {
+                                                let _e1535 = vertices.member[(0u + _e1523)];
+                                                let _e1536 = array<abi_Vertex, 3>(_e1527, _e1531, _e1535);
+                                                if (_e1536[0].material < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1552 = materials.member[(0u + _e1546[0].material)];
-                                                if ((_e1552.flags & 0u) == 0u) {
-                                                    let _e1557 = ((1f - _e1484.u) - _e1484.v);
-                                                    if (_e1552.cutoff <= 0f) {
-                                                        phi_2365_ = true;
+                                                let _e1542 = materials.member[(0u + _e1536[0].material)];
+                                                if ((_e1542.flags & 0u) == 0u) {
+                                                    let _e1547 = ((1f - _e1474.u) - _e1474.v);
+                                                    if (_e1542.cutoff <= 0f) {
+                                                        phi_2369_ = true;
                                                     } else {
-                                                        let _e1584 = (_e1552.base_color.w * ((((f32((_e1546[0].color >> bitcast<u32>(24i))) * _e1557) + (f32((_e1546[1].color >> bitcast<u32>(24i))) * _e1484.u)) + (f32((_e1546[2].color >> bitcast<u32>(24i))) * _e1484.v)) * (1f / 255f)));
-                                                        if (_e1552.alpha_size == 0u) {
-                                                            phi_2362_ = _e1584;
+                                                        let _e1574 = (_e1542.base_color.w * ((((f32((_e1536[0].color >> bitcast<u32>(24i))) * _e1547) + (f32((_e1536[1].color >> bitcast<u32>(24i))) * _e1474.u)) + (f32((_e1536[2].color >> bitcast<u32>(24i))) * _e1474.v)) * (1f / 255f)));
+                                                        if (_e1542.alpha_size == 0u) {
+                                                            phi_2366_ = _e1574;
                                                         } else {
-                                                            local.offset = _e1552.alpha_offset;
-                                                            local.size = _e1552.alpha_size;
-                                                            local.flags = _e1552.flags;
-                                                            let _e1615 = _lt_shaders_texture_TextureView_quad((&local), (((_e1546[0].u * _e1557) + (_e1546[1].u * _e1484.u)) + (_e1546[2].u * _e1484.v)), (((_e1546[0].v * _e1557) + (_e1546[1].v * _e1484.u)) + (_e1546[2].v * _e1484.v)));
-                                                            let _e1619 = (_e1615.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1619 < _e90) {
+                                                            local.offset = _e1542.alpha_offset;
+                                                            local.size = _e1542.alpha_size;
+                                                            local.flags = _e1542.flags;
+                                                            let _e1605 = _lt_shaders_texture_TextureView_quad((&local), (((_e1536[0].u * _e1547) + (_e1536[1].u * _e1474.u)) + (_e1536[2].u * _e1474.v)), (((_e1536[0].v * _e1547) + (_e1536[1].v * _e1474.u)) + (_e1536[2].v * _e1474.v)));
+                                                            let _e1609 = (_e1605.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1609 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1623 = alpha_texels.member[(0u + _e1619)];
-                                                            let _e1639 = (_e1615.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1639 < _e90) {
+                                                            let _e1613 = alpha_texels.member[(0u + _e1609)];
+                                                            let _e1629 = (_e1605.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1629 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1643 = alpha_texels.member[(0u + _e1639)];
-                                                            let _e1660 = (_e1615.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1660 < _e90) {
+                                                            let _e1633 = alpha_texels.member[(0u + _e1629)];
+                                                            let _e1650 = (_e1605.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1650 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1664 = alpha_texels.member[(0u + _e1660)];
-                                                            let _e1681 = (_e1615.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1681 < _e90) {
+                                                            let _e1654 = alpha_texels.member[(0u + _e1650)];
+                                                            let _e1671 = (_e1605.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1671 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1685 = alpha_texels.member[(0u + _e1681)];
-                                                            phi_2362_ = (_e1584 * (((((f32(((_e1623 >> bitcast<u32>((((_e1615.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.x) + ((f32(((_e1643 >> bitcast<u32>((((_e1615.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.y)) + ((f32(((_e1664 >> bitcast<u32>((((_e1615.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.z)) + ((f32(((_e1685 >> bitcast<u32>((((_e1615.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.w)));
+                                                            let _e1675 = alpha_texels.member[(0u + _e1671)];
+                                                            phi_2366_ = (_e1574 * (((((f32(((_e1613 >> bitcast<u32>((((_e1605.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.x) + ((f32(((_e1633 >> bitcast<u32>((((_e1605.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.y)) + ((f32(((_e1654 >> bitcast<u32>((((_e1605.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.z)) + ((f32(((_e1675 >> bitcast<u32>((((_e1605.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1605.weights.w)));
                                                         }
-                                                        let _e1701 = phi_2362_;
-                                                        phi_2365_ = (_e1701 >= _e1552.cutoff);
+                                                        let _e1691 = phi_2366_;
+                                                        phi_2369_ = (_e1691 >= _e1542.cutoff);
                                                     }
-                                                    let _e1705 = phi_2365_;
-                                                    phi_2366_ = _e1705;
+                                                    let _e1695 = phi_2369_;
+                                                    phi_2370_ = _e1695;
                                                 } else {
-                                                    phi_2366_ = false;
+                                                    phi_2370_ = false;
                                                 }
-                                                let _e1707 = phi_2366_;
-                                                if _e1707 {
+                                                let _e1697 = phi_2370_;
+                                                if _e1697 {
                                                 }
-                                                phi_2370_ = _e1707;
+                                                phi_2374_ = _e1697;
                                             }
-                                            let _e1709 = phi_2370_;
-                                            if _e1709 {
-                                                phi_2378_ = lt_bvh_Hit(_e1484.t, _e1484.u, _e1484.v, _e1020, 4294967295u);
+                                            let _e1699 = phi_2374_;
+                                            if _e1699 {
+                                                phi_2382_ = lt_bvh_Hit(_e1474.t, _e1474.u, _e1474.v, _e1010, 4294967295u);
                                             } else {
-                                                phi_2378_ = _e1009;
+                                                phi_2382_ = _e999;
                                             }
-                                            let _e1715 = phi_2378_;
-                                            phi_2379_ = _e1715;
+                                            let _e1705 = phi_2382_;
+                                            phi_2383_ = _e1705;
                                         } else {
-                                            phi_2379_ = _e1009;
+                                            phi_2383_ = _e999;
                                         }
-                                        let _e1717 = phi_2379_;
-                                        phi_2380_ = _e1717;
+                                        let _e1707 = phi_2383_;
+                                        phi_2384_ = _e1707;
                                     } else {
-                                        phi_2380_ = _e1009;
+                                        phi_2384_ = _e999;
                                     }
-                                    let _e1719 = phi_2380_;
-                                    phi_2381_ = _e1719;
+                                    let _e1709 = phi_2384_;
+                                    phi_2385_ = _e1709;
                                 } else {
-                                    phi_2381_ = _e1009;
+                                    phi_2385_ = _e999;
                                 }
-                                let _e1721 = phi_2381_;
-                                phi_1524_ = _e1721;
-                                phi_1527_ = (_e1011 & (_e1011 - 1u));
-                                phi_2382_ = true;
+                                let _e1711 = phi_2385_;
+                                phi_1528_ = _e1711;
+                                phi_1531_ = (_e1001 & (_e1001 - 1u));
+                                phi_2386_ = true;
                             }
-                            let _e1723 = phi_1524_;
-                            let _e1725 = phi_1527_;
-                            let _e1727 = phi_2382_;
+                            let _e1713 = phi_1528_;
+                            let _e1715 = phi_1531_;
+                            let _e1717 = phi_2386_;
                             continue;
                             continuing {
-                                phi_1523_ = _e1723;
-                                phi_1526_ = _e1725;
-                                break if !(_e1727);
+                                phi_1527_ = _e1713;
+                                phi_1530_ = _e1715;
+                                break if !(_e1717);
                             }
                         }
-                        let _e1730 = local_1.group_mask;
-                        if ((_e1730 & 4278190080u) == 0u) {
-                            let _e1734 = local_1.len;
-                            if (_e1734 == 0u) {
-                                phi_2421_ = false;
+                        let _e1720 = local_1.group_mask;
+                        if ((_e1720 & 4278190080u) == 0u) {
+                            let _e1724 = local_1.len;
+                            if (_e1724 == 0u) {
+                                phi_2425_ = false;
                             } else {
-                                let _e1738 = local_1.len;
-                                local_1.len = (_e1738 - 1u);
-                                let _e1741 = local_1.len;
-                                if (_e1741 < 32u) {
+                                let _e1728 = local_1.len;
+                                local_1.len = (_e1728 - 1u);
+                                let _e1731 = local_1.len;
+                                if (_e1731 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1746 = local_1.first[(0u + _e1741)];
-                                local_1.group = _e1746;
-                                let _e1749 = local_1.len;
-                                if (_e1749 < 32u) {
+                                let _e1736 = local_1.first[(0u + _e1731)];
+                                local_1.group = _e1736;
+                                let _e1739 = local_1.len;
+                                if (_e1739 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1754 = local_1.mask[(0u + _e1749)];
-                                local_1.group_mask = _e1754;
-                                phi_2421_ = true;
+                                let _e1744 = local_1.mask[(0u + _e1739)];
+                                local_1.group_mask = _e1744;
+                                phi_2425_ = true;
                             }
-                            let _e1757 = phi_2421_;
-                            phi_2422_ = _e1757;
+                            let _e1747 = phi_2425_;
+                            phi_2426_ = _e1747;
                         } else {
-                            phi_2422_ = true;
+                            phi_2426_ = true;
                         }
-                        let _e1759 = phi_2422_;
-                        if _e1759 {
+                        let _e1749 = phi_2426_;
+                        if _e1749 {
+                            let _e1751 = local_1.group_mask;
+                            let _e1757 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1751)), 32u, (_e1751 == 0u)));
                             let _e1761 = local_1.group_mask;
-                            let _e1767 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1761)), 32u, (_e1761 == 0u)));
-                            let _e1771 = local_1.group_mask;
-                            let _e1785 = local_1.group_mask;
-                            local_1.group_mask = (_e1785 & ~((1u << bitcast<u32>((_e1767 & 31u)))));
-                            let _e1788 = local_1.group;
-                            phi_2453_ = (_e1788 + countOneBits(((_e1771 & ~((4294967295u << bitcast<u32>((((_e1767 - 24u) ^ _e428) & 31u))))) & 255u)));
+                            let _e1775 = local_1.group_mask;
+                            local_1.group_mask = (_e1775 & ~((1u << bitcast<u32>((_e1757 & 31u)))));
+                            let _e1778 = local_1.group;
+                            phi_2457_ = (_e1778 + countOneBits(((_e1761 & ~((4294967295u << bitcast<u32>((((_e1757 - 24u) ^ _e418) & 31u))))) & 255u)));
                         } else {
-                            phi_2453_ = 4294967295u;
+                            phi_2457_ = 4294967295u;
                         }
-                        let _e1791 = phi_2453_;
-                        let _e2494 = local_5;
-                        phi_1187_ = _e2494;
-                        phi_1190_ = _e1791;
+                        let _e1781 = phi_2457_;
+                        let _e2482 = local_5;
+                        phi_1191_ = _e2482;
+                        phi_1194_ = _e1781;
                     } else {
-                        phi_1187_ = lt_bvh_Hit();
-                        phi_1190_ = u32();
+                        phi_1191_ = lt_bvh_Hit();
+                        phi_1194_ = u32();
                     }
-                    let _e1793 = phi_1187_;
-                    let _e1795 = phi_1190_;
+                    let _e1783 = phi_1191_;
+                    let _e1785 = phi_1194_;
                     continue;
                     continuing {
-                        phi_1186_ = _e1793;
-                        phi_1189_ = _e1795;
-                        break if !(_e569);
+                        phi_1190_ = _e1783;
+                        phi_1193_ = _e1785;
+                        break if !(_e559);
                     }
                 }
-                let _e2498 = local_6;
-                phi_2454_ = _e2498;
+                let _e2486 = local_6;
+                phi_2458_ = _e2486;
             }
-            let _e1798 = phi_2454_;
-            phi_2455_ = _e1798;
-            phi_2456_ = _e223;
+            let _e1788 = phi_2458_;
+            phi_2459_ = _e1788;
+            phi_2460_ = _e215;
         } else {
-            phi_2455_ = lt_bvh_Hit();
-            phi_2456_ = true;
+            phi_2459_ = lt_bvh_Hit();
+            phi_2460_ = true;
         }
-        let _e1800 = phi_2455_;
-        let _e1802 = phi_2456_;
-        if _e1802 {
-            phi_2460_ = _e153;
+        let _e1790 = phi_2459_;
+        let _e1792 = phi_2460_;
+        if _e1792 {
+            phi_2464_ = _e153;
         } else {
-            phi_2460_ = _e1800;
+            phi_2464_ = _e1790;
         }
-        let _e1804 = phi_2460_;
-        if (_e1804.triangle != 4294967295u) {
-            let _e1810 = ((1f - _e1804.u) - _e1804.v);
-            if (_e1804.triangle < _e78) {
+        let _e1794 = phi_2464_;
+        if (_e1794.triangle != 4294967295u) {
+            let _e1800 = ((1f - _e1794.u) - _e1794.v);
+            if (_e1794.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1816 = triangles.member[(0u + _e1804.triangle)];
-            let _e1841 = (((_e1816.v0_.x * _e1810) + (_e1816.v1_.x * _e1804.u)) + (_e1816.v2_.x * _e1804.v));
-            let _e1842 = (((_e1816.v0_.y * _e1810) + (_e1816.v1_.y * _e1804.u)) + (_e1816.v2_.y * _e1804.v));
-            let _e1843 = (((_e1816.v0_.z * _e1810) + (_e1816.v1_.z * _e1804.u)) + (_e1816.v2_.z * _e1804.v));
-            let _e1846 = abs(_e1816.v0_.x);
-            let _e1848 = abs(_e1816.v0_.y);
-            let _e1850 = abs(_e1816.v0_.z);
-            let _e1852 = abs(_e1816.v1_.x);
-            let _e1854 = abs(_e1816.v1_.y);
-            let _e1856 = abs(_e1816.v1_.z);
-            if (_e1846 > _e1852) {
-                phi_2525_ = _e1846;
+            let _e1806 = triangles.member[(0u + _e1794.triangle)];
+            let _e1831 = (((_e1806.v0_.x * _e1800) + (_e1806.v1_.x * _e1794.u)) + (_e1806.v2_.x * _e1794.v));
+            let _e1832 = (((_e1806.v0_.y * _e1800) + (_e1806.v1_.y * _e1794.u)) + (_e1806.v2_.y * _e1794.v));
+            let _e1833 = (((_e1806.v0_.z * _e1800) + (_e1806.v1_.z * _e1794.u)) + (_e1806.v2_.z * _e1794.v));
+            let _e1836 = abs(_e1806.v0_.x);
+            let _e1838 = abs(_e1806.v0_.y);
+            let _e1840 = abs(_e1806.v0_.z);
+            let _e1842 = abs(_e1806.v1_.x);
+            let _e1844 = abs(_e1806.v1_.y);
+            let _e1846 = abs(_e1806.v1_.z);
+            if (_e1836 > _e1842) {
+                phi_2529_ = _e1836;
             } else {
-                phi_2525_ = _e1852;
+                phi_2529_ = _e1842;
             }
-            let _e1859 = phi_2525_;
-            if (_e1848 > _e1854) {
-                phi_2530_ = _e1848;
+            let _e1849 = phi_2529_;
+            if (_e1838 > _e1844) {
+                phi_2534_ = _e1838;
             } else {
-                phi_2530_ = _e1854;
+                phi_2534_ = _e1844;
             }
-            let _e1862 = phi_2530_;
-            if (_e1850 > _e1856) {
-                phi_2535_ = _e1850;
+            let _e1852 = phi_2534_;
+            if (_e1840 > _e1846) {
+                phi_2539_ = _e1840;
             } else {
-                phi_2535_ = _e1856;
+                phi_2539_ = _e1846;
             }
-            let _e1865 = phi_2535_;
-            let _e1867 = abs(_e1816.v2_.x);
-            let _e1869 = abs(_e1816.v2_.y);
-            let _e1871 = abs(_e1816.v2_.z);
-            if (_e1859 > _e1867) {
-                phi_2546_ = _e1859;
+            let _e1855 = phi_2539_;
+            let _e1857 = abs(_e1806.v2_.x);
+            let _e1859 = abs(_e1806.v2_.y);
+            let _e1861 = abs(_e1806.v2_.z);
+            if (_e1849 > _e1857) {
+                phi_2550_ = _e1849;
             } else {
-                phi_2546_ = _e1867;
+                phi_2550_ = _e1857;
             }
-            let _e1874 = phi_2546_;
-            if (_e1862 > _e1869) {
-                phi_2551_ = _e1862;
+            let _e1864 = phi_2550_;
+            if (_e1852 > _e1859) {
+                phi_2555_ = _e1852;
             } else {
-                phi_2551_ = _e1869;
+                phi_2555_ = _e1859;
             }
-            let _e1877 = phi_2551_;
-            if (_e1865 > _e1871) {
-                phi_2556_ = _e1865;
+            let _e1867 = phi_2555_;
+            if (_e1855 > _e1861) {
+                phi_2560_ = _e1855;
             } else {
-                phi_2556_ = _e1871;
+                phi_2560_ = _e1861;
             }
-            let _e1880 = phi_2556_;
-            let _e1883 = (_e1816.v1_.x - _e1816.v0_.x);
-            let _e1886 = (_e1816.v1_.y - _e1816.v0_.y);
-            let _e1889 = (_e1816.v1_.z - _e1816.v0_.z);
-            let _e1892 = (_e1816.v2_.x - _e1816.v0_.x);
-            let _e1895 = (_e1816.v2_.y - _e1816.v0_.y);
-            let _e1898 = (_e1816.v2_.z - _e1816.v0_.z);
-            let _e1902 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1886), abs(_e1889));
-            let _e1903 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1883), _e1902);
-            let _e1904 = (_e1883 / _e1903);
-            let _e1905 = (_e1886 / _e1903);
-            let _e1906 = (_e1889 / _e1903);
-            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), abs(_e1898));
-            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1892), _e1910);
-            let _e1912 = (_e1892 / _e1911);
-            let _e1913 = (_e1895 / _e1911);
-            let _e1914 = (_e1898 / _e1911);
-            let _e1917 = ((_e1905 * _e1914) - (_e1913 * _e1906));
-            let _e1920 = ((_e1906 * _e1912) - (_e1914 * _e1904));
-            let _e1923 = ((_e1904 * _e1913) - (_e1912 * _e1905));
-            let _e1925 = p.member.eye;
-            let _e1938 = (1f / sqrt((((_e1917 * _e1917) + (_e1920 * _e1920)) + (_e1923 * _e1923))));
-            let _e1939 = (_e1917 * _e1938);
-            let _e1940 = (_e1920 * _e1938);
-            let _e1941 = (_e1923 * _e1938);
-            if ((((_e1939 * (_e1925.x - _e1841)) + (_e1940 * (_e1925.y - _e1842))) + (_e1941 * (_e1925.z - _e1843))) < 0f) {
-                phi_2632_ = vec3<f32>(-(_e1939), -(_e1940), -(_e1941));
+            let _e1870 = phi_2560_;
+            let _e1873 = (_e1806.v1_.x - _e1806.v0_.x);
+            let _e1876 = (_e1806.v1_.y - _e1806.v0_.y);
+            let _e1879 = (_e1806.v1_.z - _e1806.v0_.z);
+            let _e1882 = (_e1806.v2_.x - _e1806.v0_.x);
+            let _e1885 = (_e1806.v2_.y - _e1806.v0_.y);
+            let _e1888 = (_e1806.v2_.z - _e1806.v0_.z);
+            let _e1892 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1876), abs(_e1879));
+            let _e1893 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1873), _e1892);
+            let _e1894 = (_e1873 / _e1893);
+            let _e1895 = (_e1876 / _e1893);
+            let _e1896 = (_e1879 / _e1893);
+            let _e1900 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1885), abs(_e1888));
+            let _e1901 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1882), _e1900);
+            let _e1902 = (_e1882 / _e1901);
+            let _e1903 = (_e1885 / _e1901);
+            let _e1904 = (_e1888 / _e1901);
+            let _e1907 = ((_e1895 * _e1904) - (_e1903 * _e1896));
+            let _e1910 = ((_e1896 * _e1902) - (_e1904 * _e1894));
+            let _e1913 = ((_e1894 * _e1903) - (_e1902 * _e1895));
+            let _e1915 = p.member.eye;
+            let _e1928 = (1f / sqrt((((_e1907 * _e1907) + (_e1910 * _e1910)) + (_e1913 * _e1913))));
+            let _e1929 = (_e1907 * _e1928);
+            let _e1930 = (_e1910 * _e1928);
+            let _e1931 = (_e1913 * _e1928);
+            if ((((_e1929 * (_e1915.x - _e1831)) + (_e1930 * (_e1915.y - _e1832))) + (_e1931 * (_e1915.z - _e1833))) < 0f) {
+                phi_2636_ = vec3<f32>(-(_e1929), -(_e1930), -(_e1931));
             } else {
-                phi_2632_ = vec3<f32>(_e1939, _e1940, _e1941);
+                phi_2636_ = vec3<f32>(_e1929, _e1930, _e1931);
             }
-            let _e1954 = phi_2632_;
-            if (_e1804.triangle < _e78) {
+            let _e1944 = phi_2636_;
+            if (_e1794.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1959 = triangles.member[(0u + _e1804.triangle)];
-            let _e1961 = (_e1959.i0_ & 2147483647u);
-            if (_e1961 < _e81) {
+            let _e1949 = triangles.member[(0u + _e1794.triangle)];
+            let _e1951 = (_e1949.i0_ & 2147483647u);
+            if (_e1951 < _e81) {
             } else {
                 return;
             }
-            let _e1967 = vertices.member[(0u + _e1961)];
-            if (_e1959.i1_ < _e81) {
+            let _e1957 = vertices.member[(0u + _e1951)];
+            if (_e1949.i1_ < _e81) {
             } else {
                 return;
             }
-            let _e1971 = vertices.member[(0u + _e1959.i1_)];
-            if (_e1959.i2_ < _e81) {
+            let _e1961 = vertices.member[(0u + _e1949.i1_)];
+            if (_e1949.i2_ < _e81) {
             } else {
                 return;
             }
-            let _e1975 = vertices.member[(0u + _e1959.i2_)];
-            let _e1976 = array<abi_Vertex, 3>(_e1967, _e1971, _e1975);
-            if (_e1976[0].material < _e84) {
+            let _e1965 = vertices.member[(0u + _e1949.i2_)];
+            let _e1966 = array<abi_Vertex, 3>(_e1957, _e1961, _e1965);
+            if (_e1966[0].material < _e84) {
             } else {
                 return;
             }
-            let _e1982 = materials.member[(0u + _e1976[0].material)];
-            let _e1999 = (1f / 255f);
-            let _e2018 = (1f / 255f);
-            let _e2040 = (1f / 255f);
-            let _e2053 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1810, _e1804.u, _e1804.v));
-            let _e2055 = ((_e1982.base_color.x * ((((f32((_e1976[0].color & 255u)) * _e1999) * _e1810) + ((f32((_e1976[1].color & 255u)) * _e2018) * _e1804.u)) + ((f32((_e1976[2].color & 255u)) * _e2040) * _e1804.v))) * _e2053.x);
-            let _e2057 = ((_e1982.base_color.y * ((((f32(((_e1976[0].color >> bitcast<u32>(8i)) & 255u)) * _e1999) * _e1810) + ((f32(((_e1976[1].color >> bitcast<u32>(8i)) & 255u)) * _e2018) * _e1804.u)) + ((f32(((_e1976[2].color >> bitcast<u32>(8i)) & 255u)) * _e2040) * _e1804.v))) * _e2053.y);
-            let _e2059 = ((_e1982.base_color.z * ((((f32(((_e1976[0].color >> bitcast<u32>(16i)) & 255u)) * _e1999) * _e1810) + ((f32(((_e1976[1].color >> bitcast<u32>(16i)) & 255u)) * _e2018) * _e1804.u)) + ((f32(((_e1976[2].color >> bitcast<u32>(16i)) & 255u)) * _e2040) * _e1804.v))) * _e2053.z);
-            let _e2060 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1877, _e1880);
-            let _e2061 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1874, _e2060);
-            if ((_e1982.flags & 2u) == 0u) {
-                phi_2753_ = 0u;
+            let _e1972 = materials.member[(0u + _e1966[0].material)];
+            let _e1989 = (1f / 255f);
+            let _e2008 = (1f / 255f);
+            let _e2030 = (1f / 255f);
+            let _e2043 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1800, _e1794.u, _e1794.v));
+            let _e2045 = ((_e1972.base_color.x * ((((f32((_e1966[0].color & 255u)) * _e1989) * _e1800) + ((f32((_e1966[1].color & 255u)) * _e2008) * _e1794.u)) + ((f32((_e1966[2].color & 255u)) * _e2030) * _e1794.v))) * _e2043.x);
+            let _e2047 = ((_e1972.base_color.y * ((((f32(((_e1966[0].color >> bitcast<u32>(8i)) & 255u)) * _e1989) * _e1800) + ((f32(((_e1966[1].color >> bitcast<u32>(8i)) & 255u)) * _e2008) * _e1794.u)) + ((f32(((_e1966[2].color >> bitcast<u32>(8i)) & 255u)) * _e2030) * _e1794.v))) * _e2043.y);
+            let _e2049 = ((_e1972.base_color.z * ((((f32(((_e1966[0].color >> bitcast<u32>(16i)) & 255u)) * _e1989) * _e1800) + ((f32(((_e1966[1].color >> bitcast<u32>(16i)) & 255u)) * _e2008) * _e1794.u)) + ((f32(((_e1966[2].color >> bitcast<u32>(16i)) & 255u)) * _e2030) * _e1794.v))) * _e2043.z);
+            let _e2050 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1867, _e1870);
+            let _e2051 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1864, _e2050);
+            if ((_e1972.flags & 2u) == 0u) {
+                phi_2757_ = 0u;
             } else {
-                phi_2753_ = 1u;
+                phi_2757_ = 1u;
             }
-            let _e2066 = phi_2753_;
-            if (_e1976[0].normal == 2147516416u) {
-                phi_2956_ = _e1954;
+            let _e2056 = phi_2757_;
+            if (_e1966[0].normal == 2147516416u) {
+                phi_2960_ = _e1944;
             } else {
-                let _e2079 = (f32((bitcast<i32>((_e1976[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2085 = (f32((bitcast<i32>(_e1976[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2089 = ((1f - abs(_e2079)) - abs(_e2085));
-                if (_e2089 < 0f) {
-                    phi_2780_ = -(_e2089);
-                } else {
-                    phi_2780_ = 0f;
-                }
-                let _e2093 = phi_2780_;
+                let _e2069 = (f32((bitcast<i32>((_e1966[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2075 = (f32((bitcast<i32>(_e1966[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2079 = ((1f - abs(_e2069)) - abs(_e2075));
                 if (_e2079 < 0f) {
-                    phi_2787_ = (_e2079 + _e2093);
+                    phi_2784_ = -(_e2079);
                 } else {
-                    phi_2787_ = (_e2079 - _e2093);
+                    phi_2784_ = 0f;
                 }
-                let _e2098 = phi_2787_;
-                if (_e2085 < 0f) {
-                    phi_2794_ = (_e2085 + _e2093);
+                let _e2083 = phi_2784_;
+                if (_e2069 < 0f) {
+                    phi_2791_ = (_e2069 + _e2083);
                 } else {
-                    phi_2794_ = (_e2085 - _e2093);
+                    phi_2791_ = (_e2069 - _e2083);
                 }
-                let _e2103 = phi_2794_;
-                let _e2110 = (1f / sqrt((((_e2098 * _e2098) + (_e2103 * _e2103)) + (_e2089 * _e2089))));
-                let _e2126 = (f32((bitcast<i32>((_e1976[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2132 = (f32((bitcast<i32>(_e1976[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2136 = ((1f - abs(_e2126)) - abs(_e2132));
-                if (_e2136 < 0f) {
-                    phi_2829_ = -(_e2136);
+                let _e2088 = phi_2791_;
+                if (_e2075 < 0f) {
+                    phi_2798_ = (_e2075 + _e2083);
                 } else {
-                    phi_2829_ = 0f;
+                    phi_2798_ = (_e2075 - _e2083);
                 }
-                let _e2140 = phi_2829_;
+                let _e2093 = phi_2798_;
+                let _e2100 = (1f / sqrt((((_e2088 * _e2088) + (_e2093 * _e2093)) + (_e2079 * _e2079))));
+                let _e2116 = (f32((bitcast<i32>((_e1966[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2122 = (f32((bitcast<i32>(_e1966[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2126 = ((1f - abs(_e2116)) - abs(_e2122));
                 if (_e2126 < 0f) {
-                    phi_2836_ = (_e2126 + _e2140);
+                    phi_2833_ = -(_e2126);
                 } else {
-                    phi_2836_ = (_e2126 - _e2140);
+                    phi_2833_ = 0f;
                 }
-                let _e2145 = phi_2836_;
-                if (_e2132 < 0f) {
-                    phi_2843_ = (_e2132 + _e2140);
+                let _e2130 = phi_2833_;
+                if (_e2116 < 0f) {
+                    phi_2840_ = (_e2116 + _e2130);
                 } else {
-                    phi_2843_ = (_e2132 - _e2140);
+                    phi_2840_ = (_e2116 - _e2130);
                 }
-                let _e2150 = phi_2843_;
-                let _e2157 = (1f / sqrt((((_e2145 * _e2145) + (_e2150 * _e2150)) + (_e2136 * _e2136))));
-                let _e2176 = (f32((bitcast<i32>((_e1976[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2182 = (f32((bitcast<i32>(_e1976[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2186 = ((1f - abs(_e2176)) - abs(_e2182));
-                if (_e2186 < 0f) {
-                    phi_2881_ = -(_e2186);
+                let _e2135 = phi_2840_;
+                if (_e2122 < 0f) {
+                    phi_2847_ = (_e2122 + _e2130);
                 } else {
-                    phi_2881_ = 0f;
+                    phi_2847_ = (_e2122 - _e2130);
                 }
-                let _e2190 = phi_2881_;
+                let _e2140 = phi_2847_;
+                let _e2147 = (1f / sqrt((((_e2135 * _e2135) + (_e2140 * _e2140)) + (_e2126 * _e2126))));
+                let _e2166 = (f32((bitcast<i32>((_e1966[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2172 = (f32((bitcast<i32>(_e1966[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2176 = ((1f - abs(_e2166)) - abs(_e2172));
                 if (_e2176 < 0f) {
-                    phi_2888_ = (_e2176 + _e2190);
+                    phi_2885_ = -(_e2176);
                 } else {
-                    phi_2888_ = (_e2176 - _e2190);
+                    phi_2885_ = 0f;
                 }
-                let _e2195 = phi_2888_;
-                if (_e2182 < 0f) {
-                    phi_2895_ = (_e2182 + _e2190);
+                let _e2180 = phi_2885_;
+                if (_e2166 < 0f) {
+                    phi_2892_ = (_e2166 + _e2180);
                 } else {
-                    phi_2895_ = (_e2182 - _e2190);
+                    phi_2892_ = (_e2166 - _e2180);
                 }
-                let _e2200 = phi_2895_;
-                let _e2207 = (1f / sqrt((((_e2195 * _e2195) + (_e2200 * _e2200)) + (_e2186 * _e2186))));
-                let _e2218 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2098 * _e2110) * _e1810) + ((_e2145 * _e2157) * _e1804.u)) + ((_e2195 * _e2207) * _e1804.v)), ((((_e2103 * _e2110) * _e1810) + ((_e2150 * _e2157) * _e1804.u)) + ((_e2200 * _e2207) * _e1804.v)), ((((_e2089 * _e2110) * _e1810) + ((_e2136 * _e2157) * _e1804.u)) + ((_e2186 * _e2207) * _e1804.v))));
-                let _e2230 = sqrt((((_e2218.x * _e2218.x) + (_e2218.y * _e2218.y)) + (_e2218.z * _e2218.z)));
-                if (_e2230 > 0f) {
-                    let _e2233 = (_e2218.x / _e2230);
-                    let _e2235 = (_e2218.y / _e2230);
-                    let _e2237 = (_e2218.z / _e2230);
-                    if ((((_e2233 * _e1954.x) + (_e2235 * _e1954.y)) + (_e2237 * _e1954.z)) < 0f) {
-                        phi_2954_ = vec3<f32>(-(_e2233), -(_e2235), -(_e2237));
+                let _e2185 = phi_2892_;
+                if (_e2172 < 0f) {
+                    phi_2899_ = (_e2172 + _e2180);
+                } else {
+                    phi_2899_ = (_e2172 - _e2180);
+                }
+                let _e2190 = phi_2899_;
+                let _e2197 = (1f / sqrt((((_e2185 * _e2185) + (_e2190 * _e2190)) + (_e2176 * _e2176))));
+                let _e2208 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2088 * _e2100) * _e1800) + ((_e2135 * _e2147) * _e1794.u)) + ((_e2185 * _e2197) * _e1794.v)), ((((_e2093 * _e2100) * _e1800) + ((_e2140 * _e2147) * _e1794.u)) + ((_e2190 * _e2197) * _e1794.v)), ((((_e2079 * _e2100) * _e1800) + ((_e2126 * _e2147) * _e1794.u)) + ((_e2176 * _e2197) * _e1794.v))));
+                let _e2220 = sqrt((((_e2208.x * _e2208.x) + (_e2208.y * _e2208.y)) + (_e2208.z * _e2208.z)));
+                if (_e2220 > 0f) {
+                    let _e2223 = (_e2208.x / _e2220);
+                    let _e2225 = (_e2208.y / _e2220);
+                    let _e2227 = (_e2208.z / _e2220);
+                    if ((((_e2223 * _e1944.x) + (_e2225 * _e1944.y)) + (_e2227 * _e1944.z)) < 0f) {
+                        phi_2958_ = vec3<f32>(-(_e2223), -(_e2225), -(_e2227));
                     } else {
-                        phi_2954_ = (_e2218 / vec3(_e2230));
+                        phi_2958_ = (_e2208 / vec3(_e2220));
                     }
-                    let _e2254 = phi_2954_;
-                    phi_2955_ = _e2254;
+                    let _e2244 = phi_2958_;
+                    phi_2959_ = _e2244;
                 } else {
-                    phi_2955_ = _e1954;
+                    phi_2959_ = _e1944;
                 }
-                let _e2256 = phi_2955_;
-                phi_2956_ = _e2256;
+                let _e2246 = phi_2959_;
+                phi_2960_ = _e2246;
             }
-            let _e2258 = phi_2956_;
-            if (_e2055 > 0f) {
-                if (_e2055 < 1f) {
-                    phi_2965_ = _e2055;
+            let _e2248 = phi_2960_;
+            if (_e2045 > 0f) {
+                if (_e2045 < 1f) {
+                    phi_2969_ = _e2045;
                 } else {
-                    phi_2965_ = 1f;
+                    phi_2969_ = 1f;
                 }
-                let _e2262 = phi_2965_;
-                phi_2966_ = _e2262;
+                let _e2252 = phi_2969_;
+                phi_2970_ = _e2252;
             } else {
-                phi_2966_ = 0f;
+                phi_2970_ = 0f;
             }
-            let _e2264 = phi_2966_;
-            if (_e2057 > 0f) {
-                if (_e2057 < 1f) {
-                    phi_2976_ = _e2057;
+            let _e2254 = phi_2970_;
+            if (_e2047 > 0f) {
+                if (_e2047 < 1f) {
+                    phi_2980_ = _e2047;
                 } else {
-                    phi_2976_ = 1f;
+                    phi_2980_ = 1f;
                 }
-                let _e2269 = phi_2976_;
-                phi_2977_ = _e2269;
+                let _e2259 = phi_2980_;
+                phi_2981_ = _e2259;
             } else {
-                phi_2977_ = 0f;
+                phi_2981_ = 0f;
             }
-            let _e2271 = phi_2977_;
-            if (_e2059 > 0f) {
-                if (_e2059 < 1f) {
-                    phi_2987_ = _e2059;
+            let _e2261 = phi_2981_;
+            if (_e2049 > 0f) {
+                if (_e2049 < 1f) {
+                    phi_2991_ = _e2049;
                 } else {
-                    phi_2987_ = 1f;
+                    phi_2991_ = 1f;
                 }
-                let _e2276 = phi_2987_;
-                phi_2988_ = _e2276;
+                let _e2266 = phi_2991_;
+                phi_2992_ = _e2266;
             } else {
-                phi_2988_ = 0f;
+                phi_2992_ = 0f;
             }
-            let _e2278 = phi_2988_;
-            let _e2281 = ((sqrt(_e2264) * 255f) + 0.5f);
-            let _e2290 = ((sqrt(_e2271) * 255f) + 0.5f);
-            let _e2302 = ((sqrt(_e2278) * 255f) + 0.5f);
-            phi_3023_ = abi_Sample(vec3<f32>(_e1841, _e1842, _e1843), _e2061, _e1954, _e2066, _e2258, ((select(select(u32(_e2281), 0u, (_e2281 < bitcast<f32>(0u))), 4294967295u, (_e2281 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2290), 0u, (_e2290 < bitcast<f32>(0u))), 4294967295u, (_e2290 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2302), 0u, (_e2302 < bitcast<f32>(0u))), 4294967295u, (_e2302 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2268 = phi_2992_;
+            let _e2271 = ((sqrt(_e2254) * 255f) + 0.5f);
+            let _e2280 = ((sqrt(_e2261) * 255f) + 0.5f);
+            let _e2292 = ((sqrt(_e2268) * 255f) + 0.5f);
+            phi_3027_ = abi_Sample(vec3<f32>(_e1831, _e1832, _e1833), _e2051, _e1944, _e2056, _e2248, ((select(select(u32(_e2271), 0u, (_e2271 < bitcast<f32>(0u))), 4294967295u, (_e2271 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2280), 0u, (_e2280 < bitcast<f32>(0u))), 4294967295u, (_e2280 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2292), 0u, (_e2292 < bitcast<f32>(0u))), 4294967295u, (_e2292 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3023_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3027_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2316 = phi_3023_;
-        if (_e96.first_primitive < arrayLength((&samples.member))) {
+        let _e2306 = phi_3027_;
+        if (_e96.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e2316;
+        samples.member[(0u + _e96.shift)] = _e2306;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -166,19 +166,19 @@ var<storage> before: type_26;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_220_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_220_: lt_mask_LightPlace;
     var phi_221_: bool;
-    var phi_222_: lt_bvh_traverse_Tree;
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_228_: lt_bvh_traverse_Tree;
+    var phi_228_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_220_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_220_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_221_ = false;
         } else {
-            phi_220_ = lt_bvh_traverse_Tree();
+            phi_220_ = lt_mask_LightPlace();
             phi_221_ = true;
         }
         let _e84 = phi_220_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_222_ = _e84;
         phi_223_ = _e86;
     } else {
-        phi_222_ = lt_bvh_traverse_Tree();
+        phi_222_ = lt_mask_LightPlace();
         phi_223_ = true;
     }
     let _e88 = phi_222_;
     let _e90 = phi_223_;
     if _e90 {
-        phi_228_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_228_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_228_ = _e88;
     }
     let _e95 = phi_228_;
-    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -624,212 +624,210 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
+    var phi_780_: bool;
+    var phi_781_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_787_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_807_: bool;
     var phi_820_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
-    var phi_831_: bool;
-    var phi_835_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_834_: bool;
     var phi_910_: f32;
     var phi_917_: f32;
     var phi_925_: f32;
     var phi_932_: f32;
     var phi_940_: f32;
     var phi_947_: f32;
-    var phi_972_: f32;
-    var phi_977_: f32;
-    var phi_982_: f32;
-    var phi_1015_: bool;
-    var phi_1016_: bool;
-    var phi_1024_: u32;
-    var phi_1025_: u32;
-    var phi_1043_: vec3<f32>;
-    var phi_1044_: vec3<f32>;
-    var phi_1058_: u32;
-    var phi_1063_: u32;
-    var phi_1068_: u32;
-    var phi_1182_: bool;
-    var phi_1183_: bool;
-    var phi_1214_: u32;
-    var phi_1216_: lt_bvh_Hit;
-    var phi_1219_: u32;
-    var phi_1304_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1331_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1358_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1364_: u32;
-    var phi_1367_: u32;
-    var phi_1381_: u32;
-    var phi_1391_: u32;
-    var phi_1401_: u32;
-    var phi_1419_: u32;
-    var phi_1429_: u32;
-    var phi_1439_: u32;
-    var phi_1475_: u32;
-    var phi_1488_: u32;
-    var phi_1493_: u32;
-    var phi_1494_: u32;
-    var phi_1495_: u32;
-    var phi_1365_: u32;
+    var phi_970_: f32;
+    var phi_975_: f32;
+    var phi_980_: f32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_1021_: bool;
+    var phi_1022_: bool;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1048_: vec3<f32>;
+    var phi_1049_: vec3<f32>;
+    var phi_1062_: u32;
+    var phi_1067_: u32;
+    var phi_1072_: u32;
+    var phi_1186_: bool;
+    var phi_1187_: bool;
+    var phi_1218_: u32;
+    var phi_1220_: lt_bvh_Hit;
+    var phi_1223_: u32;
+    var phi_1308_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1335_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1362_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1368_: u32;
+    var phi_1371_: u32;
+    var phi_1385_: u32;
+    var phi_1395_: u32;
+    var phi_1405_: u32;
+    var phi_1423_: u32;
+    var phi_1433_: u32;
+    var phi_1443_: u32;
+    var phi_1479_: u32;
+    var phi_1492_: u32;
+    var phi_1497_: u32;
+    var phi_1498_: u32;
+    var phi_1499_: u32;
+    var phi_1369_: u32;
+    var phi_1372_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1553_: lt_bvh_Hit;
-    var phi_1556_: u32;
-    var phi_1602_: vec3<f32>;
-    var phi_1603_: vec3<f32>;
-    var phi_1634_: vec3<f32>;
-    var phi_1635_: vec3<f32>;
-    var phi_1666_: vec3<f32>;
-    var phi_1667_: vec3<f32>;
-    var phi_1685_: bool;
-    var phi_1686_: bool;
-    var phi_1690_: f32;
-    var phi_1691_: f32;
-    var phi_1692_: f32;
-    var phi_1693_: f32;
-    var phi_1701_: f32;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: f32;
-    var phi_1717_: f32;
-    var phi_1718_: f32;
-    var phi_1719_: f32;
-    var phi_1727_: f32;
-    var phi_1737_: bool;
-    var phi_1738_: bool;
-    var phi_1742_: f32;
-    var phi_1743_: f32;
-    var phi_1744_: f32;
-    var phi_1745_: f32;
-    var phi_1753_: f32;
-    var phi_1768_: f32;
-    var phi_1769_: bool;
-    var phi_1770_: f32;
-    var phi_1771_: bool;
+    var phi_1557_: lt_bvh_Hit;
+    var phi_1560_: u32;
+    var phi_1606_: vec3<f32>;
+    var phi_1607_: vec3<f32>;
+    var phi_1638_: vec3<f32>;
+    var phi_1639_: vec3<f32>;
+    var phi_1670_: vec3<f32>;
+    var phi_1671_: vec3<f32>;
+    var phi_1689_: bool;
+    var phi_1690_: bool;
+    var phi_1694_: f32;
+    var phi_1695_: f32;
+    var phi_1696_: f32;
+    var phi_1697_: f32;
+    var phi_1705_: f32;
+    var phi_1715_: bool;
+    var phi_1716_: bool;
+    var phi_1720_: f32;
+    var phi_1721_: f32;
+    var phi_1722_: f32;
+    var phi_1723_: f32;
+    var phi_1731_: f32;
+    var phi_1741_: bool;
+    var phi_1742_: bool;
+    var phi_1746_: f32;
+    var phi_1747_: f32;
+    var phi_1748_: f32;
+    var phi_1749_: f32;
+    var phi_1757_: f32;
     var phi_1772_: f32;
     var phi_1773_: bool;
-    var phi_1791_: f32;
-    var phi_1792_: bool;
-    var phi_1793_: bool;
-    var phi_1794_: f32;
-    var phi_1795_: bool;
+    var phi_1774_: f32;
+    var phi_1775_: bool;
+    var phi_1776_: f32;
+    var phi_1777_: bool;
+    var phi_1795_: f32;
     var phi_1796_: bool;
+    var phi_1797_: bool;
+    var phi_1798_: f32;
+    var phi_1799_: bool;
     var phi_1800_: bool;
-    var phi_1801_: f32;
-    var phi_1802_: bool;
-    var phi_1832_: vec3<f32>;
-    var phi_1833_: vec3<f32>;
-    var phi_1858_: vec3<f32>;
-    var phi_1859_: vec3<f32>;
-    var phi_1884_: vec3<f32>;
-    var phi_1885_: vec3<f32>;
-    var phi_1943_: f32;
-    var phi_1952_: f32;
-    var phi_1961_: f32;
-    var phi_1970_: f32;
-    var phi_1977_: f32;
-    var phi_1984_: f32;
-    var phi_1997_: f32;
-    var phi_2006_: f32;
-    var phi_2015_: f32;
-    var phi_2024_: f32;
-    var phi_2031_: f32;
-    var phi_2038_: f32;
-    var phi_2061_: f32;
-    var phi_2066_: f32;
-    var phi_2071_: f32;
-    var phi_2079_: f32;
-    var phi_2084_: f32;
-    var phi_2089_: f32;
-    var phi_2101_: f32;
-    var phi_2106_: f32;
-    var phi_2111_: f32;
-    var phi_2116_: f32;
-    var phi_2121_: lt_bvh_triangle_Intersection;
-    var phi_2122_: bool;
-    var phi_2123_: lt_bvh_triangle_Intersection;
-    var phi_2124_: bool;
-    var phi_2128_: lt_bvh_triangle_Intersection;
-    var phi_2129_: bool;
-    var phi_2130_: lt_bvh_triangle_Intersection;
-    var phi_2131_: bool;
-    var phi_2132_: bool;
+    var phi_1804_: bool;
+    var phi_1805_: f32;
+    var phi_1806_: bool;
+    var phi_1836_: vec3<f32>;
+    var phi_1837_: vec3<f32>;
+    var phi_1862_: vec3<f32>;
+    var phi_1863_: vec3<f32>;
+    var phi_1888_: vec3<f32>;
+    var phi_1889_: vec3<f32>;
+    var phi_1947_: f32;
+    var phi_1956_: f32;
+    var phi_1965_: f32;
+    var phi_1974_: f32;
+    var phi_1981_: f32;
+    var phi_1988_: f32;
+    var phi_2001_: f32;
+    var phi_2010_: f32;
+    var phi_2019_: f32;
+    var phi_2028_: f32;
+    var phi_2035_: f32;
+    var phi_2042_: f32;
+    var phi_2065_: f32;
+    var phi_2070_: f32;
+    var phi_2075_: f32;
+    var phi_2083_: f32;
+    var phi_2088_: f32;
+    var phi_2093_: f32;
+    var phi_2105_: f32;
+    var phi_2110_: f32;
+    var phi_2115_: f32;
+    var phi_2120_: f32;
+    var phi_2125_: lt_bvh_triangle_Intersection;
+    var phi_2126_: bool;
+    var phi_2127_: lt_bvh_triangle_Intersection;
+    var phi_2128_: bool;
+    var phi_2132_: lt_bvh_triangle_Intersection;
+    var phi_2133_: bool;
+    var phi_2134_: lt_bvh_triangle_Intersection;
+    var phi_2135_: bool;
     var phi_2136_: bool;
-    var phi_2140_: lt_bvh_triangle_Intersection;
-    var phi_2179_: bool;
-    var phi_2180_: bool;
-    var phi_2181_: bool;
-    var phi_2182_: bool;
+    var phi_2140_: bool;
+    var phi_2144_: lt_bvh_triangle_Intersection;
     var phi_2183_: bool;
     var phi_2184_: bool;
+    var phi_2185_: bool;
+    var phi_2186_: bool;
+    var phi_2187_: bool;
     var phi_2188_: bool;
-    var phi_2189_: bool;
-    var phi_2392_: f32;
-    var phi_2395_: bool;
-    var phi_2396_: bool;
+    var phi_2192_: bool;
+    var phi_2193_: bool;
+    var phi_2396_: f32;
+    var phi_2399_: bool;
     var phi_2400_: bool;
-    var phi_2408_: lt_bvh_Hit;
-    var phi_2409_: lt_bvh_Hit;
-    var phi_2410_: lt_bvh_Hit;
-    var phi_2411_: lt_bvh_Hit;
-    var phi_1554_: lt_bvh_Hit;
-    var phi_1557_: u32;
-    var phi_2412_: bool;
-    var phi_2451_: bool;
-    var phi_2452_: bool;
-    var phi_2483_: u32;
-    var phi_1217_: lt_bvh_Hit;
-    var phi_1220_: u32;
-    var phi_2484_: lt_bvh_Hit;
-    var phi_2485_: lt_bvh_Hit;
-    var phi_2486_: bool;
-    var phi_2490_: lt_bvh_Hit;
-    var phi_2555_: f32;
-    var phi_2560_: f32;
-    var phi_2565_: f32;
-    var phi_2576_: f32;
-    var phi_2581_: f32;
-    var phi_2586_: f32;
-    var phi_2662_: vec3<f32>;
-    var phi_2783_: u32;
-    var phi_2810_: f32;
-    var phi_2817_: f32;
-    var phi_2824_: f32;
-    var phi_2859_: f32;
-    var phi_2866_: f32;
-    var phi_2873_: f32;
-    var phi_2911_: f32;
-    var phi_2918_: f32;
-    var phi_2925_: f32;
-    var phi_2984_: vec3<f32>;
-    var phi_2985_: vec3<f32>;
-    var phi_2986_: vec3<f32>;
-    var phi_2995_: f32;
-    var phi_2996_: f32;
-    var phi_3006_: f32;
-    var phi_3007_: f32;
-    var phi_3017_: f32;
-    var phi_3018_: f32;
-    var phi_3053_: abi_Sample;
-    var phi_3144_: vec3<f32>;
+    var phi_2404_: bool;
+    var phi_2412_: lt_bvh_Hit;
+    var phi_2413_: lt_bvh_Hit;
+    var phi_2414_: lt_bvh_Hit;
+    var phi_2415_: lt_bvh_Hit;
+    var phi_1558_: lt_bvh_Hit;
+    var phi_1561_: u32;
+    var phi_2416_: bool;
+    var phi_2455_: bool;
+    var phi_2456_: bool;
+    var phi_2487_: u32;
+    var phi_1221_: lt_bvh_Hit;
+    var phi_1224_: u32;
+    var phi_2488_: lt_bvh_Hit;
+    var phi_2489_: lt_bvh_Hit;
+    var phi_2490_: bool;
+    var phi_2494_: lt_bvh_Hit;
+    var phi_2559_: f32;
+    var phi_2564_: f32;
+    var phi_2569_: f32;
+    var phi_2580_: f32;
+    var phi_2585_: f32;
+    var phi_2590_: f32;
+    var phi_2666_: vec3<f32>;
+    var phi_2787_: u32;
+    var phi_2814_: f32;
+    var phi_2821_: f32;
+    var phi_2828_: f32;
+    var phi_2863_: f32;
+    var phi_2870_: f32;
+    var phi_2877_: f32;
+    var phi_2915_: f32;
+    var phi_2922_: f32;
+    var phi_2929_: f32;
+    var phi_2988_: vec3<f32>;
+    var phi_2989_: vec3<f32>;
+    var phi_2990_: vec3<f32>;
+    var phi_2999_: f32;
+    var phi_3000_: f32;
+    var phi_3010_: f32;
+    var phi_3011_: f32;
+    var phi_3021_: f32;
+    var phi_3022_: f32;
+    var phi_3057_: abi_Sample;
+    var phi_3148_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -843,7 +841,7 @@ fn function_() {
     let _e101 = p.member.size[0u];
     let _e103 = p.member.size[1u];
     let _e104 = lt_shaders_entry_pixel_index(_e73, _e101, _e103);
-    if (bitcast<i32>(_e104.root) != 0i) {
+    if (bitcast<i32>(_e104.word) != 0i) {
         let _e112 = p.member.eye;
         let _e117 = p.member.size[0u];
         let _e121 = ((((f32(_e73.x) + 0.5f) / f32(_e117)) * 2f) - 1f);
@@ -854,1541 +852,1542 @@ fn function_() {
         let _e148 = p.member.up;
         let _e159 = _lt_bvh_ray_Ray_new(_e112, vec3<f32>(((_e132.x + (_e134.x * _e121)) + (_e148.x * _e130)), ((_e132.y + (_e134.y * _e121)) + (_e148.y * _e130)), ((_e132.z + (_e134.z * _e121)) + (_e148.z * _e130))));
         let _e161 = lt_bvh_Hit(_e159.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e171 = abs(_e159.direction.x);
-        let _e173 = abs(_e159.direction.y);
-        let _e175 = abs(_e159.direction.z);
+        let _e164 = abs(_e159.direction.x);
+        let _e166 = abs(_e159.direction.y);
+        let _e168 = abs(_e159.direction.z);
         if (abs(_e159.origin.x) < 1000000000000000f) {
             if (abs(_e159.origin.y) < 1000000000000000f) {
-                if (abs(_e159.origin.z) < 1000000000000000f) {
-                    if (_e171 < 1000000000000000f) {
-                        if (_e173 < 1000000000000000f) {
-                            if (_e175 < 1000000000000000f) {
-                                if (_e171 > 0f) {
-                                    phi_805_ = bool();
-                                    phi_806_ = true;
-                                } else {
-                                    let _e183 = (_e173 > 0f);
-                                    if _e183 {
-                                        phi_804_ = bool();
-                                    } else {
-                                        phi_804_ = (_e175 > 0f);
-                                    }
-                                    let _e186 = phi_804_;
-                                    phi_805_ = _e186;
-                                    phi_806_ = _e183;
-                                }
-                                let _e188 = phi_805_;
-                                let _e190 = phi_806_;
-                                if _e190 {
-                                    phi_810_ = true;
-                                } else {
-                                    phi_810_ = _e188;
-                                }
-                                let _e192 = phi_810_;
-                                phi_811_ = _e192;
-                                phi_812_ = false;
-                            } else {
-                                phi_811_ = bool();
-                                phi_812_ = true;
-                            }
-                            let _e194 = phi_811_;
-                            let _e196 = phi_812_;
-                            phi_813_ = _e194;
-                            phi_814_ = false;
-                            phi_815_ = _e196;
-                        } else {
-                            phi_813_ = bool();
-                            phi_814_ = true;
-                            phi_815_ = false;
-                        }
-                        let _e198 = phi_813_;
-                        let _e200 = phi_814_;
-                        let _e202 = phi_815_;
-                        phi_816_ = _e198;
-                        phi_817_ = _e200;
-                        phi_818_ = _e202;
-                    } else {
-                        phi_816_ = bool();
-                        phi_817_ = true;
-                        phi_818_ = false;
-                    }
-                    let _e204 = phi_816_;
-                    let _e206 = phi_817_;
-                    let _e208 = phi_818_;
-                    phi_819_ = _e204;
-                    phi_820_ = _e206;
-                    phi_821_ = _e208;
-                } else {
-                    phi_819_ = bool();
-                    phi_820_ = true;
-                    phi_821_ = false;
-                }
-                let _e210 = phi_819_;
-                let _e212 = phi_820_;
-                let _e214 = phi_821_;
-                phi_822_ = _e210;
-                phi_823_ = _e212;
-                phi_824_ = _e214;
+                phi_780_ = (abs(_e159.origin.z) < 1000000000000000f);
+                phi_781_ = false;
             } else {
-                phi_822_ = bool();
-                phi_823_ = true;
-                phi_824_ = false;
+                phi_780_ = bool();
+                phi_781_ = true;
             }
-            let _e216 = phi_822_;
-            let _e218 = phi_823_;
-            let _e220 = phi_824_;
-            phi_825_ = _e216;
-            phi_826_ = _e218;
-            phi_827_ = _e220;
+            let _e180 = phi_780_;
+            let _e182 = phi_781_;
+            phi_782_ = _e180;
+            phi_783_ = _e182;
         } else {
-            phi_825_ = bool();
-            phi_826_ = true;
-            phi_827_ = false;
+            phi_782_ = bool();
+            phi_783_ = true;
         }
-        let _e222 = phi_825_;
-        let _e224 = phi_826_;
-        let _e226 = phi_827_;
-        if _e224 {
-            phi_831_ = true;
+        let _e184 = phi_782_;
+        let _e186 = phi_783_;
+        if _e186 {
+            phi_787_ = false;
         } else {
-            phi_831_ = _e226;
+            phi_787_ = _e184;
         }
-        let _e228 = phi_831_;
-        if _e228 {
-            phi_835_ = false;
+        let _e188 = phi_787_;
+        if _e188 {
+            if (_e164 < 1000000000000000f) {
+                if (_e166 < 1000000000000000f) {
+                    phi_800_ = (_e168 < 1000000000000000f);
+                    phi_801_ = false;
+                } else {
+                    phi_800_ = bool();
+                    phi_801_ = true;
+                }
+                let _e193 = phi_800_;
+                let _e195 = phi_801_;
+                phi_802_ = _e193;
+                phi_803_ = _e195;
+            } else {
+                phi_802_ = bool();
+                phi_803_ = true;
+            }
+            let _e197 = phi_802_;
+            let _e199 = phi_803_;
+            if _e199 {
+                phi_807_ = false;
+            } else {
+                phi_807_ = _e197;
+            }
+            let _e201 = phi_807_;
+            if _e201 {
+                if (_e164 > 0f) {
+                    phi_821_ = bool();
+                    phi_822_ = true;
+                } else {
+                    let _e203 = (_e166 > 0f);
+                    if _e203 {
+                        phi_820_ = bool();
+                    } else {
+                        phi_820_ = (_e168 > 0f);
+                    }
+                    let _e206 = phi_820_;
+                    phi_821_ = _e206;
+                    phi_822_ = _e203;
+                }
+                let _e208 = phi_821_;
+                let _e210 = phi_822_;
+                if _e210 {
+                    phi_826_ = true;
+                } else {
+                    phi_826_ = _e208;
+                }
+                let _e212 = phi_826_;
+                phi_827_ = _e212;
+                phi_828_ = false;
+            } else {
+                phi_827_ = bool();
+                phi_828_ = true;
+            }
+            let _e214 = phi_827_;
+            let _e216 = phi_828_;
+            phi_829_ = _e214;
+            phi_830_ = _e216;
         } else {
-            phi_835_ = _e222;
+            phi_829_ = bool();
+            phi_830_ = true;
         }
-        let _e230 = phi_835_;
-        if _e230 {
-            let _e231 = (0u >= _e77);
-            if _e231 {
-                phi_2484_ = lt_bvh_Hit();
+        let _e218 = phi_829_;
+        let _e220 = phi_830_;
+        if _e220 {
+            phi_834_ = false;
+        } else {
+            phi_834_ = _e218;
+        }
+        let _e222 = phi_834_;
+        if _e222 {
+            let _e223 = (0u >= _e77);
+            if _e223 {
+                phi_2488_ = lt_bvh_Hit();
             } else {
                 if (0u < _e77) {
                 } else {
                     return;
                 }
-                let _e237 = nodes.member[(0u + 0u)].frame[0u];
-                let _e241 = nodes.member[(0u + 0u)].frame[1u];
-                let _e245 = nodes.member[(0u + 0u)].frame[2u];
-                let _e249 = nodes.member[(0u + 0u)].frame[0u];
-                let _e253 = nodes.member[(0u + 0u)].frame[1u];
-                let _e257 = nodes.member[(0u + 0u)].frame[2u];
-                let _e261 = nodes.member[(0u + 0u)].frame[3u];
-                let _e299 = core_intrinsics_maximum_number_nsz_f32_(abs(_e159.direction.x), abs(_e159.direction.y));
-                let _e300 = core_intrinsics_maximum_number_nsz_f32_(_e299, abs(_e159.direction.z));
-                let _e301 = (_e300 * 0.0000000000009094947f);
-                if (abs(_e159.direction.x) < _e301) {
-                    phi_910_ = _e301;
+                let _e229 = nodes.member[(0u + 0u)].frame[0u];
+                let _e233 = nodes.member[(0u + 0u)].frame[1u];
+                let _e237 = nodes.member[(0u + 0u)].frame[2u];
+                let _e241 = nodes.member[(0u + 0u)].frame[0u];
+                let _e245 = nodes.member[(0u + 0u)].frame[1u];
+                let _e249 = nodes.member[(0u + 0u)].frame[2u];
+                let _e253 = nodes.member[(0u + 0u)].frame[3u];
+                let _e292 = core_intrinsics_maximum_number_nsz_f32_(abs(_e159.direction.x), abs(_e159.direction.y));
+                let _e293 = core_intrinsics_maximum_number_nsz_f32_(_e292, abs(_e159.direction.z));
+                let _e294 = (_e293 * 0.0000000000009094947f);
+                if (abs(_e159.direction.x) < _e294) {
+                    phi_910_ = _e294;
                 } else {
                     phi_910_ = abs(_e159.direction.x);
                 }
-                let _e308 = phi_910_;
+                let _e300 = phi_910_;
                 if (_e159.direction.x < 0f) {
-                    phi_917_ = (-1f / _e308);
+                    phi_917_ = (-1f / _e300);
                 } else {
-                    phi_917_ = (1f / _e308);
+                    phi_917_ = (1f / _e300);
                 }
-                let _e313 = phi_917_;
-                if (abs(_e159.direction.y) < _e301) {
-                    phi_925_ = _e301;
+                let _e305 = phi_917_;
+                if (abs(_e159.direction.y) < _e294) {
+                    phi_925_ = _e294;
                 } else {
                     phi_925_ = abs(_e159.direction.y);
                 }
-                let _e320 = phi_925_;
+                let _e311 = phi_925_;
                 if (_e159.direction.y < 0f) {
-                    phi_932_ = (-1f / _e320);
+                    phi_932_ = (-1f / _e311);
                 } else {
-                    phi_932_ = (1f / _e320);
+                    phi_932_ = (1f / _e311);
                 }
-                let _e325 = phi_932_;
-                if (abs(_e159.direction.z) < _e301) {
-                    phi_940_ = _e301;
+                let _e316 = phi_932_;
+                if (abs(_e159.direction.z) < _e294) {
+                    phi_940_ = _e294;
                 } else {
                     phi_940_ = abs(_e159.direction.z);
                 }
-                let _e332 = phi_940_;
+                let _e322 = phi_940_;
                 if (_e159.direction.z < 0f) {
-                    phi_947_ = (-1f / _e332);
+                    phi_947_ = (-1f / _e322);
                 } else {
-                    phi_947_ = (1f / _e332);
+                    phi_947_ = (1f / _e322);
                 }
-                let _e337 = phi_947_;
-                let _e345 = abs((bitcast<f32>(_e237) - _e159.origin.x));
-                let _e346 = abs((bitcast<f32>(_e241) - _e159.origin.y));
-                let _e347 = abs((bitcast<f32>(_e245) - _e159.origin.z));
-                let _e355 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e261 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.x));
-                let _e356 = abs(((bitcast<f32>(_e253) + (bitcast<f32>((((_e261 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.y));
-                let _e357 = abs(((bitcast<f32>(_e257) + (bitcast<f32>((((_e261 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.z));
-                if (_e345 > _e355) {
-                    phi_972_ = _e345;
+                let _e327 = phi_947_;
+                let _e334 = abs((bitcast<f32>(_e229) - _e159.origin.x));
+                let _e335 = abs((bitcast<f32>(_e233) - _e159.origin.y));
+                let _e336 = abs((bitcast<f32>(_e237) - _e159.origin.z));
+                let _e343 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e253 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.x));
+                let _e344 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e253 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.y));
+                let _e345 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e253 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.z));
+                if (_e334 > _e343) {
+                    phi_970_ = _e334;
                 } else {
-                    phi_972_ = _e355;
+                    phi_970_ = _e343;
                 }
-                let _e360 = phi_972_;
-                if (_e346 > _e356) {
-                    phi_977_ = _e346;
+                let _e348 = phi_970_;
+                if (_e335 > _e344) {
+                    phi_975_ = _e335;
                 } else {
-                    phi_977_ = _e356;
+                    phi_975_ = _e344;
                 }
-                let _e363 = phi_977_;
-                if (_e347 > _e357) {
-                    phi_982_ = _e347;
+                let _e351 = phi_975_;
+                if (_e336 > _e345) {
+                    phi_980_ = _e336;
                 } else {
-                    phi_982_ = _e357;
+                    phi_980_ = _e345;
                 }
-                let _e366 = phi_982_;
-                let _e367 = core_intrinsics_maximum_number_nsz_f32_(_e360, _e363);
-                let _e368 = core_intrinsics_maximum_number_nsz_f32_(_e367, _e366);
-                let _e373 = (_e368 * 0.0000019073486f);
-                let _e374 = (abs(_e313) * _e373);
-                let _e375 = (abs(_e325) * _e373);
-                let _e376 = (abs(_e337) * _e373);
-                let _e380 = (_e368 * 0.0000009536743f);
-                let _e381 = (abs(_e313) * _e380);
-                let _e382 = (abs(_e325) * _e380);
-                let _e383 = (abs(_e337) * _e380);
-                let _e386 = abs(_e159.direction.x);
-                let _e388 = abs(_e159.direction.y);
-                let _e390 = abs(_e159.direction.z);
-                if (_e386 >= _e388) {
-                    if (_e386 >= _e390) {
-                        phi_1015_ = false;
+                let _e354 = phi_980_;
+                if (_e348 > _e351) {
+                    phi_985_ = _e348;
+                } else {
+                    phi_985_ = _e351;
+                }
+                let _e357 = phi_985_;
+                if (_e357 > _e354) {
+                    phi_990_ = _e357;
+                } else {
+                    phi_990_ = _e354;
+                }
+                let _e360 = phi_990_;
+                let _e364 = (_e360 * 0.0000019073486f);
+                let _e365 = (abs(_e305) * _e364);
+                let _e366 = (abs(_e316) * _e364);
+                let _e367 = (abs(_e327) * _e364);
+                let _e371 = (_e360 * 0.0000009536743f);
+                let _e372 = (abs(_e305) * _e371);
+                let _e373 = (abs(_e316) * _e371);
+                let _e374 = (abs(_e327) * _e371);
+                let _e378 = abs(_e159.direction.x);
+                let _e380 = abs(_e159.direction.y);
+                let _e382 = abs(_e159.direction.z);
+                if (_e378 >= _e380) {
+                    if (_e378 >= _e382) {
+                        phi_1021_ = false;
                     } else {
-                        phi_1015_ = true;
+                        phi_1021_ = true;
                     }
-                    let _e394 = phi_1015_;
-                    phi_1016_ = _e394;
+                    let _e386 = phi_1021_;
+                    phi_1022_ = _e386;
                 } else {
-                    phi_1016_ = true;
+                    phi_1022_ = true;
                 }
-                let _e396 = phi_1016_;
-                if _e396 {
-                    if (_e388 >= _e390) {
-                        phi_1024_ = 1u;
+                let _e388 = phi_1022_;
+                if _e388 {
+                    if (_e380 >= _e382) {
+                        phi_1030_ = 1u;
                     } else {
-                        phi_1024_ = 2u;
+                        phi_1030_ = 2u;
                     }
-                    let _e399 = phi_1024_;
-                    phi_1025_ = _e399;
+                    let _e391 = phi_1030_;
+                    phi_1031_ = _e391;
                 } else {
-                    phi_1025_ = 0u;
+                    phi_1031_ = 0u;
                 }
-                let _e401 = phi_1025_;
-                if (_e401 == 0u) {
-                    phi_1044_ = vec3<f32>(_e159.direction.y, _e159.direction.z, _e159.direction.x);
+                let _e393 = phi_1031_;
+                if (_e393 == 0u) {
+                    phi_1049_ = vec3<f32>(_e159.direction.y, _e159.direction.z, _e159.direction.x);
                 } else {
-                    if (_e401 == 1u) {
-                        phi_1043_ = vec3<f32>(_e159.direction.z, _e159.direction.x, _e159.direction.y);
+                    if (_e393 == 1u) {
+                        phi_1048_ = vec3<f32>(_e159.direction.z, _e159.direction.x, _e159.direction.y);
                     } else {
-                        phi_1043_ = _e159.direction;
+                        phi_1048_ = _e159.direction;
                     }
-                    let _e414 = phi_1043_;
-                    phi_1044_ = _e414;
+                    let _e405 = phi_1048_;
+                    phi_1049_ = _e405;
                 }
-                let _e416 = phi_1044_;
-                let _e420 = (_e416.x / _e416.z);
-                let _e423 = (_e416.y / _e416.z);
-                if (_e313 < 0f) {
-                    phi_1058_ = 0u;
+                let _e407 = phi_1049_;
+                let _e410 = (_e407.x / _e407.z);
+                let _e413 = (_e407.y / _e407.z);
+                if (_e305 < 0f) {
+                    phi_1062_ = 0u;
                 } else {
-                    phi_1058_ = 1u;
+                    phi_1062_ = 1u;
                 }
-                let _e428 = phi_1058_;
-                if (_e325 < 0f) {
-                    phi_1063_ = 0u;
+                let _e418 = phi_1062_;
+                if (_e316 < 0f) {
+                    phi_1067_ = 0u;
                 } else {
-                    phi_1063_ = 2u;
+                    phi_1067_ = 2u;
                 }
-                let _e431 = phi_1063_;
-                if (_e337 < 0f) {
-                    phi_1068_ = 0u;
+                let _e421 = phi_1067_;
+                if (_e327 < 0f) {
+                    phi_1072_ = 0u;
                 } else {
-                    phi_1068_ = 4u;
+                    phi_1072_ = 4u;
                 }
-                let _e434 = phi_1068_;
-                let _e436 = ((_e428 | _e431) | _e434);
-                let _e437 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e437.first[0], _e437.first[1], _e437.first[2], _e437.first[3], _e437.first[4], _e437.first[5], _e437.first[6], _e437.first[7], _e437.first[8], _e437.first[9], _e437.first[10], _e437.first[11], _e437.first[12], _e437.first[13], _e437.first[14], _e437.first[15], _e437.first[16], _e437.first[17], _e437.first[18], _e437.first[19], _e437.first[20], _e437.first[21], _e437.first[22], _e437.first[23], _e437.first[24], _e437.first[25], _e437.first[26], _e437.first[27], _e437.first[28], _e437.first[29], _e437.first[30], _e437.first[31]), array<u32, 32>(_e437.mask[0], _e437.mask[1], _e437.mask[2], _e437.mask[3], _e437.mask[4], _e437.mask[5], _e437.mask[6], _e437.mask[7], _e437.mask[8], _e437.mask[9], _e437.mask[10], _e437.mask[11], _e437.mask[12], _e437.mask[13], _e437.mask[14], _e437.mask[15], _e437.mask[16], _e437.mask[17], _e437.mask[18], _e437.mask[19], _e437.mask[20], _e437.mask[21], _e437.mask[22], _e437.mask[23], _e437.mask[24], _e437.mask[25], _e437.mask[26], _e437.mask[27], _e437.mask[28], _e437.mask[29], _e437.mask[30], _e437.mask[31]), _e437.len, _e437.group, _e437.group_mask);
-                let _e511 = local_1.group_mask;
-                if ((_e511 & 4278190080u) == 0u) {
-                    let _e515 = local_1.len;
-                    if (_e515 == 0u) {
-                        phi_1182_ = false;
+                let _e424 = phi_1072_;
+                let _e426 = ((_e418 | _e421) | _e424);
+                let _e427 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e427.first[0], _e427.first[1], _e427.first[2], _e427.first[3], _e427.first[4], _e427.first[5], _e427.first[6], _e427.first[7], _e427.first[8], _e427.first[9], _e427.first[10], _e427.first[11], _e427.first[12], _e427.first[13], _e427.first[14], _e427.first[15], _e427.first[16], _e427.first[17], _e427.first[18], _e427.first[19], _e427.first[20], _e427.first[21], _e427.first[22], _e427.first[23], _e427.first[24], _e427.first[25], _e427.first[26], _e427.first[27], _e427.first[28], _e427.first[29], _e427.first[30], _e427.first[31]), array<u32, 32>(_e427.mask[0], _e427.mask[1], _e427.mask[2], _e427.mask[3], _e427.mask[4], _e427.mask[5], _e427.mask[6], _e427.mask[7], _e427.mask[8], _e427.mask[9], _e427.mask[10], _e427.mask[11], _e427.mask[12], _e427.mask[13], _e427.mask[14], _e427.mask[15], _e427.mask[16], _e427.mask[17], _e427.mask[18], _e427.mask[19], _e427.mask[20], _e427.mask[21], _e427.mask[22], _e427.mask[23], _e427.mask[24], _e427.mask[25], _e427.mask[26], _e427.mask[27], _e427.mask[28], _e427.mask[29], _e427.mask[30], _e427.mask[31]), _e427.len, _e427.group, _e427.group_mask);
+                let _e501 = local_1.group_mask;
+                if ((_e501 & 4278190080u) == 0u) {
+                    let _e505 = local_1.len;
+                    if (_e505 == 0u) {
+                        phi_1186_ = false;
                     } else {
-                        let _e519 = local_1.len;
-                        local_1.len = (_e519 - 1u);
-                        let _e522 = local_1.len;
-                        if (_e522 < 32u) {
+                        let _e509 = local_1.len;
+                        local_1.len = (_e509 - 1u);
+                        let _e512 = local_1.len;
+                        if (_e512 < 32u) {
                         } else {
                             return;
                         }
-                        let _e527 = local_1.first[(0u + _e522)];
-                        local_1.group = _e527;
-                        let _e530 = local_1.len;
-                        if (_e530 < 32u) {
+                        let _e517 = local_1.first[(0u + _e512)];
+                        local_1.group = _e517;
+                        let _e520 = local_1.len;
+                        if (_e520 < 32u) {
                         } else {
                             return;
                         }
-                        let _e535 = local_1.mask[(0u + _e530)];
-                        local_1.group_mask = _e535;
-                        phi_1182_ = true;
+                        let _e525 = local_1.mask[(0u + _e520)];
+                        local_1.group_mask = _e525;
+                        phi_1186_ = true;
                     }
-                    let _e538 = phi_1182_;
-                    phi_1183_ = _e538;
+                    let _e528 = phi_1186_;
+                    phi_1187_ = _e528;
                 } else {
-                    phi_1183_ = true;
+                    phi_1187_ = true;
                 }
-                let _e540 = phi_1183_;
-                if _e540 {
+                let _e530 = phi_1187_;
+                if _e530 {
+                    let _e532 = local_1.group_mask;
+                    let _e538 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e532)), 32u, (_e532 == 0u)));
                     let _e542 = local_1.group_mask;
-                    let _e548 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e542)), 32u, (_e542 == 0u)));
-                    let _e552 = local_1.group_mask;
-                    let _e566 = local_1.group_mask;
-                    local_1.group_mask = (_e566 & ~((1u << bitcast<u32>((_e548 & 31u)))));
-                    let _e569 = local_1.group;
-                    phi_1214_ = (_e569 + countOneBits(((_e552 & ~((4294967295u << bitcast<u32>((((_e548 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e556 = local_1.group_mask;
+                    local_1.group_mask = (_e556 & ~((1u << bitcast<u32>((_e538 & 31u)))));
+                    let _e559 = local_1.group;
+                    phi_1218_ = (_e559 + countOneBits(((_e542 & ~((4294967295u << bitcast<u32>((((_e538 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1214_ = 4294967295u;
+                    phi_1218_ = 4294967295u;
                 }
-                let _e572 = phi_1214_;
-                phi_1216_ = _e161;
-                phi_1219_ = _e572;
+                let _e562 = phi_1218_;
+                phi_1220_ = _e161;
+                phi_1223_ = _e562;
                 loop {
-                    let _e574 = phi_1216_;
-                    let _e576 = phi_1219_;
-                    local_6 = _e574;
-                    let _e577 = (_e576 != 4294967295u);
-                    if _e577 {
-                        if (_e576 < _e77) {
+                    let _e564 = phi_1220_;
+                    let _e566 = phi_1223_;
+                    local_6 = _e564;
+                    let _e567 = (_e566 != 4294967295u);
+                    if _e567 {
+                        if (_e566 < _e77) {
                         } else {
                             return;
                         }
-                        let _e585 = nodes.member[(0u + _e576)].frame[3u];
-                        let _e610 = (bitcast<f32>((((_e585 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e611 = (bitcast<f32>((((_e585 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
-                        let _e612 = (bitcast<f32>((((_e585 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e337);
-                        let _e615 = nodes.member[(0u + _e576)].frame[0u];
-                        let _e619 = nodes.member[(0u + _e576)].frame[1u];
-                        let _e623 = nodes.member[(0u + _e576)].frame[2u];
-                        let _e631 = ((bitcast<f32>(_e615) - _e159.origin.x) * _e313);
-                        let _e632 = ((bitcast<f32>(_e619) - _e159.origin.y) * _e325);
-                        let _e633 = ((bitcast<f32>(_e623) - _e159.origin.z) * _e337);
-                        let _e641 = nodes.member[(0u + _e576)].x;
-                        if (_e313 < 0f) {
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.unnamed.root, _e641.w), _e652.unnamed_1);
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e641.x, _e658.unnamed_1.first_primitive));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_bvh_traverse_Tree(_e664.unnamed_1.root, _e641.y));
+                        let _e575 = nodes.member[(0u + _e566)].frame[3u];
+                        let _e600 = (bitcast<f32>((((_e575 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
+                        let _e601 = (bitcast<f32>((((_e575 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
+                        let _e602 = (bitcast<f32>((((_e575 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e327);
+                        let _e605 = nodes.member[(0u + _e566)].frame[0u];
+                        let _e609 = nodes.member[(0u + _e566)].frame[1u];
+                        let _e613 = nodes.member[(0u + _e566)].frame[2u];
+                        let _e621 = ((bitcast<f32>(_e605) - _e159.origin.x) * _e305);
+                        let _e622 = ((bitcast<f32>(_e609) - _e159.origin.y) * _e316);
+                        let _e623 = ((bitcast<f32>(_e613) - _e159.origin.z) * _e327);
+                        let _e631 = nodes.member[(0u + _e566)].x;
+                        if (_e305 < 0f) {
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e631.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e642.unnamed.word, _e631.w), _e642.unnamed_1);
+                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_mask_LightPlace(_e631.x, _e648.unnamed_1.shift));
+                            phi_1308_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_mask_LightPlace(_e654.unnamed_1.word, _e631.y));
                         } else {
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e680.unnamed.root, _e641.y), _e680.unnamed_1);
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e641.z, _e686.unnamed_1.first_primitive));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e692.unnamed_1.root, _e641.w));
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e631.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e670.unnamed.word, _e631.y), _e670.unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_mask_LightPlace(_e631.z, _e676.unnamed_1.shift));
+                            phi_1308_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e682.unnamed_1.word, _e631.w));
                         }
-                        let _e700 = phi_1304_;
-                        let _e710 = nodes.member[(0u + _e576)].y;
-                        if (_e325 < 0f) {
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.unnamed.root, _e710.w), _e721.unnamed_1);
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e710.x, _e727.unnamed_1.first_primitive));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e733.unnamed_1.root, _e710.y));
+                        let _e690 = phi_1308_;
+                        let _e700 = nodes.member[(0u + _e566)].y;
+                        if (_e316 < 0f) {
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e700.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e711.unnamed.word, _e700.w), _e711.unnamed_1);
+                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_mask_LightPlace(_e700.x, _e717.unnamed_1.shift));
+                            phi_1335_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_mask_LightPlace(_e723.unnamed_1.word, _e700.y));
                         } else {
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e749.unnamed.root, _e710.y), _e749.unnamed_1);
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e710.z, _e755.unnamed_1.first_primitive));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e761.unnamed_1.root, _e710.w));
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e700.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e739.unnamed.word, _e700.y), _e739.unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_mask_LightPlace(_e700.z, _e745.unnamed_1.shift));
+                            phi_1335_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e751.unnamed_1.word, _e700.w));
                         }
-                        let _e769 = phi_1331_;
-                        let _e779 = nodes.member[(0u + _e576)].z;
-                        if (_e337 < 0f) {
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e790.unnamed.root, _e779.w), _e790.unnamed_1);
-                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_bvh_traverse_Tree(_e779.x, _e796.unnamed_1.first_primitive));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e802.unnamed_1.root, _e779.y));
+                        let _e759 = phi_1335_;
+                        let _e769 = nodes.member[(0u + _e566)].z;
+                        if (_e327 < 0f) {
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e769.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e780.unnamed.word, _e769.w), _e780.unnamed_1);
+                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_mask_LightPlace(_e769.x, _e786.unnamed_1.shift));
+                            phi_1362_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e792.unnamed, lt_mask_LightPlace(_e792.unnamed_1.word, _e769.y));
                         } else {
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e818.unnamed.root, _e779.y), _e818.unnamed_1);
-                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_bvh_traverse_Tree(_e779.z, _e824.unnamed_1.first_primitive));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e830.unnamed_1.root, _e779.w));
+                            let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e769.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e808.unnamed.word, _e769.y), _e808.unnamed_1);
+                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e814.unnamed, lt_mask_LightPlace(_e769.z, _e814.unnamed_1.shift));
+                            phi_1362_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e820.unnamed, lt_mask_LightPlace(_e820.unnamed_1.word, _e769.w));
                         }
-                        let _e838 = phi_1358_;
-                        phi_1364_ = 0u;
-                        phi_1367_ = 0u;
+                        let _e828 = phi_1362_;
+                        phi_1368_ = 0u;
+                        phi_1371_ = 0u;
                         loop {
-                            let _e848 = phi_1364_;
-                            let _e850 = phi_1367_;
-                            local_2 = _e850;
-                            local_3 = _e850;
-                            local_4 = _e850;
-                            let _e851 = (_e848 < 8u);
-                            if _e851 {
-                                let _e853 = (_e848 >> bitcast<u32>(2i));
-                                let _e854 = (_e848 & 3u);
-                                if (_e853 == 0u) {
-                                    phi_1381_ = _e700.unnamed.root;
+                            let _e838 = phi_1368_;
+                            let _e840 = phi_1371_;
+                            local_2 = _e840;
+                            local_3 = _e840;
+                            local_4 = _e840;
+                            let _e841 = (_e838 < 8u);
+                            if _e841 {
+                                let _e843 = (_e838 >> bitcast<u32>(2i));
+                                let _e844 = (_e838 & 3u);
+                                if (_e843 == 0u) {
+                                    phi_1385_ = _e690.unnamed.word;
                                 } else {
-                                    phi_1381_ = _e700.unnamed.first_primitive;
+                                    phi_1385_ = _e690.unnamed.shift;
                                 }
-                                let _e857 = phi_1381_;
-                                if (_e853 == 0u) {
-                                    phi_1391_ = _e769.unnamed.root;
+                                let _e847 = phi_1385_;
+                                if (_e843 == 0u) {
+                                    phi_1395_ = _e759.unnamed.word;
                                 } else {
-                                    phi_1391_ = _e769.unnamed.first_primitive;
+                                    phi_1395_ = _e759.unnamed.shift;
                                 }
-                                let _e866 = phi_1391_;
-                                if (_e853 == 0u) {
-                                    phi_1401_ = _e838.unnamed.root;
+                                let _e856 = phi_1395_;
+                                if (_e843 == 0u) {
+                                    phi_1405_ = _e828.unnamed.word;
                                 } else {
-                                    phi_1401_ = _e838.unnamed.first_primitive;
+                                    phi_1405_ = _e828.unnamed.shift;
                                 }
-                                let _e875 = phi_1401_;
-                                let _e888 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e857 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e374)), ((f32(((_e866 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e375)));
-                                let _e889 = core_intrinsics_maximum_number_nsz_f32_(_e888, ((f32(((_e875 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e376)));
-                                if (_e853 == 0u) {
-                                    phi_1419_ = _e700.unnamed_1.root;
+                                let _e865 = phi_1405_;
+                                let _e878 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e847 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e365)), ((f32(((_e856 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e366)));
+                                let _e879 = core_intrinsics_maximum_number_nsz_f32_(_e878, ((f32(((_e865 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e367)));
+                                if (_e843 == 0u) {
+                                    phi_1423_ = _e690.unnamed_1.word;
                                 } else {
-                                    phi_1419_ = _e700.unnamed_1.first_primitive;
+                                    phi_1423_ = _e690.unnamed_1.shift;
                                 }
-                                let _e892 = phi_1419_;
-                                if (_e853 == 0u) {
-                                    phi_1429_ = _e769.unnamed_1.root;
+                                let _e882 = phi_1423_;
+                                if (_e843 == 0u) {
+                                    phi_1433_ = _e759.unnamed_1.word;
                                 } else {
-                                    phi_1429_ = _e769.unnamed_1.first_primitive;
+                                    phi_1433_ = _e759.unnamed_1.shift;
                                 }
-                                let _e901 = phi_1429_;
-                                if (_e853 == 0u) {
-                                    phi_1439_ = _e838.unnamed_1.root;
+                                let _e891 = phi_1433_;
+                                if (_e843 == 0u) {
+                                    phi_1443_ = _e828.unnamed_1.word;
                                 } else {
-                                    phi_1439_ = _e838.unnamed_1.first_primitive;
+                                    phi_1443_ = _e828.unnamed_1.shift;
                                 }
-                                let _e910 = phi_1439_;
-                                let _e923 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e892 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e374)), ((f32(((_e901 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e375)));
-                                let _e924 = core_intrinsics_minimum_number_nsz_f32_(_e923, ((f32(((_e910 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 + _e376)));
-                                if (_e889 <= _e924) {
-                                    if (_e889 <= _e574.t) {
-                                        if (_e924 >= _e159.tmin) {
-                                            if (_e853 == 0u) {
-                                                let _e931 = nodes.member[(0u + _e576)].links[2u];
-                                                phi_1475_ = _e931;
+                                let _e900 = phi_1443_;
+                                let _e913 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e882 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u)) * _e600) + (_e621 + _e365)), ((f32(((_e891 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e366)));
+                                let _e914 = core_intrinsics_minimum_number_nsz_f32_(_e913, ((f32(((_e900 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e367)));
+                                if (_e879 <= _e914) {
+                                    if (_e879 <= _e564.t) {
+                                        if (_e914 >= _e159.tmin) {
+                                            if (_e843 == 0u) {
+                                                let _e921 = nodes.member[(0u + _e566)].links[2u];
+                                                phi_1479_ = _e921;
                                             } else {
-                                                let _e934 = nodes.member[(0u + _e576)].links[3u];
-                                                phi_1475_ = _e934;
+                                                let _e924 = nodes.member[(0u + _e566)].links[3u];
+                                                phi_1479_ = _e924;
                                             }
-                                            let _e936 = phi_1475_;
-                                            let _e941 = ((_e936 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u);
-                                            let _e942 = (_e941 & 31u);
-                                            if (_e942 >= 24u) {
-                                                phi_1488_ = (24u + ((_e942 - 24u) ^ _e436));
+                                            let _e926 = phi_1479_;
+                                            let _e931 = ((_e926 >> bitcast<u32>(((_e844 * 8u) & 31u))) & 255u);
+                                            let _e932 = (_e931 & 31u);
+                                            if (_e932 >= 24u) {
+                                                phi_1492_ = (24u + ((_e932 - 24u) ^ _e426));
                                             } else {
-                                                phi_1488_ = _e942;
+                                                phi_1492_ = _e932;
                                             }
-                                            let _e948 = phi_1488_;
-                                            phi_1493_ = (_e850 | ((_e941 >> bitcast<u32>(5i)) << bitcast<u32>((_e948 & 31u))));
+                                            let _e938 = phi_1492_;
+                                            phi_1497_ = (_e840 | ((_e931 >> bitcast<u32>(5i)) << bitcast<u32>((_e938 & 31u))));
                                         } else {
-                                            phi_1493_ = _e850;
+                                            phi_1497_ = _e840;
                                         }
-                                        let _e956 = phi_1493_;
-                                        phi_1494_ = _e956;
+                                        let _e946 = phi_1497_;
+                                        phi_1498_ = _e946;
                                     } else {
-                                        phi_1494_ = _e850;
+                                        phi_1498_ = _e840;
                                     }
-                                    let _e958 = phi_1494_;
-                                    phi_1495_ = _e958;
+                                    let _e948 = phi_1498_;
+                                    phi_1499_ = _e948;
                                 } else {
-                                    phi_1495_ = _e850;
+                                    phi_1499_ = _e840;
                                 }
-                                let _e960 = phi_1495_;
-                                phi_1365_ = (_e848 + 1u);
-                                phi_1368_ = _e960;
+                                let _e950 = phi_1499_;
+                                phi_1369_ = (_e838 + 1u);
+                                phi_1372_ = _e950;
                             } else {
-                                phi_1365_ = u32();
-                                phi_1368_ = u32();
+                                phi_1369_ = u32();
+                                phi_1372_ = u32();
                             }
-                            let _e963 = phi_1365_;
-                            let _e965 = phi_1368_;
+                            let _e953 = phi_1369_;
+                            let _e955 = phi_1372_;
                             continue;
                             continuing {
-                                phi_1364_ = _e963;
-                                phi_1367_ = _e965;
-                                break if !(_e851);
+                                phi_1368_ = _e953;
+                                phi_1371_ = _e955;
+                                break if !(_e841);
                             }
                         }
-                        let _e969 = nodes.member[(0u + _e576)].links[0u];
-                        let _e973 = nodes.member[(0u + _e576)].frame[3u];
-                        let _e977 = local_2;
-                        if ((_e977 & 4278190080u) == 0u) {
+                        let _e959 = nodes.member[(0u + _e566)].links[0u];
+                        let _e963 = nodes.member[(0u + _e566)].frame[3u];
+                        let _e967 = local_2;
+                        if ((_e967 & 4278190080u) == 0u) {
                         } else {
-                            let _e981 = local_1.group_mask;
-                            if ((_e981 & 4278190080u) == 0u) {
+                            let _e971 = local_1.group_mask;
+                            if ((_e971 & 4278190080u) == 0u) {
                             } else {
-                                let _e985 = local_1.len;
-                                if (_e985 < 32u) {
-                                    let _e988 = local_1.group;
-                                    let _e990 = local_1.len;
-                                    if (_e990 < 32u) {
+                                let _e975 = local_1.len;
+                                if (_e975 < 32u) {
+                                    let _e978 = local_1.group;
+                                    let _e980 = local_1.len;
+                                    if (_e980 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e990)] = _e988;
-                                    let _e996 = local_1.group_mask;
-                                    let _e998 = local_1.len;
-                                    if (_e998 < 32u) {
+                                    local_1.first[(0u + _e980)] = _e978;
+                                    let _e986 = local_1.group_mask;
+                                    let _e988 = local_1.len;
+                                    if (_e988 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e998)] = _e996;
-                                    let _e1005 = local_1.len;
-                                    local_1.len = (_e1005 + 1u);
+                                    local_1.mask[(0u + _e988)] = _e986;
+                                    let _e995 = local_1.len;
+                                    local_1.len = (_e995 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e969);
-                            let _e1009 = local_3;
-                            local_1.group_mask = ((_e1009 & 4278190080u) | (_e973 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e959);
+                            let _e999 = local_3;
+                            local_1.group_mask = ((_e999 & 4278190080u) | (_e963 >> bitcast<u32>(24i)));
                         }
-                        let _e1014 = local_4;
-                        phi_1553_ = _e574;
-                        phi_1556_ = (_e1014 & 16777215u);
+                        let _e1004 = local_4;
+                        phi_1557_ = _e564;
+                        phi_1560_ = (_e1004 & 16777215u);
                         loop {
-                            let _e1017 = phi_1553_;
-                            let _e1019 = phi_1556_;
-                            local_5 = _e1017;
-                            if (_e1019 == 0u) {
-                                phi_1554_ = lt_bvh_Hit();
-                                phi_1557_ = u32();
-                                phi_2412_ = false;
+                            let _e1007 = phi_1557_;
+                            let _e1009 = phi_1560_;
+                            local_5 = _e1007;
+                            if (_e1009 == 0u) {
+                                phi_1558_ = lt_bvh_Hit();
+                                phi_1561_ = u32();
+                                phi_2416_ = false;
                             } else {
-                                let _e1023 = nodes.member[(0u + _e576)].links[1u];
-                                let _e1028 = ((0u + _e1023) + select(firstTrailingBit(_e1019), 32u, (_e1019 == 0u)));
-                                if (_e1028 < _e80) {
+                                let _e1013 = nodes.member[(0u + _e566)].links[1u];
+                                let _e1018 = ((0u + _e1013) + select(firstTrailingBit(_e1009), 32u, (_e1009 == 0u)));
+                                if (_e1018 < _e80) {
                                 } else {
                                     return;
                                 }
-                                let _e1035 = triangles.member[(0u + _e1028)].v0_;
-                                let _e1038 = (_e1035.x - _e159.origin.x);
-                                let _e1041 = (_e1035.y - _e159.origin.y);
-                                let _e1044 = (_e1035.z - _e159.origin.z);
-                                if (_e401 == 0u) {
-                                    phi_1603_ = vec3<f32>(_e1041, _e1044, _e1038);
+                                let _e1025 = triangles.member[(0u + _e1018)].v0_;
+                                let _e1028 = (_e1025.x - _e159.origin.x);
+                                let _e1031 = (_e1025.y - _e159.origin.y);
+                                let _e1034 = (_e1025.z - _e159.origin.z);
+                                if (_e393 == 0u) {
+                                    phi_1607_ = vec3<f32>(_e1031, _e1034, _e1028);
                                 } else {
-                                    if (_e401 == 1u) {
-                                        phi_1602_ = vec3<f32>(_e1044, _e1038, _e1041);
+                                    if (_e393 == 1u) {
+                                        phi_1606_ = vec3<f32>(_e1034, _e1028, _e1031);
                                     } else {
-                                        phi_1602_ = (_e1035 - _e159.origin);
+                                        phi_1606_ = (_e1025 - _e159.origin);
                                     }
-                                    let _e1051 = phi_1602_;
-                                    phi_1603_ = _e1051;
+                                    let _e1041 = phi_1606_;
+                                    phi_1607_ = _e1041;
                                 }
-                                let _e1053 = phi_1603_;
-                                let _e1057 = (_e1053.x - (_e420 * _e1053.z));
-                                let _e1061 = (_e1053.y - (_e423 * _e1053.z));
-                                let _e1063 = triangles.member[(0u + _e1028)].v1_;
-                                let _e1066 = (_e1063.x - _e159.origin.x);
-                                let _e1069 = (_e1063.y - _e159.origin.y);
-                                let _e1072 = (_e1063.z - _e159.origin.z);
-                                if (_e401 == 0u) {
-                                    phi_1635_ = vec3<f32>(_e1069, _e1072, _e1066);
+                                let _e1043 = phi_1607_;
+                                let _e1047 = (_e1043.x - (_e410 * _e1043.z));
+                                let _e1051 = (_e1043.y - (_e413 * _e1043.z));
+                                let _e1053 = triangles.member[(0u + _e1018)].v1_;
+                                let _e1056 = (_e1053.x - _e159.origin.x);
+                                let _e1059 = (_e1053.y - _e159.origin.y);
+                                let _e1062 = (_e1053.z - _e159.origin.z);
+                                if (_e393 == 0u) {
+                                    phi_1639_ = vec3<f32>(_e1059, _e1062, _e1056);
                                 } else {
-                                    if (_e401 == 1u) {
-                                        phi_1634_ = vec3<f32>(_e1072, _e1066, _e1069);
+                                    if (_e393 == 1u) {
+                                        phi_1638_ = vec3<f32>(_e1062, _e1056, _e1059);
                                     } else {
-                                        phi_1634_ = (_e1063 - _e159.origin);
+                                        phi_1638_ = (_e1053 - _e159.origin);
                                     }
-                                    let _e1079 = phi_1634_;
-                                    phi_1635_ = _e1079;
+                                    let _e1069 = phi_1638_;
+                                    phi_1639_ = _e1069;
                                 }
-                                let _e1081 = phi_1635_;
-                                let _e1085 = (_e1081.x - (_e420 * _e1081.z));
-                                let _e1089 = (_e1081.y - (_e423 * _e1081.z));
-                                let _e1091 = triangles.member[(0u + _e1028)].v2_;
-                                let _e1094 = (_e1091.x - _e159.origin.x);
-                                let _e1097 = (_e1091.y - _e159.origin.y);
-                                let _e1100 = (_e1091.z - _e159.origin.z);
-                                if (_e401 == 0u) {
-                                    phi_1667_ = vec3<f32>(_e1097, _e1100, _e1094);
+                                let _e1071 = phi_1639_;
+                                let _e1075 = (_e1071.x - (_e410 * _e1071.z));
+                                let _e1079 = (_e1071.y - (_e413 * _e1071.z));
+                                let _e1081 = triangles.member[(0u + _e1018)].v2_;
+                                let _e1084 = (_e1081.x - _e159.origin.x);
+                                let _e1087 = (_e1081.y - _e159.origin.y);
+                                let _e1090 = (_e1081.z - _e159.origin.z);
+                                if (_e393 == 0u) {
+                                    phi_1671_ = vec3<f32>(_e1087, _e1090, _e1084);
                                 } else {
-                                    if (_e401 == 1u) {
-                                        phi_1666_ = vec3<f32>(_e1100, _e1094, _e1097);
+                                    if (_e393 == 1u) {
+                                        phi_1670_ = vec3<f32>(_e1090, _e1084, _e1087);
                                     } else {
-                                        phi_1666_ = (_e1091 - _e159.origin);
+                                        phi_1670_ = (_e1081 - _e159.origin);
                                     }
-                                    let _e1107 = phi_1666_;
-                                    phi_1667_ = _e1107;
+                                    let _e1097 = phi_1670_;
+                                    phi_1671_ = _e1097;
                                 }
-                                let _e1109 = phi_1667_;
-                                let _e1113 = (_e1109.x - (_e420 * _e1109.z));
-                                let _e1117 = (_e1109.y - (_e423 * _e1109.z));
-                                if (_e1085 < _e1113) {
-                                    phi_1686_ = true;
+                                let _e1099 = phi_1671_;
+                                let _e1103 = (_e1099.x - (_e410 * _e1099.z));
+                                let _e1107 = (_e1099.y - (_e413 * _e1099.z));
+                                if (_e1075 < _e1103) {
+                                    phi_1690_ = true;
                                 } else {
-                                    if (_e1085 == _e1113) {
-                                        phi_1685_ = (_e1089 < _e1117);
+                                    if (_e1075 == _e1103) {
+                                        phi_1689_ = (_e1079 < _e1107);
                                     } else {
-                                        phi_1685_ = false;
+                                        phi_1689_ = false;
                                     }
-                                    let _e1122 = phi_1685_;
-                                    phi_1686_ = _e1122;
+                                    let _e1112 = phi_1689_;
+                                    phi_1690_ = _e1112;
                                 }
-                                let _e1124 = phi_1686_;
-                                if _e1124 {
-                                    phi_1690_ = _e1117;
-                                    phi_1691_ = _e1113;
-                                    phi_1692_ = _e1089;
-                                    phi_1693_ = _e1085;
+                                let _e1114 = phi_1690_;
+                                if _e1114 {
+                                    phi_1694_ = _e1107;
+                                    phi_1695_ = _e1103;
+                                    phi_1696_ = _e1079;
+                                    phi_1697_ = _e1075;
                                 } else {
-                                    phi_1690_ = _e1089;
-                                    phi_1691_ = _e1085;
-                                    phi_1692_ = _e1117;
-                                    phi_1693_ = _e1113;
+                                    phi_1694_ = _e1079;
+                                    phi_1695_ = _e1075;
+                                    phi_1696_ = _e1107;
+                                    phi_1697_ = _e1103;
                                 }
-                                let _e1126 = phi_1690_;
-                                let _e1128 = phi_1691_;
-                                let _e1130 = phi_1692_;
-                                let _e1132 = phi_1693_;
-                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
-                                if _e1124 {
-                                    phi_1701_ = -(_e1135);
+                                let _e1116 = phi_1694_;
+                                let _e1118 = phi_1695_;
+                                let _e1120 = phi_1696_;
+                                let _e1122 = phi_1697_;
+                                let _e1125 = ((_e1122 * _e1116) - (_e1120 * _e1118));
+                                if _e1114 {
+                                    phi_1705_ = -(_e1125);
                                 } else {
-                                    phi_1701_ = _e1135;
+                                    phi_1705_ = _e1125;
                                 }
-                                let _e1138 = phi_1701_;
-                                if (_e1113 < _e1057) {
-                                    phi_1712_ = true;
+                                let _e1128 = phi_1705_;
+                                if (_e1103 < _e1047) {
+                                    phi_1716_ = true;
                                 } else {
-                                    if (_e1113 == _e1057) {
-                                        phi_1711_ = (_e1117 < _e1061);
+                                    if (_e1103 == _e1047) {
+                                        phi_1715_ = (_e1107 < _e1051);
                                     } else {
-                                        phi_1711_ = false;
+                                        phi_1715_ = false;
                                     }
-                                    let _e1143 = phi_1711_;
-                                    phi_1712_ = _e1143;
+                                    let _e1133 = phi_1715_;
+                                    phi_1716_ = _e1133;
                                 }
-                                let _e1145 = phi_1712_;
-                                if _e1145 {
-                                    phi_1716_ = _e1061;
-                                    phi_1717_ = _e1057;
-                                    phi_1718_ = _e1117;
-                                    phi_1719_ = _e1113;
+                                let _e1135 = phi_1716_;
+                                if _e1135 {
+                                    phi_1720_ = _e1051;
+                                    phi_1721_ = _e1047;
+                                    phi_1722_ = _e1107;
+                                    phi_1723_ = _e1103;
                                 } else {
-                                    phi_1716_ = _e1117;
-                                    phi_1717_ = _e1113;
-                                    phi_1718_ = _e1061;
-                                    phi_1719_ = _e1057;
+                                    phi_1720_ = _e1107;
+                                    phi_1721_ = _e1103;
+                                    phi_1722_ = _e1051;
+                                    phi_1723_ = _e1047;
                                 }
-                                let _e1147 = phi_1716_;
-                                let _e1149 = phi_1717_;
-                                let _e1151 = phi_1718_;
-                                let _e1153 = phi_1719_;
-                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
-                                if _e1145 {
-                                    phi_1727_ = -(_e1156);
+                                let _e1137 = phi_1720_;
+                                let _e1139 = phi_1721_;
+                                let _e1141 = phi_1722_;
+                                let _e1143 = phi_1723_;
+                                let _e1146 = ((_e1143 * _e1137) - (_e1141 * _e1139));
+                                if _e1135 {
+                                    phi_1731_ = -(_e1146);
                                 } else {
-                                    phi_1727_ = _e1156;
+                                    phi_1731_ = _e1146;
                                 }
-                                let _e1159 = phi_1727_;
-                                if (_e1057 < _e1085) {
-                                    phi_1738_ = true;
+                                let _e1149 = phi_1731_;
+                                if (_e1047 < _e1075) {
+                                    phi_1742_ = true;
                                 } else {
-                                    if (_e1057 == _e1085) {
-                                        phi_1737_ = (_e1061 < _e1089);
+                                    if (_e1047 == _e1075) {
+                                        phi_1741_ = (_e1051 < _e1079);
                                     } else {
-                                        phi_1737_ = false;
+                                        phi_1741_ = false;
                                     }
-                                    let _e1164 = phi_1737_;
-                                    phi_1738_ = _e1164;
+                                    let _e1154 = phi_1741_;
+                                    phi_1742_ = _e1154;
                                 }
-                                let _e1166 = phi_1738_;
-                                if _e1166 {
-                                    phi_1742_ = _e1089;
-                                    phi_1743_ = _e1085;
-                                    phi_1744_ = _e1061;
-                                    phi_1745_ = _e1057;
+                                let _e1156 = phi_1742_;
+                                if _e1156 {
+                                    phi_1746_ = _e1079;
+                                    phi_1747_ = _e1075;
+                                    phi_1748_ = _e1051;
+                                    phi_1749_ = _e1047;
                                 } else {
-                                    phi_1742_ = _e1061;
-                                    phi_1743_ = _e1057;
-                                    phi_1744_ = _e1089;
-                                    phi_1745_ = _e1085;
+                                    phi_1746_ = _e1051;
+                                    phi_1747_ = _e1047;
+                                    phi_1748_ = _e1079;
+                                    phi_1749_ = _e1075;
                                 }
-                                let _e1168 = phi_1742_;
-                                let _e1170 = phi_1743_;
-                                let _e1172 = phi_1744_;
-                                let _e1174 = phi_1745_;
-                                let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
-                                if _e1166 {
-                                    phi_1753_ = -(_e1177);
+                                let _e1158 = phi_1746_;
+                                let _e1160 = phi_1747_;
+                                let _e1162 = phi_1748_;
+                                let _e1164 = phi_1749_;
+                                let _e1167 = ((_e1164 * _e1158) - (_e1162 * _e1160));
+                                if _e1156 {
+                                    phi_1757_ = -(_e1167);
                                 } else {
-                                    phi_1753_ = _e1177;
+                                    phi_1757_ = _e1167;
                                 }
-                                let _e1180 = phi_1753_;
-                                if (_e1138 >= 0f) {
-                                    if (_e1159 >= 0f) {
-                                        if (_e1180 >= 0f) {
-                                            phi_1768_ = ((_e1138 + _e1159) + _e1180);
-                                            phi_1769_ = false;
+                                let _e1170 = phi_1757_;
+                                if (_e1128 >= 0f) {
+                                    if (_e1149 >= 0f) {
+                                        if (_e1170 >= 0f) {
+                                            phi_1772_ = ((_e1128 + _e1149) + _e1170);
+                                            phi_1773_ = false;
                                         } else {
-                                            phi_1768_ = f32();
-                                            phi_1769_ = true;
+                                            phi_1772_ = f32();
+                                            phi_1773_ = true;
                                         }
-                                        let _e1187 = phi_1768_;
-                                        let _e1189 = phi_1769_;
-                                        phi_1770_ = _e1187;
-                                        phi_1771_ = _e1189;
+                                        let _e1177 = phi_1772_;
+                                        let _e1179 = phi_1773_;
+                                        phi_1774_ = _e1177;
+                                        phi_1775_ = _e1179;
                                     } else {
-                                        phi_1770_ = f32();
-                                        phi_1771_ = true;
+                                        phi_1774_ = f32();
+                                        phi_1775_ = true;
                                     }
-                                    let _e1191 = phi_1770_;
-                                    let _e1193 = phi_1771_;
-                                    phi_1772_ = _e1191;
-                                    phi_1773_ = _e1193;
+                                    let _e1181 = phi_1774_;
+                                    let _e1183 = phi_1775_;
+                                    phi_1776_ = _e1181;
+                                    phi_1777_ = _e1183;
                                 } else {
-                                    phi_1772_ = f32();
-                                    phi_1773_ = true;
+                                    phi_1776_ = f32();
+                                    phi_1777_ = true;
                                 }
-                                let _e1195 = phi_1772_;
-                                let _e1197 = phi_1773_;
-                                if _e1197 {
-                                    if (_e1138 <= 0f) {
-                                        if (_e1159 <= 0f) {
-                                            let _e1200 = (_e1180 <= 0f);
-                                            if _e1200 {
+                                let _e1185 = phi_1776_;
+                                let _e1187 = phi_1777_;
+                                if _e1187 {
+                                    if (_e1128 <= 0f) {
+                                        if (_e1149 <= 0f) {
+                                            let _e1190 = (_e1170 <= 0f);
+                                            if _e1190 {
                                             }
-                                            phi_1791_ = ((_e1138 + _e1159) + _e1180);
-                                            phi_1792_ = false;
-                                            phi_1793_ = _e1200;
+                                            phi_1795_ = ((_e1128 + _e1149) + _e1170);
+                                            phi_1796_ = false;
+                                            phi_1797_ = _e1190;
                                         } else {
-                                            phi_1791_ = f32();
-                                            phi_1792_ = true;
-                                            phi_1793_ = false;
+                                            phi_1795_ = f32();
+                                            phi_1796_ = true;
+                                            phi_1797_ = false;
                                         }
-                                        let _e1204 = phi_1791_;
-                                        let _e1206 = phi_1792_;
-                                        let _e1208 = phi_1793_;
-                                        phi_1794_ = _e1204;
-                                        phi_1795_ = _e1206;
-                                        phi_1796_ = _e1208;
+                                        let _e1194 = phi_1795_;
+                                        let _e1196 = phi_1796_;
+                                        let _e1198 = phi_1797_;
+                                        phi_1798_ = _e1194;
+                                        phi_1799_ = _e1196;
+                                        phi_1800_ = _e1198;
                                     } else {
-                                        phi_1794_ = f32();
-                                        phi_1795_ = true;
-                                        phi_1796_ = false;
-                                    }
-                                    let _e1210 = phi_1794_;
-                                    let _e1212 = phi_1795_;
-                                    let _e1214 = phi_1796_;
-                                    if _e1212 {
+                                        phi_1798_ = f32();
+                                        phi_1799_ = true;
                                         phi_1800_ = false;
-                                    } else {
-                                        phi_1800_ = _e1214;
                                     }
-                                    let _e1216 = phi_1800_;
-                                    phi_1801_ = _e1210;
-                                    phi_1802_ = _e1216;
-                                } else {
-                                    phi_1801_ = _e1195;
-                                    phi_1802_ = true;
-                                }
-                                let _e1218 = phi_1801_;
-                                let _e1220 = phi_1802_;
-                                if _e1220 {
-                                    let _e1221 = (_e1218 == 0f);
-                                    if _e1221 {
-                                        phi_2128_ = lt_bvh_triangle_Intersection();
-                                        phi_2129_ = false;
+                                    let _e1200 = phi_1798_;
+                                    let _e1202 = phi_1799_;
+                                    let _e1204 = phi_1800_;
+                                    if _e1202 {
+                                        phi_1804_ = false;
                                     } else {
-                                        let _e1223 = triangles.member[(0u + _e1028)].v0_;
-                                        let _e1226 = (_e1223.x - _e159.origin.x);
-                                        let _e1229 = (_e1223.y - _e159.origin.y);
-                                        let _e1232 = (_e1223.z - _e159.origin.z);
-                                        if (_e401 == 0u) {
-                                            phi_1833_ = vec3<f32>(_e1229, _e1232, _e1226);
-                                        } else {
-                                            if (_e401 == 1u) {
-                                                phi_1832_ = vec3<f32>(_e1232, _e1226, _e1229);
-                                            } else {
-                                                phi_1832_ = (_e1223 - _e159.origin);
-                                            }
-                                            let _e1239 = phi_1832_;
-                                            phi_1833_ = _e1239;
-                                        }
-                                        let _e1241 = phi_1833_;
-                                        let _e1243 = triangles.member[(0u + _e1028)].v1_;
-                                        let _e1245 = triangles.member[(0u + _e1028)].v0_;
-                                        let _e1248 = (_e1243.x - _e1245.x);
-                                        let _e1251 = (_e1243.y - _e1245.y);
-                                        let _e1254 = (_e1243.z - _e1245.z);
-                                        if (_e401 == 0u) {
-                                            phi_1859_ = vec3<f32>(_e1251, _e1254, _e1248);
-                                        } else {
-                                            if (_e401 == 1u) {
-                                                phi_1858_ = vec3<f32>(_e1254, _e1248, _e1251);
-                                            } else {
-                                                phi_1858_ = (_e1243 - _e1245);
-                                            }
-                                            let _e1261 = phi_1858_;
-                                            phi_1859_ = _e1261;
-                                        }
-                                        let _e1263 = phi_1859_;
-                                        let _e1265 = triangles.member[(0u + _e1028)].v2_;
-                                        let _e1267 = triangles.member[(0u + _e1028)].v0_;
-                                        let _e1270 = (_e1265.x - _e1267.x);
-                                        let _e1273 = (_e1265.y - _e1267.y);
-                                        let _e1276 = (_e1265.z - _e1267.z);
-                                        if (_e401 == 0u) {
-                                            phi_1885_ = vec3<f32>(_e1273, _e1276, _e1270);
-                                        } else {
-                                            if (_e401 == 1u) {
-                                                phi_1884_ = vec3<f32>(_e1276, _e1270, _e1273);
-                                            } else {
-                                                phi_1884_ = (_e1265 - _e1267);
-                                            }
-                                            let _e1283 = phi_1884_;
-                                            phi_1885_ = _e1283;
-                                        }
-                                        let _e1285 = phi_1885_;
-                                        let _e1292 = ((_e1263.y * _e1285.z) - (_e1263.z * _e1285.y));
-                                        let _e1299 = ((_e1263.z * _e1285.x) - (_e1263.x * _e1285.z));
-                                        let _e1306 = ((_e1263.x * _e1285.y) - (_e1263.y * _e1285.x));
-                                        let _e1320 = (((1f / _e416.z) * (((_e1292 * _e1241.x) + (_e1299 * _e1241.y)) + (_e1306 * _e1241.z))) / (((_e1292 * _e420) + (_e1299 * _e423)) + _e1306));
-                                        if (_e1320 > _e159.tmin) {
-                                            if (_e1320 < _e159.tmax) {
-                                                let _e1326 = triangles.member[(0u + _e1028)].v0_;
-                                                let _e1328 = triangles.member[(0u + _e1028)].v1_;
-                                                if (_e1326.x < _e1328.x) {
-                                                    phi_1943_ = _e1326.x;
-                                                } else {
-                                                    phi_1943_ = _e1328.x;
-                                                }
-                                                let _e1335 = phi_1943_;
-                                                if (_e1326.y < _e1328.y) {
-                                                    phi_1952_ = _e1326.y;
-                                                } else {
-                                                    phi_1952_ = _e1328.y;
-                                                }
-                                                let _e1342 = phi_1952_;
-                                                if (_e1326.z < _e1328.z) {
-                                                    phi_1961_ = _e1326.z;
-                                                } else {
-                                                    phi_1961_ = _e1328.z;
-                                                }
-                                                let _e1349 = phi_1961_;
-                                                let _e1351 = triangles.member[(0u + _e1028)].v2_;
-                                                if (_e1335 < _e1351.x) {
-                                                    phi_1970_ = _e1335;
-                                                } else {
-                                                    phi_1970_ = _e1351.x;
-                                                }
-                                                let _e1356 = phi_1970_;
-                                                if (_e1342 < _e1351.y) {
-                                                    phi_1977_ = _e1342;
-                                                } else {
-                                                    phi_1977_ = _e1351.y;
-                                                }
-                                                let _e1361 = phi_1977_;
-                                                if (_e1349 < _e1351.z) {
-                                                    phi_1984_ = _e1349;
-                                                } else {
-                                                    phi_1984_ = _e1351.z;
-                                                }
-                                                let _e1366 = phi_1984_;
-                                                let _e1368 = triangles.member[(0u + _e1028)].v0_;
-                                                let _e1370 = triangles.member[(0u + _e1028)].v1_;
-                                                if (_e1368.x > _e1370.x) {
-                                                    phi_1997_ = _e1368.x;
-                                                } else {
-                                                    phi_1997_ = _e1370.x;
-                                                }
-                                                let _e1377 = phi_1997_;
-                                                if (_e1368.y > _e1370.y) {
-                                                    phi_2006_ = _e1368.y;
-                                                } else {
-                                                    phi_2006_ = _e1370.y;
-                                                }
-                                                let _e1384 = phi_2006_;
-                                                if (_e1368.z > _e1370.z) {
-                                                    phi_2015_ = _e1368.z;
-                                                } else {
-                                                    phi_2015_ = _e1370.z;
-                                                }
-                                                let _e1391 = phi_2015_;
-                                                let _e1393 = triangles.member[(0u + _e1028)].v2_;
-                                                if (_e1377 > _e1393.x) {
-                                                    phi_2024_ = _e1377;
-                                                } else {
-                                                    phi_2024_ = _e1393.x;
-                                                }
-                                                let _e1398 = phi_2024_;
-                                                if (_e1384 > _e1393.y) {
-                                                    phi_2031_ = _e1384;
-                                                } else {
-                                                    phi_2031_ = _e1393.y;
-                                                }
-                                                let _e1403 = phi_2031_;
-                                                if (_e1391 > _e1393.z) {
-                                                    phi_2038_ = _e1391;
-                                                } else {
-                                                    phi_2038_ = _e1393.z;
-                                                }
-                                                let _e1408 = phi_2038_;
-                                                let _e1415 = ((_e1356 - _e159.origin.x) * _e313);
-                                                let _e1416 = ((_e1361 - _e159.origin.y) * _e325);
-                                                let _e1417 = ((_e1366 - _e159.origin.z) * _e337);
-                                                let _e1424 = ((_e1398 - _e159.origin.x) * _e313);
-                                                let _e1425 = ((_e1403 - _e159.origin.y) * _e325);
-                                                let _e1426 = ((_e1408 - _e159.origin.z) * _e337);
-                                                if (_e1415 < _e1424) {
-                                                    phi_2061_ = _e1415;
-                                                } else {
-                                                    phi_2061_ = _e1424;
-                                                }
-                                                let _e1429 = phi_2061_;
-                                                if (_e1416 < _e1425) {
-                                                    phi_2066_ = _e1416;
-                                                } else {
-                                                    phi_2066_ = _e1425;
-                                                }
-                                                let _e1432 = phi_2066_;
-                                                if (_e1417 < _e1426) {
-                                                    phi_2071_ = _e1417;
-                                                } else {
-                                                    phi_2071_ = _e1426;
-                                                }
-                                                let _e1435 = phi_2071_;
-                                                if (_e1415 > _e1424) {
-                                                    phi_2079_ = _e1415;
-                                                } else {
-                                                    phi_2079_ = _e1424;
-                                                }
-                                                let _e1441 = phi_2079_;
-                                                if (_e1416 > _e1425) {
-                                                    phi_2084_ = _e1416;
-                                                } else {
-                                                    phi_2084_ = _e1425;
-                                                }
-                                                let _e1444 = phi_2084_;
-                                                if (_e1417 > _e1426) {
-                                                    phi_2089_ = _e1417;
-                                                } else {
-                                                    phi_2089_ = _e1426;
-                                                }
-                                                let _e1447 = phi_2089_;
-                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_((_e1429 - _e381), (_e1432 - _e382));
-                                                let _e1452 = core_intrinsics_maximum_number_nsz_f32_(_e1451, (_e1435 - _e383));
-                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_((_e1441 + _e381), (_e1444 + _e382));
-                                                let _e1454 = core_intrinsics_minimum_number_nsz_f32_(_e1453, (_e1447 + _e383));
-                                                if (_e1452 > -300000000000000000000000000000000000000f) {
-                                                    phi_2101_ = _e1452;
-                                                } else {
-                                                    phi_2101_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1457 = phi_2101_;
-                                                if (_e1454 < 300000000000000000000000000000000000000f) {
-                                                    phi_2106_ = _e1454;
-                                                } else {
-                                                    phi_2106_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1460 = phi_2106_;
-                                                if (_e1320 < _e1457) {
-                                                    phi_2111_ = _e1457;
-                                                } else {
-                                                    phi_2111_ = _e1320;
-                                                }
-                                                let _e1463 = phi_2111_;
-                                                if (_e1463 > _e1460) {
-                                                    phi_2116_ = _e1460;
-                                                } else {
-                                                    phi_2116_ = _e1463;
-                                                }
-                                                let _e1466 = phi_2116_;
-                                                phi_2121_ = lt_bvh_triangle_Intersection(_e1466, (_e1159 / _e1218), (_e1180 / _e1218), (_e1457 <= _e1460));
-                                                phi_2122_ = false;
-                                            } else {
-                                                phi_2121_ = lt_bvh_triangle_Intersection();
-                                                phi_2122_ = true;
-                                            }
-                                            let _e1472 = phi_2121_;
-                                            let _e1474 = phi_2122_;
-                                            phi_2123_ = _e1472;
-                                            phi_2124_ = _e1474;
-                                        } else {
-                                            phi_2123_ = lt_bvh_triangle_Intersection();
-                                            phi_2124_ = true;
-                                        }
-                                        let _e1476 = phi_2123_;
-                                        let _e1478 = phi_2124_;
-                                        if _e1478 {
-                                        }
-                                        phi_2128_ = _e1476;
-                                        phi_2129_ = _e1478;
+                                        phi_1804_ = _e1204;
                                     }
-                                    let _e1480 = phi_2128_;
-                                    let _e1482 = phi_2129_;
-                                    phi_2130_ = _e1480;
-                                    phi_2131_ = _e1221;
-                                    phi_2132_ = _e1482;
+                                    let _e1206 = phi_1804_;
+                                    phi_1805_ = _e1200;
+                                    phi_1806_ = _e1206;
                                 } else {
-                                    phi_2130_ = lt_bvh_triangle_Intersection();
-                                    phi_2131_ = true;
-                                    phi_2132_ = false;
+                                    phi_1805_ = _e1185;
+                                    phi_1806_ = true;
                                 }
-                                let _e1484 = phi_2130_;
-                                let _e1486 = phi_2131_;
-                                let _e1488 = phi_2132_;
-                                if _e1486 {
-                                    phi_2136_ = true;
-                                } else {
-                                    phi_2136_ = _e1488;
-                                }
-                                let _e1490 = phi_2136_;
-                                if _e1490 {
-                                    phi_2140_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2140_ = _e1484;
-                                }
-                                let _e1492 = phi_2140_;
-                                if _e1492.is_hit {
-                                    if (_e1492.t > _e159.tmin) {
-                                        if (_e1492.t < _e1017.t) {
-                                            phi_2189_ = true;
+                                let _e1208 = phi_1805_;
+                                let _e1210 = phi_1806_;
+                                if _e1210 {
+                                    let _e1211 = (_e1208 == 0f);
+                                    if _e1211 {
+                                        phi_2132_ = lt_bvh_triangle_Intersection();
+                                        phi_2133_ = false;
+                                    } else {
+                                        let _e1213 = triangles.member[(0u + _e1018)].v0_;
+                                        let _e1216 = (_e1213.x - _e159.origin.x);
+                                        let _e1219 = (_e1213.y - _e159.origin.y);
+                                        let _e1222 = (_e1213.z - _e159.origin.z);
+                                        if (_e393 == 0u) {
+                                            phi_1837_ = vec3<f32>(_e1219, _e1222, _e1216);
                                         } else {
-                                            if (_e1492.t == _e1017.t) {
-                                                if (_e1017.triangle != 4294967295u) {
-                                                    if (_e1028 < _e1017.triangle) {
-                                                        phi_2180_ = true;
+                                            if (_e393 == 1u) {
+                                                phi_1836_ = vec3<f32>(_e1222, _e1216, _e1219);
+                                            } else {
+                                                phi_1836_ = (_e1213 - _e159.origin);
+                                            }
+                                            let _e1229 = phi_1836_;
+                                            phi_1837_ = _e1229;
+                                        }
+                                        let _e1231 = phi_1837_;
+                                        let _e1233 = triangles.member[(0u + _e1018)].v1_;
+                                        let _e1235 = triangles.member[(0u + _e1018)].v0_;
+                                        let _e1238 = (_e1233.x - _e1235.x);
+                                        let _e1241 = (_e1233.y - _e1235.y);
+                                        let _e1244 = (_e1233.z - _e1235.z);
+                                        if (_e393 == 0u) {
+                                            phi_1863_ = vec3<f32>(_e1241, _e1244, _e1238);
+                                        } else {
+                                            if (_e393 == 1u) {
+                                                phi_1862_ = vec3<f32>(_e1244, _e1238, _e1241);
+                                            } else {
+                                                phi_1862_ = (_e1233 - _e1235);
+                                            }
+                                            let _e1251 = phi_1862_;
+                                            phi_1863_ = _e1251;
+                                        }
+                                        let _e1253 = phi_1863_;
+                                        let _e1255 = triangles.member[(0u + _e1018)].v2_;
+                                        let _e1257 = triangles.member[(0u + _e1018)].v0_;
+                                        let _e1260 = (_e1255.x - _e1257.x);
+                                        let _e1263 = (_e1255.y - _e1257.y);
+                                        let _e1266 = (_e1255.z - _e1257.z);
+                                        if (_e393 == 0u) {
+                                            phi_1889_ = vec3<f32>(_e1263, _e1266, _e1260);
+                                        } else {
+                                            if (_e393 == 1u) {
+                                                phi_1888_ = vec3<f32>(_e1266, _e1260, _e1263);
+                                            } else {
+                                                phi_1888_ = (_e1255 - _e1257);
+                                            }
+                                            let _e1273 = phi_1888_;
+                                            phi_1889_ = _e1273;
+                                        }
+                                        let _e1275 = phi_1889_;
+                                        let _e1282 = ((_e1253.y * _e1275.z) - (_e1253.z * _e1275.y));
+                                        let _e1289 = ((_e1253.z * _e1275.x) - (_e1253.x * _e1275.z));
+                                        let _e1296 = ((_e1253.x * _e1275.y) - (_e1253.y * _e1275.x));
+                                        let _e1310 = (((1f / _e407.z) * (((_e1282 * _e1231.x) + (_e1289 * _e1231.y)) + (_e1296 * _e1231.z))) / (((_e1282 * _e410) + (_e1289 * _e413)) + _e1296));
+                                        if (_e1310 > _e159.tmin) {
+                                            if (_e1310 < _e159.tmax) {
+                                                let _e1316 = triangles.member[(0u + _e1018)].v0_;
+                                                let _e1318 = triangles.member[(0u + _e1018)].v1_;
+                                                if (_e1316.x < _e1318.x) {
+                                                    phi_1947_ = _e1316.x;
+                                                } else {
+                                                    phi_1947_ = _e1318.x;
+                                                }
+                                                let _e1325 = phi_1947_;
+                                                if (_e1316.y < _e1318.y) {
+                                                    phi_1956_ = _e1316.y;
+                                                } else {
+                                                    phi_1956_ = _e1318.y;
+                                                }
+                                                let _e1332 = phi_1956_;
+                                                if (_e1316.z < _e1318.z) {
+                                                    phi_1965_ = _e1316.z;
+                                                } else {
+                                                    phi_1965_ = _e1318.z;
+                                                }
+                                                let _e1339 = phi_1965_;
+                                                let _e1341 = triangles.member[(0u + _e1018)].v2_;
+                                                if (_e1325 < _e1341.x) {
+                                                    phi_1974_ = _e1325;
+                                                } else {
+                                                    phi_1974_ = _e1341.x;
+                                                }
+                                                let _e1346 = phi_1974_;
+                                                if (_e1332 < _e1341.y) {
+                                                    phi_1981_ = _e1332;
+                                                } else {
+                                                    phi_1981_ = _e1341.y;
+                                                }
+                                                let _e1351 = phi_1981_;
+                                                if (_e1339 < _e1341.z) {
+                                                    phi_1988_ = _e1339;
+                                                } else {
+                                                    phi_1988_ = _e1341.z;
+                                                }
+                                                let _e1356 = phi_1988_;
+                                                let _e1358 = triangles.member[(0u + _e1018)].v0_;
+                                                let _e1360 = triangles.member[(0u + _e1018)].v1_;
+                                                if (_e1358.x > _e1360.x) {
+                                                    phi_2001_ = _e1358.x;
+                                                } else {
+                                                    phi_2001_ = _e1360.x;
+                                                }
+                                                let _e1367 = phi_2001_;
+                                                if (_e1358.y > _e1360.y) {
+                                                    phi_2010_ = _e1358.y;
+                                                } else {
+                                                    phi_2010_ = _e1360.y;
+                                                }
+                                                let _e1374 = phi_2010_;
+                                                if (_e1358.z > _e1360.z) {
+                                                    phi_2019_ = _e1358.z;
+                                                } else {
+                                                    phi_2019_ = _e1360.z;
+                                                }
+                                                let _e1381 = phi_2019_;
+                                                let _e1383 = triangles.member[(0u + _e1018)].v2_;
+                                                if (_e1367 > _e1383.x) {
+                                                    phi_2028_ = _e1367;
+                                                } else {
+                                                    phi_2028_ = _e1383.x;
+                                                }
+                                                let _e1388 = phi_2028_;
+                                                if (_e1374 > _e1383.y) {
+                                                    phi_2035_ = _e1374;
+                                                } else {
+                                                    phi_2035_ = _e1383.y;
+                                                }
+                                                let _e1393 = phi_2035_;
+                                                if (_e1381 > _e1383.z) {
+                                                    phi_2042_ = _e1381;
+                                                } else {
+                                                    phi_2042_ = _e1383.z;
+                                                }
+                                                let _e1398 = phi_2042_;
+                                                let _e1405 = ((_e1346 - _e159.origin.x) * _e305);
+                                                let _e1406 = ((_e1351 - _e159.origin.y) * _e316);
+                                                let _e1407 = ((_e1356 - _e159.origin.z) * _e327);
+                                                let _e1414 = ((_e1388 - _e159.origin.x) * _e305);
+                                                let _e1415 = ((_e1393 - _e159.origin.y) * _e316);
+                                                let _e1416 = ((_e1398 - _e159.origin.z) * _e327);
+                                                if (_e1405 < _e1414) {
+                                                    phi_2065_ = _e1405;
+                                                } else {
+                                                    phi_2065_ = _e1414;
+                                                }
+                                                let _e1419 = phi_2065_;
+                                                if (_e1406 < _e1415) {
+                                                    phi_2070_ = _e1406;
+                                                } else {
+                                                    phi_2070_ = _e1415;
+                                                }
+                                                let _e1422 = phi_2070_;
+                                                if (_e1407 < _e1416) {
+                                                    phi_2075_ = _e1407;
+                                                } else {
+                                                    phi_2075_ = _e1416;
+                                                }
+                                                let _e1425 = phi_2075_;
+                                                if (_e1405 > _e1414) {
+                                                    phi_2083_ = _e1405;
+                                                } else {
+                                                    phi_2083_ = _e1414;
+                                                }
+                                                let _e1431 = phi_2083_;
+                                                if (_e1406 > _e1415) {
+                                                    phi_2088_ = _e1406;
+                                                } else {
+                                                    phi_2088_ = _e1415;
+                                                }
+                                                let _e1434 = phi_2088_;
+                                                if (_e1407 > _e1416) {
+                                                    phi_2093_ = _e1407;
+                                                } else {
+                                                    phi_2093_ = _e1416;
+                                                }
+                                                let _e1437 = phi_2093_;
+                                                let _e1441 = core_intrinsics_maximum_number_nsz_f32_((_e1419 - _e372), (_e1422 - _e373));
+                                                let _e1442 = core_intrinsics_maximum_number_nsz_f32_(_e1441, (_e1425 - _e374));
+                                                let _e1443 = core_intrinsics_minimum_number_nsz_f32_((_e1431 + _e372), (_e1434 + _e373));
+                                                let _e1444 = core_intrinsics_minimum_number_nsz_f32_(_e1443, (_e1437 + _e374));
+                                                if (_e1442 > -300000000000000000000000000000000000000f) {
+                                                    phi_2105_ = _e1442;
+                                                } else {
+                                                    phi_2105_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1447 = phi_2105_;
+                                                if (_e1444 < 300000000000000000000000000000000000000f) {
+                                                    phi_2110_ = _e1444;
+                                                } else {
+                                                    phi_2110_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1450 = phi_2110_;
+                                                if (_e1310 < _e1447) {
+                                                    phi_2115_ = _e1447;
+                                                } else {
+                                                    phi_2115_ = _e1310;
+                                                }
+                                                let _e1453 = phi_2115_;
+                                                if (_e1453 > _e1450) {
+                                                    phi_2120_ = _e1450;
+                                                } else {
+                                                    phi_2120_ = _e1453;
+                                                }
+                                                let _e1456 = phi_2120_;
+                                                phi_2125_ = lt_bvh_triangle_Intersection(_e1456, (_e1149 / _e1208), (_e1170 / _e1208), (_e1447 <= _e1450));
+                                                phi_2126_ = false;
+                                            } else {
+                                                phi_2125_ = lt_bvh_triangle_Intersection();
+                                                phi_2126_ = true;
+                                            }
+                                            let _e1462 = phi_2125_;
+                                            let _e1464 = phi_2126_;
+                                            phi_2127_ = _e1462;
+                                            phi_2128_ = _e1464;
+                                        } else {
+                                            phi_2127_ = lt_bvh_triangle_Intersection();
+                                            phi_2128_ = true;
+                                        }
+                                        let _e1466 = phi_2127_;
+                                        let _e1468 = phi_2128_;
+                                        if _e1468 {
+                                        }
+                                        phi_2132_ = _e1466;
+                                        phi_2133_ = _e1468;
+                                    }
+                                    let _e1470 = phi_2132_;
+                                    let _e1472 = phi_2133_;
+                                    phi_2134_ = _e1470;
+                                    phi_2135_ = _e1211;
+                                    phi_2136_ = _e1472;
+                                } else {
+                                    phi_2134_ = lt_bvh_triangle_Intersection();
+                                    phi_2135_ = true;
+                                    phi_2136_ = false;
+                                }
+                                let _e1474 = phi_2134_;
+                                let _e1476 = phi_2135_;
+                                let _e1478 = phi_2136_;
+                                if _e1476 {
+                                    phi_2140_ = true;
+                                } else {
+                                    phi_2140_ = _e1478;
+                                }
+                                let _e1480 = phi_2140_;
+                                if _e1480 {
+                                    phi_2144_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2144_ = _e1474;
+                                }
+                                let _e1482 = phi_2144_;
+                                if _e1482.is_hit {
+                                    if (_e1482.t > _e159.tmin) {
+                                        if (_e1482.t < _e1007.t) {
+                                            phi_2193_ = true;
+                                        } else {
+                                            if (_e1482.t == _e1007.t) {
+                                                if (_e1007.triangle != 4294967295u) {
+                                                    if (_e1018 < _e1007.triangle) {
+                                                        phi_2184_ = true;
                                                     } else {
-                                                        if (_e1028 == _e1017.triangle) {
-                                                            phi_2179_ = (4294967295u < _e1017.instance);
+                                                        if (_e1018 == _e1007.triangle) {
+                                                            phi_2183_ = (4294967295u < _e1007.instance);
                                                         } else {
-                                                            phi_2179_ = false;
+                                                            phi_2183_ = false;
                                                         }
-                                                        let _e1511 = phi_2179_;
-                                                        phi_2180_ = _e1511;
+                                                        let _e1501 = phi_2183_;
+                                                        phi_2184_ = _e1501;
                                                     }
-                                                    let _e1513 = phi_2180_;
-                                                    phi_2181_ = _e1513;
-                                                    phi_2182_ = false;
+                                                    let _e1503 = phi_2184_;
+                                                    phi_2185_ = _e1503;
+                                                    phi_2186_ = false;
                                                 } else {
-                                                    phi_2181_ = bool();
-                                                    phi_2182_ = true;
+                                                    phi_2185_ = bool();
+                                                    phi_2186_ = true;
                                                 }
-                                                let _e1515 = phi_2181_;
-                                                let _e1517 = phi_2182_;
-                                                phi_2183_ = _e1515;
-                                                phi_2184_ = _e1517;
+                                                let _e1505 = phi_2185_;
+                                                let _e1507 = phi_2186_;
+                                                phi_2187_ = _e1505;
+                                                phi_2188_ = _e1507;
                                             } else {
-                                                phi_2183_ = bool();
-                                                phi_2184_ = true;
+                                                phi_2187_ = bool();
+                                                phi_2188_ = true;
                                             }
-                                            let _e1519 = phi_2183_;
-                                            let _e1521 = phi_2184_;
-                                            if _e1521 {
-                                                phi_2188_ = false;
+                                            let _e1509 = phi_2187_;
+                                            let _e1511 = phi_2188_;
+                                            if _e1511 {
+                                                phi_2192_ = false;
                                             } else {
-                                                phi_2188_ = _e1519;
+                                                phi_2192_ = _e1509;
                                             }
-                                            let _e1523 = phi_2188_;
-                                            phi_2189_ = _e1523;
+                                            let _e1513 = phi_2192_;
+                                            phi_2193_ = _e1513;
                                         }
-                                        let _e1525 = phi_2189_;
-                                        if _e1525 {
-                                            let _e1527 = triangles.member[(0u + _e1028)].i0_;
-                                            if ((_e1527 & 2147483648u) == 0u) {
-                                                phi_2400_ = true;
+                                        let _e1515 = phi_2193_;
+                                        if _e1515 {
+                                            let _e1517 = triangles.member[(0u + _e1018)].i0_;
+                                            if ((_e1517 & 2147483648u) == 0u) {
+                                                phi_2404_ = true;
                                             } else {
-                                                if (_e1028 < _e80) {
+                                                if (_e1018 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1536 = triangles.member[(0u + _e1028)].i0_;
-                                                let _e1537 = (_e1536 & 2147483647u);
-                                                let _e1539 = triangles.member[(0u + _e1028)].i1_;
-                                                let _e1541 = triangles.member[(0u + _e1028)].i2_;
-                                                if (_e1537 < _e83) {
+                                                let _e1526 = triangles.member[(0u + _e1018)].i0_;
+                                                let _e1527 = (_e1526 & 2147483647u);
+                                                let _e1529 = triangles.member[(0u + _e1018)].i1_;
+                                                let _e1531 = triangles.member[(0u + _e1018)].i2_;
+                                                if (_e1527 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1545 = vertices.member[(0u + _e1537)];
-                                                if (_e1539 < _e83) {
+                                                let _e1535 = vertices.member[(0u + _e1527)];
+                                                if (_e1529 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1549 = vertices.member[(0u + _e1539)];
-                                                if (_e1541 < _e83) {
+                                                let _e1539 = vertices.member[(0u + _e1529)];
+                                                if (_e1531 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1553 = vertices.member[(0u + _e1541)];
-                                                let _e1554 = array<abi_Vertex, 3>(_e1545, _e1549, _e1553);
-                                                if (_e1554[0].material < _e86) {
+                                                let _e1543 = vertices.member[(0u + _e1531)];
+                                                let _e1544 = array<abi_Vertex, 3>(_e1535, _e1539, _e1543);
+                                                if (_e1544[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1560 = materials.member[(0u + _e1554[0].material)];
-                                                if ((_e1560.flags & 0u) == 0u) {
-                                                    let _e1565 = ((1f - _e1492.u) - _e1492.v);
-                                                    if (_e1560.cutoff <= 0f) {
-                                                        phi_2395_ = true;
+                                                let _e1550 = materials.member[(0u + _e1544[0].material)];
+                                                if ((_e1550.flags & 0u) == 0u) {
+                                                    let _e1555 = ((1f - _e1482.u) - _e1482.v);
+                                                    if (_e1550.cutoff <= 0f) {
+                                                        phi_2399_ = true;
                                                     } else {
-                                                        let _e1592 = (_e1560.base_color.w * ((((f32((_e1554[0].color >> bitcast<u32>(24i))) * _e1565) + (f32((_e1554[1].color >> bitcast<u32>(24i))) * _e1492.u)) + (f32((_e1554[2].color >> bitcast<u32>(24i))) * _e1492.v)) * (1f / 255f)));
-                                                        if (_e1560.alpha_size == 0u) {
-                                                            phi_2392_ = _e1592;
+                                                        let _e1582 = (_e1550.base_color.w * ((((f32((_e1544[0].color >> bitcast<u32>(24i))) * _e1555) + (f32((_e1544[1].color >> bitcast<u32>(24i))) * _e1482.u)) + (f32((_e1544[2].color >> bitcast<u32>(24i))) * _e1482.v)) * (1f / 255f)));
+                                                        if (_e1550.alpha_size == 0u) {
+                                                            phi_2396_ = _e1582;
                                                         } else {
-                                                            local.offset = _e1560.alpha_offset;
-                                                            local.size = _e1560.alpha_size;
-                                                            local.flags = _e1560.flags;
-                                                            let _e1623 = _lt_shaders_texture_TextureView_quad((&local), (((_e1554[0].u * _e1565) + (_e1554[1].u * _e1492.u)) + (_e1554[2].u * _e1492.v)), (((_e1554[0].v * _e1565) + (_e1554[1].v * _e1492.u)) + (_e1554[2].v * _e1492.v)));
-                                                            let _e1627 = (_e1623.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1627 < _e92) {
+                                                            local.offset = _e1550.alpha_offset;
+                                                            local.size = _e1550.alpha_size;
+                                                            local.flags = _e1550.flags;
+                                                            let _e1613 = _lt_shaders_texture_TextureView_quad((&local), (((_e1544[0].u * _e1555) + (_e1544[1].u * _e1482.u)) + (_e1544[2].u * _e1482.v)), (((_e1544[0].v * _e1555) + (_e1544[1].v * _e1482.u)) + (_e1544[2].v * _e1482.v)));
+                                                            let _e1617 = (_e1613.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1617 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1631 = alpha_texels.member[(0u + _e1627)];
-                                                            let _e1647 = (_e1623.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1647 < _e92) {
+                                                            let _e1621 = alpha_texels.member[(0u + _e1617)];
+                                                            let _e1637 = (_e1613.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1637 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1651 = alpha_texels.member[(0u + _e1647)];
-                                                            let _e1668 = (_e1623.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1668 < _e92) {
+                                                            let _e1641 = alpha_texels.member[(0u + _e1637)];
+                                                            let _e1658 = (_e1613.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1658 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1672 = alpha_texels.member[(0u + _e1668)];
-                                                            let _e1689 = (_e1623.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1689 < _e92) {
+                                                            let _e1662 = alpha_texels.member[(0u + _e1658)];
+                                                            let _e1679 = (_e1613.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1679 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1693 = alpha_texels.member[(0u + _e1689)];
-                                                            phi_2392_ = (_e1592 * (((((f32(((_e1631 >> bitcast<u32>((((_e1623.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.x) + ((f32(((_e1651 >> bitcast<u32>((((_e1623.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.y)) + ((f32(((_e1672 >> bitcast<u32>((((_e1623.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.z)) + ((f32(((_e1693 >> bitcast<u32>((((_e1623.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.w)));
+                                                            let _e1683 = alpha_texels.member[(0u + _e1679)];
+                                                            phi_2396_ = (_e1582 * (((((f32(((_e1621 >> bitcast<u32>((((_e1613.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1613.weights.x) + ((f32(((_e1641 >> bitcast<u32>((((_e1613.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1613.weights.y)) + ((f32(((_e1662 >> bitcast<u32>((((_e1613.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1613.weights.z)) + ((f32(((_e1683 >> bitcast<u32>((((_e1613.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1613.weights.w)));
                                                         }
-                                                        let _e1709 = phi_2392_;
-                                                        phi_2395_ = (_e1709 >= _e1560.cutoff);
+                                                        let _e1699 = phi_2396_;
+                                                        phi_2399_ = (_e1699 >= _e1550.cutoff);
                                                     }
-                                                    let _e1713 = phi_2395_;
-                                                    phi_2396_ = _e1713;
+                                                    let _e1703 = phi_2399_;
+                                                    phi_2400_ = _e1703;
                                                 } else {
-                                                    phi_2396_ = false;
+                                                    phi_2400_ = false;
                                                 }
-                                                let _e1715 = phi_2396_;
-                                                if _e1715 {
+                                                let _e1705 = phi_2400_;
+                                                if _e1705 {
                                                 }
-                                                phi_2400_ = _e1715;
+                                                phi_2404_ = _e1705;
                                             }
-                                            let _e1717 = phi_2400_;
-                                            if _e1717 {
-                                                phi_2408_ = lt_bvh_Hit(_e1492.t, _e1492.u, _e1492.v, _e1028, 4294967295u);
+                                            let _e1707 = phi_2404_;
+                                            if _e1707 {
+                                                phi_2412_ = lt_bvh_Hit(_e1482.t, _e1482.u, _e1482.v, _e1018, 4294967295u);
                                             } else {
-                                                phi_2408_ = _e1017;
+                                                phi_2412_ = _e1007;
                                             }
-                                            let _e1723 = phi_2408_;
-                                            phi_2409_ = _e1723;
+                                            let _e1713 = phi_2412_;
+                                            phi_2413_ = _e1713;
                                         } else {
-                                            phi_2409_ = _e1017;
+                                            phi_2413_ = _e1007;
                                         }
-                                        let _e1725 = phi_2409_;
-                                        phi_2410_ = _e1725;
+                                        let _e1715 = phi_2413_;
+                                        phi_2414_ = _e1715;
                                     } else {
-                                        phi_2410_ = _e1017;
+                                        phi_2414_ = _e1007;
                                     }
-                                    let _e1727 = phi_2410_;
-                                    phi_2411_ = _e1727;
+                                    let _e1717 = phi_2414_;
+                                    phi_2415_ = _e1717;
                                 } else {
-                                    phi_2411_ = _e1017;
+                                    phi_2415_ = _e1007;
                                 }
-                                let _e1729 = phi_2411_;
-                                phi_1554_ = _e1729;
-                                phi_1557_ = (_e1019 & (_e1019 - 1u));
-                                phi_2412_ = true;
+                                let _e1719 = phi_2415_;
+                                phi_1558_ = _e1719;
+                                phi_1561_ = (_e1009 & (_e1009 - 1u));
+                                phi_2416_ = true;
                             }
-                            let _e1731 = phi_1554_;
-                            let _e1733 = phi_1557_;
-                            let _e1735 = phi_2412_;
+                            let _e1721 = phi_1558_;
+                            let _e1723 = phi_1561_;
+                            let _e1725 = phi_2416_;
                             continue;
                             continuing {
-                                phi_1553_ = _e1731;
-                                phi_1556_ = _e1733;
-                                break if !(_e1735);
+                                phi_1557_ = _e1721;
+                                phi_1560_ = _e1723;
+                                break if !(_e1725);
                             }
                         }
-                        let _e1738 = local_1.group_mask;
-                        if ((_e1738 & 4278190080u) == 0u) {
-                            let _e1742 = local_1.len;
-                            if (_e1742 == 0u) {
-                                phi_2451_ = false;
+                        let _e1728 = local_1.group_mask;
+                        if ((_e1728 & 4278190080u) == 0u) {
+                            let _e1732 = local_1.len;
+                            if (_e1732 == 0u) {
+                                phi_2455_ = false;
                             } else {
-                                let _e1746 = local_1.len;
-                                local_1.len = (_e1746 - 1u);
-                                let _e1749 = local_1.len;
-                                if (_e1749 < 32u) {
+                                let _e1736 = local_1.len;
+                                local_1.len = (_e1736 - 1u);
+                                let _e1739 = local_1.len;
+                                if (_e1739 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1754 = local_1.first[(0u + _e1749)];
-                                local_1.group = _e1754;
-                                let _e1757 = local_1.len;
-                                if (_e1757 < 32u) {
+                                let _e1744 = local_1.first[(0u + _e1739)];
+                                local_1.group = _e1744;
+                                let _e1747 = local_1.len;
+                                if (_e1747 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1762 = local_1.mask[(0u + _e1757)];
-                                local_1.group_mask = _e1762;
-                                phi_2451_ = true;
+                                let _e1752 = local_1.mask[(0u + _e1747)];
+                                local_1.group_mask = _e1752;
+                                phi_2455_ = true;
                             }
-                            let _e1765 = phi_2451_;
-                            phi_2452_ = _e1765;
+                            let _e1755 = phi_2455_;
+                            phi_2456_ = _e1755;
                         } else {
-                            phi_2452_ = true;
+                            phi_2456_ = true;
                         }
-                        let _e1767 = phi_2452_;
-                        if _e1767 {
+                        let _e1757 = phi_2456_;
+                        if _e1757 {
+                            let _e1759 = local_1.group_mask;
+                            let _e1765 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1759)), 32u, (_e1759 == 0u)));
                             let _e1769 = local_1.group_mask;
-                            let _e1775 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1769)), 32u, (_e1769 == 0u)));
-                            let _e1779 = local_1.group_mask;
-                            let _e1793 = local_1.group_mask;
-                            local_1.group_mask = (_e1793 & ~((1u << bitcast<u32>((_e1775 & 31u)))));
-                            let _e1796 = local_1.group;
-                            phi_2483_ = (_e1796 + countOneBits(((_e1779 & ~((4294967295u << bitcast<u32>((((_e1775 - 24u) ^ _e436) & 31u))))) & 255u)));
+                            let _e1783 = local_1.group_mask;
+                            local_1.group_mask = (_e1783 & ~((1u << bitcast<u32>((_e1765 & 31u)))));
+                            let _e1786 = local_1.group;
+                            phi_2487_ = (_e1786 + countOneBits(((_e1769 & ~((4294967295u << bitcast<u32>((((_e1765 - 24u) ^ _e426) & 31u))))) & 255u)));
                         } else {
-                            phi_2483_ = 4294967295u;
+                            phi_2487_ = 4294967295u;
                         }
-                        let _e1799 = phi_2483_;
-                        let _e2578 = local_5;
-                        phi_1217_ = _e2578;
-                        phi_1220_ = _e1799;
+                        let _e1789 = phi_2487_;
+                        let _e2566 = local_5;
+                        phi_1221_ = _e2566;
+                        phi_1224_ = _e1789;
                     } else {
-                        phi_1217_ = lt_bvh_Hit();
-                        phi_1220_ = u32();
+                        phi_1221_ = lt_bvh_Hit();
+                        phi_1224_ = u32();
                     }
-                    let _e1801 = phi_1217_;
-                    let _e1803 = phi_1220_;
+                    let _e1791 = phi_1221_;
+                    let _e1793 = phi_1224_;
                     continue;
                     continuing {
-                        phi_1216_ = _e1801;
-                        phi_1219_ = _e1803;
-                        break if !(_e577);
+                        phi_1220_ = _e1791;
+                        phi_1223_ = _e1793;
+                        break if !(_e567);
                     }
                 }
-                let _e2582 = local_6;
-                phi_2484_ = _e2582;
+                let _e2570 = local_6;
+                phi_2488_ = _e2570;
             }
-            let _e1806 = phi_2484_;
-            phi_2485_ = _e1806;
-            phi_2486_ = _e231;
+            let _e1796 = phi_2488_;
+            phi_2489_ = _e1796;
+            phi_2490_ = _e223;
         } else {
-            phi_2485_ = lt_bvh_Hit();
-            phi_2486_ = true;
+            phi_2489_ = lt_bvh_Hit();
+            phi_2490_ = true;
         }
-        let _e1808 = phi_2485_;
-        let _e1810 = phi_2486_;
-        if _e1810 {
-            phi_2490_ = _e161;
+        let _e1798 = phi_2489_;
+        let _e1800 = phi_2490_;
+        if _e1800 {
+            phi_2494_ = _e161;
         } else {
-            phi_2490_ = _e1808;
+            phi_2494_ = _e1798;
         }
-        let _e1812 = phi_2490_;
-        if (_e1812.triangle != 4294967295u) {
-            let _e1818 = ((1f - _e1812.u) - _e1812.v);
-            if (_e1812.triangle < _e80) {
+        let _e1802 = phi_2494_;
+        if (_e1802.triangle != 4294967295u) {
+            let _e1808 = ((1f - _e1802.u) - _e1802.v);
+            if (_e1802.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1824 = triangles.member[(0u + _e1812.triangle)];
-            let _e1849 = (((_e1824.v0_.x * _e1818) + (_e1824.v1_.x * _e1812.u)) + (_e1824.v2_.x * _e1812.v));
-            let _e1850 = (((_e1824.v0_.y * _e1818) + (_e1824.v1_.y * _e1812.u)) + (_e1824.v2_.y * _e1812.v));
-            let _e1851 = (((_e1824.v0_.z * _e1818) + (_e1824.v1_.z * _e1812.u)) + (_e1824.v2_.z * _e1812.v));
-            let _e1854 = abs(_e1824.v0_.x);
-            let _e1856 = abs(_e1824.v0_.y);
-            let _e1858 = abs(_e1824.v0_.z);
-            let _e1860 = abs(_e1824.v1_.x);
-            let _e1862 = abs(_e1824.v1_.y);
-            let _e1864 = abs(_e1824.v1_.z);
-            if (_e1854 > _e1860) {
-                phi_2555_ = _e1854;
+            let _e1814 = triangles.member[(0u + _e1802.triangle)];
+            let _e1839 = (((_e1814.v0_.x * _e1808) + (_e1814.v1_.x * _e1802.u)) + (_e1814.v2_.x * _e1802.v));
+            let _e1840 = (((_e1814.v0_.y * _e1808) + (_e1814.v1_.y * _e1802.u)) + (_e1814.v2_.y * _e1802.v));
+            let _e1841 = (((_e1814.v0_.z * _e1808) + (_e1814.v1_.z * _e1802.u)) + (_e1814.v2_.z * _e1802.v));
+            let _e1844 = abs(_e1814.v0_.x);
+            let _e1846 = abs(_e1814.v0_.y);
+            let _e1848 = abs(_e1814.v0_.z);
+            let _e1850 = abs(_e1814.v1_.x);
+            let _e1852 = abs(_e1814.v1_.y);
+            let _e1854 = abs(_e1814.v1_.z);
+            if (_e1844 > _e1850) {
+                phi_2559_ = _e1844;
             } else {
-                phi_2555_ = _e1860;
+                phi_2559_ = _e1850;
             }
-            let _e1867 = phi_2555_;
-            if (_e1856 > _e1862) {
-                phi_2560_ = _e1856;
+            let _e1857 = phi_2559_;
+            if (_e1846 > _e1852) {
+                phi_2564_ = _e1846;
             } else {
-                phi_2560_ = _e1862;
+                phi_2564_ = _e1852;
             }
-            let _e1870 = phi_2560_;
-            if (_e1858 > _e1864) {
-                phi_2565_ = _e1858;
+            let _e1860 = phi_2564_;
+            if (_e1848 > _e1854) {
+                phi_2569_ = _e1848;
             } else {
-                phi_2565_ = _e1864;
+                phi_2569_ = _e1854;
             }
-            let _e1873 = phi_2565_;
-            let _e1875 = abs(_e1824.v2_.x);
-            let _e1877 = abs(_e1824.v2_.y);
-            let _e1879 = abs(_e1824.v2_.z);
-            if (_e1867 > _e1875) {
-                phi_2576_ = _e1867;
+            let _e1863 = phi_2569_;
+            let _e1865 = abs(_e1814.v2_.x);
+            let _e1867 = abs(_e1814.v2_.y);
+            let _e1869 = abs(_e1814.v2_.z);
+            if (_e1857 > _e1865) {
+                phi_2580_ = _e1857;
             } else {
-                phi_2576_ = _e1875;
+                phi_2580_ = _e1865;
             }
-            let _e1882 = phi_2576_;
-            if (_e1870 > _e1877) {
-                phi_2581_ = _e1870;
+            let _e1872 = phi_2580_;
+            if (_e1860 > _e1867) {
+                phi_2585_ = _e1860;
             } else {
-                phi_2581_ = _e1877;
+                phi_2585_ = _e1867;
             }
-            let _e1885 = phi_2581_;
-            if (_e1873 > _e1879) {
-                phi_2586_ = _e1873;
+            let _e1875 = phi_2585_;
+            if (_e1863 > _e1869) {
+                phi_2590_ = _e1863;
             } else {
-                phi_2586_ = _e1879;
+                phi_2590_ = _e1869;
             }
-            let _e1888 = phi_2586_;
-            let _e1891 = (_e1824.v1_.x - _e1824.v0_.x);
-            let _e1894 = (_e1824.v1_.y - _e1824.v0_.y);
-            let _e1897 = (_e1824.v1_.z - _e1824.v0_.z);
-            let _e1900 = (_e1824.v2_.x - _e1824.v0_.x);
-            let _e1903 = (_e1824.v2_.y - _e1824.v0_.y);
-            let _e1906 = (_e1824.v2_.z - _e1824.v0_.z);
-            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), abs(_e1897));
-            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1891), _e1910);
-            let _e1912 = (_e1891 / _e1911);
-            let _e1913 = (_e1894 / _e1911);
-            let _e1914 = (_e1897 / _e1911);
-            let _e1918 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1903), abs(_e1906));
-            let _e1919 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1900), _e1918);
-            let _e1920 = (_e1900 / _e1919);
-            let _e1921 = (_e1903 / _e1919);
-            let _e1922 = (_e1906 / _e1919);
-            let _e1925 = ((_e1913 * _e1922) - (_e1921 * _e1914));
-            let _e1928 = ((_e1914 * _e1920) - (_e1922 * _e1912));
-            let _e1931 = ((_e1912 * _e1921) - (_e1920 * _e1913));
-            let _e1933 = p.member.eye;
-            let _e1946 = (1f / sqrt((((_e1925 * _e1925) + (_e1928 * _e1928)) + (_e1931 * _e1931))));
-            let _e1947 = (_e1925 * _e1946);
-            let _e1948 = (_e1928 * _e1946);
-            let _e1949 = (_e1931 * _e1946);
-            if ((((_e1947 * (_e1933.x - _e1849)) + (_e1948 * (_e1933.y - _e1850))) + (_e1949 * (_e1933.z - _e1851))) < 0f) {
-                phi_2662_ = vec3<f32>(-(_e1947), -(_e1948), -(_e1949));
+            let _e1878 = phi_2590_;
+            let _e1881 = (_e1814.v1_.x - _e1814.v0_.x);
+            let _e1884 = (_e1814.v1_.y - _e1814.v0_.y);
+            let _e1887 = (_e1814.v1_.z - _e1814.v0_.z);
+            let _e1890 = (_e1814.v2_.x - _e1814.v0_.x);
+            let _e1893 = (_e1814.v2_.y - _e1814.v0_.y);
+            let _e1896 = (_e1814.v2_.z - _e1814.v0_.z);
+            let _e1900 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1884), abs(_e1887));
+            let _e1901 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1881), _e1900);
+            let _e1902 = (_e1881 / _e1901);
+            let _e1903 = (_e1884 / _e1901);
+            let _e1904 = (_e1887 / _e1901);
+            let _e1908 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1893), abs(_e1896));
+            let _e1909 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1890), _e1908);
+            let _e1910 = (_e1890 / _e1909);
+            let _e1911 = (_e1893 / _e1909);
+            let _e1912 = (_e1896 / _e1909);
+            let _e1915 = ((_e1903 * _e1912) - (_e1911 * _e1904));
+            let _e1918 = ((_e1904 * _e1910) - (_e1912 * _e1902));
+            let _e1921 = ((_e1902 * _e1911) - (_e1910 * _e1903));
+            let _e1923 = p.member.eye;
+            let _e1936 = (1f / sqrt((((_e1915 * _e1915) + (_e1918 * _e1918)) + (_e1921 * _e1921))));
+            let _e1937 = (_e1915 * _e1936);
+            let _e1938 = (_e1918 * _e1936);
+            let _e1939 = (_e1921 * _e1936);
+            if ((((_e1937 * (_e1923.x - _e1839)) + (_e1938 * (_e1923.y - _e1840))) + (_e1939 * (_e1923.z - _e1841))) < 0f) {
+                phi_2666_ = vec3<f32>(-(_e1937), -(_e1938), -(_e1939));
             } else {
-                phi_2662_ = vec3<f32>(_e1947, _e1948, _e1949);
+                phi_2666_ = vec3<f32>(_e1937, _e1938, _e1939);
             }
-            let _e1962 = phi_2662_;
-            if (_e1812.triangle < _e80) {
+            let _e1952 = phi_2666_;
+            if (_e1802.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1967 = triangles.member[(0u + _e1812.triangle)];
-            let _e1969 = (_e1967.i0_ & 2147483647u);
-            if (_e1969 < _e83) {
+            let _e1957 = triangles.member[(0u + _e1802.triangle)];
+            let _e1959 = (_e1957.i0_ & 2147483647u);
+            if (_e1959 < _e83) {
             } else {
                 return;
             }
-            let _e1975 = vertices.member[(0u + _e1969)];
-            if (_e1967.i1_ < _e83) {
+            let _e1965 = vertices.member[(0u + _e1959)];
+            if (_e1957.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1979 = vertices.member[(0u + _e1967.i1_)];
-            if (_e1967.i2_ < _e83) {
+            let _e1969 = vertices.member[(0u + _e1957.i1_)];
+            if (_e1957.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1983 = vertices.member[(0u + _e1967.i2_)];
-            let _e1984 = array<abi_Vertex, 3>(_e1975, _e1979, _e1983);
-            if (_e1984[0].material < _e86) {
+            let _e1973 = vertices.member[(0u + _e1957.i2_)];
+            let _e1974 = array<abi_Vertex, 3>(_e1965, _e1969, _e1973);
+            if (_e1974[0].material < _e86) {
             } else {
                 return;
             }
-            let _e1990 = materials.member[(0u + _e1984[0].material)];
-            let _e2007 = (1f / 255f);
-            let _e2026 = (1f / 255f);
-            let _e2048 = (1f / 255f);
-            let _e2061 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1818, _e1812.u, _e1812.v));
-            let _e2063 = ((_e1990.base_color.x * ((((f32((_e1984[0].color & 255u)) * _e2007) * _e1818) + ((f32((_e1984[1].color & 255u)) * _e2026) * _e1812.u)) + ((f32((_e1984[2].color & 255u)) * _e2048) * _e1812.v))) * _e2061.x);
-            let _e2065 = ((_e1990.base_color.y * ((((f32(((_e1984[0].color >> bitcast<u32>(8i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(8i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(8i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.y);
-            let _e2067 = ((_e1990.base_color.z * ((((f32(((_e1984[0].color >> bitcast<u32>(16i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(16i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(16i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.z);
-            let _e2068 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1885, _e1888);
-            let _e2069 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1882, _e2068);
-            if ((_e1990.flags & 2u) == 0u) {
-                phi_2783_ = 0u;
+            let _e1980 = materials.member[(0u + _e1974[0].material)];
+            let _e1997 = (1f / 255f);
+            let _e2016 = (1f / 255f);
+            let _e2038 = (1f / 255f);
+            let _e2051 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1808, _e1802.u, _e1802.v));
+            let _e2053 = ((_e1980.base_color.x * ((((f32((_e1974[0].color & 255u)) * _e1997) * _e1808) + ((f32((_e1974[1].color & 255u)) * _e2016) * _e1802.u)) + ((f32((_e1974[2].color & 255u)) * _e2038) * _e1802.v))) * _e2051.x);
+            let _e2055 = ((_e1980.base_color.y * ((((f32(((_e1974[0].color >> bitcast<u32>(8i)) & 255u)) * _e1997) * _e1808) + ((f32(((_e1974[1].color >> bitcast<u32>(8i)) & 255u)) * _e2016) * _e1802.u)) + ((f32(((_e1974[2].color >> bitcast<u32>(8i)) & 255u)) * _e2038) * _e1802.v))) * _e2051.y);
+            let _e2057 = ((_e1980.base_color.z * ((((f32(((_e1974[0].color >> bitcast<u32>(16i)) & 255u)) * _e1997) * _e1808) + ((f32(((_e1974[1].color >> bitcast<u32>(16i)) & 255u)) * _e2016) * _e1802.u)) + ((f32(((_e1974[2].color >> bitcast<u32>(16i)) & 255u)) * _e2038) * _e1802.v))) * _e2051.z);
+            let _e2058 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1875, _e1878);
+            let _e2059 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1872, _e2058);
+            if ((_e1980.flags & 2u) == 0u) {
+                phi_2787_ = 0u;
             } else {
-                phi_2783_ = 1u;
+                phi_2787_ = 1u;
             }
-            let _e2074 = phi_2783_;
-            if (_e1984[0].normal == 2147516416u) {
-                phi_2986_ = _e1962;
+            let _e2064 = phi_2787_;
+            if (_e1974[0].normal == 2147516416u) {
+                phi_2990_ = _e1952;
             } else {
-                let _e2087 = (f32((bitcast<i32>((_e1984[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2093 = (f32((bitcast<i32>(_e1984[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2097 = ((1f - abs(_e2087)) - abs(_e2093));
-                if (_e2097 < 0f) {
-                    phi_2810_ = -(_e2097);
-                } else {
-                    phi_2810_ = 0f;
-                }
-                let _e2101 = phi_2810_;
+                let _e2077 = (f32((bitcast<i32>((_e1974[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2083 = (f32((bitcast<i32>(_e1974[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2087 = ((1f - abs(_e2077)) - abs(_e2083));
                 if (_e2087 < 0f) {
-                    phi_2817_ = (_e2087 + _e2101);
+                    phi_2814_ = -(_e2087);
                 } else {
-                    phi_2817_ = (_e2087 - _e2101);
+                    phi_2814_ = 0f;
                 }
-                let _e2106 = phi_2817_;
-                if (_e2093 < 0f) {
-                    phi_2824_ = (_e2093 + _e2101);
+                let _e2091 = phi_2814_;
+                if (_e2077 < 0f) {
+                    phi_2821_ = (_e2077 + _e2091);
                 } else {
-                    phi_2824_ = (_e2093 - _e2101);
+                    phi_2821_ = (_e2077 - _e2091);
                 }
-                let _e2111 = phi_2824_;
-                let _e2118 = (1f / sqrt((((_e2106 * _e2106) + (_e2111 * _e2111)) + (_e2097 * _e2097))));
-                let _e2134 = (f32((bitcast<i32>((_e1984[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2140 = (f32((bitcast<i32>(_e1984[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2144 = ((1f - abs(_e2134)) - abs(_e2140));
-                if (_e2144 < 0f) {
-                    phi_2859_ = -(_e2144);
+                let _e2096 = phi_2821_;
+                if (_e2083 < 0f) {
+                    phi_2828_ = (_e2083 + _e2091);
                 } else {
-                    phi_2859_ = 0f;
+                    phi_2828_ = (_e2083 - _e2091);
                 }
-                let _e2148 = phi_2859_;
+                let _e2101 = phi_2828_;
+                let _e2108 = (1f / sqrt((((_e2096 * _e2096) + (_e2101 * _e2101)) + (_e2087 * _e2087))));
+                let _e2124 = (f32((bitcast<i32>((_e1974[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2130 = (f32((bitcast<i32>(_e1974[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2134 = ((1f - abs(_e2124)) - abs(_e2130));
                 if (_e2134 < 0f) {
-                    phi_2866_ = (_e2134 + _e2148);
+                    phi_2863_ = -(_e2134);
                 } else {
-                    phi_2866_ = (_e2134 - _e2148);
+                    phi_2863_ = 0f;
                 }
-                let _e2153 = phi_2866_;
-                if (_e2140 < 0f) {
-                    phi_2873_ = (_e2140 + _e2148);
+                let _e2138 = phi_2863_;
+                if (_e2124 < 0f) {
+                    phi_2870_ = (_e2124 + _e2138);
                 } else {
-                    phi_2873_ = (_e2140 - _e2148);
+                    phi_2870_ = (_e2124 - _e2138);
                 }
-                let _e2158 = phi_2873_;
-                let _e2165 = (1f / sqrt((((_e2153 * _e2153) + (_e2158 * _e2158)) + (_e2144 * _e2144))));
-                let _e2184 = (f32((bitcast<i32>((_e1984[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2190 = (f32((bitcast<i32>(_e1984[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2194 = ((1f - abs(_e2184)) - abs(_e2190));
-                if (_e2194 < 0f) {
-                    phi_2911_ = -(_e2194);
+                let _e2143 = phi_2870_;
+                if (_e2130 < 0f) {
+                    phi_2877_ = (_e2130 + _e2138);
                 } else {
-                    phi_2911_ = 0f;
+                    phi_2877_ = (_e2130 - _e2138);
                 }
-                let _e2198 = phi_2911_;
+                let _e2148 = phi_2877_;
+                let _e2155 = (1f / sqrt((((_e2143 * _e2143) + (_e2148 * _e2148)) + (_e2134 * _e2134))));
+                let _e2174 = (f32((bitcast<i32>((_e1974[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2180 = (f32((bitcast<i32>(_e1974[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2184 = ((1f - abs(_e2174)) - abs(_e2180));
                 if (_e2184 < 0f) {
-                    phi_2918_ = (_e2184 + _e2198);
+                    phi_2915_ = -(_e2184);
                 } else {
-                    phi_2918_ = (_e2184 - _e2198);
+                    phi_2915_ = 0f;
                 }
-                let _e2203 = phi_2918_;
-                if (_e2190 < 0f) {
-                    phi_2925_ = (_e2190 + _e2198);
+                let _e2188 = phi_2915_;
+                if (_e2174 < 0f) {
+                    phi_2922_ = (_e2174 + _e2188);
                 } else {
-                    phi_2925_ = (_e2190 - _e2198);
+                    phi_2922_ = (_e2174 - _e2188);
                 }
-                let _e2208 = phi_2925_;
-                let _e2215 = (1f / sqrt((((_e2203 * _e2203) + (_e2208 * _e2208)) + (_e2194 * _e2194))));
-                let _e2226 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2106 * _e2118) * _e1818) + ((_e2153 * _e2165) * _e1812.u)) + ((_e2203 * _e2215) * _e1812.v)), ((((_e2111 * _e2118) * _e1818) + ((_e2158 * _e2165) * _e1812.u)) + ((_e2208 * _e2215) * _e1812.v)), ((((_e2097 * _e2118) * _e1818) + ((_e2144 * _e2165) * _e1812.u)) + ((_e2194 * _e2215) * _e1812.v))));
-                let _e2238 = sqrt((((_e2226.x * _e2226.x) + (_e2226.y * _e2226.y)) + (_e2226.z * _e2226.z)));
-                if (_e2238 > 0f) {
-                    let _e2241 = (_e2226.x / _e2238);
-                    let _e2243 = (_e2226.y / _e2238);
-                    let _e2245 = (_e2226.z / _e2238);
-                    if ((((_e2241 * _e1962.x) + (_e2243 * _e1962.y)) + (_e2245 * _e1962.z)) < 0f) {
-                        phi_2984_ = vec3<f32>(-(_e2241), -(_e2243), -(_e2245));
+                let _e2193 = phi_2922_;
+                if (_e2180 < 0f) {
+                    phi_2929_ = (_e2180 + _e2188);
+                } else {
+                    phi_2929_ = (_e2180 - _e2188);
+                }
+                let _e2198 = phi_2929_;
+                let _e2205 = (1f / sqrt((((_e2193 * _e2193) + (_e2198 * _e2198)) + (_e2184 * _e2184))));
+                let _e2216 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2096 * _e2108) * _e1808) + ((_e2143 * _e2155) * _e1802.u)) + ((_e2193 * _e2205) * _e1802.v)), ((((_e2101 * _e2108) * _e1808) + ((_e2148 * _e2155) * _e1802.u)) + ((_e2198 * _e2205) * _e1802.v)), ((((_e2087 * _e2108) * _e1808) + ((_e2134 * _e2155) * _e1802.u)) + ((_e2184 * _e2205) * _e1802.v))));
+                let _e2228 = sqrt((((_e2216.x * _e2216.x) + (_e2216.y * _e2216.y)) + (_e2216.z * _e2216.z)));
+                if (_e2228 > 0f) {
+                    let _e2231 = (_e2216.x / _e2228);
+                    let _e2233 = (_e2216.y / _e2228);
+                    let _e2235 = (_e2216.z / _e2228);
+                    if ((((_e2231 * _e1952.x) + (_e2233 * _e1952.y)) + (_e2235 * _e1952.z)) < 0f) {
+                        phi_2988_ = vec3<f32>(-(_e2231), -(_e2233), -(_e2235));
                     } else {
-                        phi_2984_ = (_e2226 / vec3(_e2238));
+                        phi_2988_ = (_e2216 / vec3(_e2228));
                     }
-                    let _e2262 = phi_2984_;
-                    phi_2985_ = _e2262;
+                    let _e2252 = phi_2988_;
+                    phi_2989_ = _e2252;
                 } else {
-                    phi_2985_ = _e1962;
+                    phi_2989_ = _e1952;
                 }
-                let _e2264 = phi_2985_;
-                phi_2986_ = _e2264;
+                let _e2254 = phi_2989_;
+                phi_2990_ = _e2254;
             }
-            let _e2266 = phi_2986_;
-            if (_e2063 > 0f) {
-                if (_e2063 < 1f) {
-                    phi_2995_ = _e2063;
+            let _e2256 = phi_2990_;
+            if (_e2053 > 0f) {
+                if (_e2053 < 1f) {
+                    phi_2999_ = _e2053;
                 } else {
-                    phi_2995_ = 1f;
+                    phi_2999_ = 1f;
                 }
-                let _e2270 = phi_2995_;
-                phi_2996_ = _e2270;
+                let _e2260 = phi_2999_;
+                phi_3000_ = _e2260;
             } else {
-                phi_2996_ = 0f;
+                phi_3000_ = 0f;
             }
-            let _e2272 = phi_2996_;
-            if (_e2065 > 0f) {
-                if (_e2065 < 1f) {
-                    phi_3006_ = _e2065;
+            let _e2262 = phi_3000_;
+            if (_e2055 > 0f) {
+                if (_e2055 < 1f) {
+                    phi_3010_ = _e2055;
                 } else {
-                    phi_3006_ = 1f;
+                    phi_3010_ = 1f;
                 }
-                let _e2277 = phi_3006_;
-                phi_3007_ = _e2277;
+                let _e2267 = phi_3010_;
+                phi_3011_ = _e2267;
             } else {
-                phi_3007_ = 0f;
+                phi_3011_ = 0f;
             }
-            let _e2279 = phi_3007_;
-            if (_e2067 > 0f) {
-                if (_e2067 < 1f) {
-                    phi_3017_ = _e2067;
+            let _e2269 = phi_3011_;
+            if (_e2057 > 0f) {
+                if (_e2057 < 1f) {
+                    phi_3021_ = _e2057;
                 } else {
-                    phi_3017_ = 1f;
+                    phi_3021_ = 1f;
                 }
-                let _e2284 = phi_3017_;
-                phi_3018_ = _e2284;
+                let _e2274 = phi_3021_;
+                phi_3022_ = _e2274;
             } else {
-                phi_3018_ = 0f;
+                phi_3022_ = 0f;
             }
-            let _e2286 = phi_3018_;
-            let _e2289 = ((sqrt(_e2272) * 255f) + 0.5f);
-            let _e2298 = ((sqrt(_e2279) * 255f) + 0.5f);
-            let _e2310 = ((sqrt(_e2286) * 255f) + 0.5f);
-            phi_3053_ = abi_Sample(vec3<f32>(_e1849, _e1850, _e1851), _e2069, _e1962, _e2074, _e2266, ((select(select(u32(_e2289), 0u, (_e2289 < bitcast<f32>(0u))), 4294967295u, (_e2289 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2298), 0u, (_e2298 < bitcast<f32>(0u))), 4294967295u, (_e2298 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2310), 0u, (_e2310 < bitcast<f32>(0u))), 4294967295u, (_e2310 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2276 = phi_3022_;
+            let _e2279 = ((sqrt(_e2262) * 255f) + 0.5f);
+            let _e2288 = ((sqrt(_e2269) * 255f) + 0.5f);
+            let _e2300 = ((sqrt(_e2276) * 255f) + 0.5f);
+            phi_3057_ = abi_Sample(vec3<f32>(_e1839, _e1840, _e1841), _e2059, _e1952, _e2064, _e2256, ((select(select(u32(_e2279), 0u, (_e2279 < bitcast<f32>(0u))), 4294967295u, (_e2279 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2288), 0u, (_e2288 < bitcast<f32>(0u))), 4294967295u, (_e2288 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2300), 0u, (_e2300 < bitcast<f32>(0u))), 4294967295u, (_e2300 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3053_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3057_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2324 = phi_3053_;
-        if (_e104.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e104.first_primitive)] = _e2324;
-        if (_e1812.triangle != 4294967295u) {
-            let _e2333 = ((1f - _e1812.u) - _e1812.v);
-            if (_e1812.triangle < _e80) {
-            } else {
-                return;
-            }
-            let _e2338 = triangles.member[(0u + _e1812.triangle)];
-            let _e2340 = (_e2338.i0_ & 2147483647u);
-            if (_e2340 < _e95) {
-            } else {
-                return;
-            }
-            let _e2346 = before.member[(0u + _e2340)];
-            if (_e2338.i1_ < _e95) {
-            } else {
-                return;
-            }
-            let _e2350 = before.member[(0u + _e2338.i1_)];
-            if (_e2338.i2_ < _e95) {
-            } else {
-                return;
-            }
-            let _e2354 = before.member[(0u + _e2338.i2_)];
-            let _e2359 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2346.x, _e2346.y, _e2346.z));
-            let _e2370 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2350.x, _e2350.y, _e2350.z));
-            let _e2384 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2354.x, _e2354.y, _e2354.z));
-            phi_3144_ = vec3<f32>((((_e2359.x * _e2333) + (_e2370.x * _e1812.u)) + (_e2384.x * _e1812.v)), (((_e2359.y * _e2333) + (_e2370.y * _e1812.u)) + (_e2384.y * _e1812.v)), (((_e2359.z * _e2333) + (_e2370.z * _e1812.u)) + (_e2384.z * _e1812.v)));
-        } else {
-            phi_3144_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2396 = phi_3144_;
-        if (_e104.first_primitive < arrayLength((&past.member))) {
+        let _e2314 = phi_3057_;
+        if (_e104.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2396.x, _e2396.y, _e2396.z, 1f);
+        samples.member[(0u + _e104.shift)] = _e2314;
+        if (_e1802.triangle != 4294967295u) {
+            let _e2323 = ((1f - _e1802.u) - _e1802.v);
+            if (_e1802.triangle < _e80) {
+            } else {
+                return;
+            }
+            let _e2328 = triangles.member[(0u + _e1802.triangle)];
+            let _e2330 = (_e2328.i0_ & 2147483647u);
+            if (_e2330 < _e95) {
+            } else {
+                return;
+            }
+            let _e2336 = before.member[(0u + _e2330)];
+            if (_e2328.i1_ < _e95) {
+            } else {
+                return;
+            }
+            let _e2340 = before.member[(0u + _e2328.i1_)];
+            if (_e2328.i2_ < _e95) {
+            } else {
+                return;
+            }
+            let _e2344 = before.member[(0u + _e2328.i2_)];
+            let _e2349 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2336.x, _e2336.y, _e2336.z));
+            let _e2360 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2340.x, _e2340.y, _e2340.z));
+            let _e2374 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2344.x, _e2344.y, _e2344.z));
+            phi_3148_ = vec3<f32>((((_e2349.x * _e2323) + (_e2360.x * _e1802.u)) + (_e2374.x * _e1802.v)), (((_e2349.y * _e2323) + (_e2360.y * _e1802.u)) + (_e2374.y * _e1802.v)), (((_e2349.z * _e2323) + (_e2360.z * _e1802.u)) + (_e2374.z * _e1802.v)));
+        } else {
+            phi_3148_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2386 = phi_3148_;
+        if (_e104.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e104.shift)] = vec4<f32>(_e2386.x, _e2386.y, _e2386.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -158,19 +158,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_205_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_205_: lt_mask_LightPlace;
     var phi_206_: bool;
-    var phi_207_: lt_bvh_traverse_Tree;
+    var phi_207_: lt_mask_LightPlace;
     var phi_208_: bool;
-    var phi_213_: lt_bvh_traverse_Tree;
+    var phi_213_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_205_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_205_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_206_ = false;
         } else {
-            phi_205_ = lt_bvh_traverse_Tree();
+            phi_205_ = lt_mask_LightPlace();
             phi_206_ = true;
         }
         let _e81 = phi_205_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_207_ = _e81;
         phi_208_ = _e83;
     } else {
-        phi_207_ = lt_bvh_traverse_Tree();
+        phi_207_ = lt_mask_LightPlace();
         phi_208_ = true;
     }
     let _e85 = phi_207_;
     let _e87 = phi_208_;
     if _e87 {
-        phi_213_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_213_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_213_ = _e85;
     }
     let _e92 = phi_213_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -608,209 +608,207 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_774_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_755_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_775_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
     var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
     var phi_794_: bool;
     var phi_795_: bool;
-    var phi_799_: bool;
-    var phi_803_: bool;
+    var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_802_: bool;
     var phi_878_: f32;
     var phi_885_: f32;
     var phi_893_: f32;
     var phi_900_: f32;
     var phi_908_: f32;
     var phi_915_: f32;
-    var phi_940_: f32;
-    var phi_945_: f32;
-    var phi_950_: f32;
-    var phi_983_: bool;
-    var phi_984_: bool;
-    var phi_992_: u32;
-    var phi_993_: u32;
-    var phi_1011_: vec3<f32>;
-    var phi_1012_: vec3<f32>;
-    var phi_1026_: u32;
-    var phi_1031_: u32;
-    var phi_1036_: u32;
-    var phi_1150_: bool;
-    var phi_1151_: bool;
-    var phi_1182_: u32;
-    var phi_1184_: lt_bvh_Hit;
-    var phi_1187_: u32;
-    var phi_1272_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1299_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1326_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1332_: u32;
-    var phi_1335_: u32;
-    var phi_1349_: u32;
-    var phi_1359_: u32;
-    var phi_1369_: u32;
-    var phi_1387_: u32;
-    var phi_1397_: u32;
-    var phi_1407_: u32;
-    var phi_1443_: u32;
-    var phi_1456_: u32;
-    var phi_1461_: u32;
-    var phi_1462_: u32;
-    var phi_1463_: u32;
-    var phi_1333_: u32;
+    var phi_938_: f32;
+    var phi_943_: f32;
+    var phi_948_: f32;
+    var phi_953_: f32;
+    var phi_958_: f32;
+    var phi_989_: bool;
+    var phi_990_: bool;
+    var phi_998_: u32;
+    var phi_999_: u32;
+    var phi_1016_: vec3<f32>;
+    var phi_1017_: vec3<f32>;
+    var phi_1030_: u32;
+    var phi_1035_: u32;
+    var phi_1040_: u32;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_1186_: u32;
+    var phi_1188_: lt_bvh_Hit;
+    var phi_1191_: u32;
+    var phi_1276_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1303_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1330_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1336_: u32;
+    var phi_1339_: u32;
+    var phi_1353_: u32;
+    var phi_1363_: u32;
+    var phi_1373_: u32;
+    var phi_1391_: u32;
+    var phi_1401_: u32;
+    var phi_1411_: u32;
+    var phi_1447_: u32;
+    var phi_1460_: u32;
+    var phi_1465_: u32;
+    var phi_1466_: u32;
+    var phi_1467_: u32;
+    var phi_1337_: u32;
+    var phi_1340_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1521_: lt_bvh_Hit;
-    var phi_1524_: u32;
-    var phi_1570_: vec3<f32>;
-    var phi_1571_: vec3<f32>;
-    var phi_1602_: vec3<f32>;
-    var phi_1603_: vec3<f32>;
-    var phi_1634_: vec3<f32>;
-    var phi_1635_: vec3<f32>;
-    var phi_1653_: bool;
-    var phi_1654_: bool;
-    var phi_1658_: f32;
-    var phi_1659_: f32;
-    var phi_1660_: f32;
-    var phi_1661_: f32;
-    var phi_1669_: f32;
-    var phi_1679_: bool;
-    var phi_1680_: bool;
-    var phi_1684_: f32;
-    var phi_1685_: f32;
-    var phi_1686_: f32;
-    var phi_1687_: f32;
-    var phi_1695_: f32;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
-    var phi_1710_: f32;
-    var phi_1711_: f32;
-    var phi_1712_: f32;
-    var phi_1713_: f32;
-    var phi_1721_: f32;
-    var phi_1736_: f32;
-    var phi_1737_: bool;
-    var phi_1738_: f32;
-    var phi_1739_: bool;
+    var phi_1525_: lt_bvh_Hit;
+    var phi_1528_: u32;
+    var phi_1574_: vec3<f32>;
+    var phi_1575_: vec3<f32>;
+    var phi_1606_: vec3<f32>;
+    var phi_1607_: vec3<f32>;
+    var phi_1638_: vec3<f32>;
+    var phi_1639_: vec3<f32>;
+    var phi_1657_: bool;
+    var phi_1658_: bool;
+    var phi_1662_: f32;
+    var phi_1663_: f32;
+    var phi_1664_: f32;
+    var phi_1665_: f32;
+    var phi_1673_: f32;
+    var phi_1683_: bool;
+    var phi_1684_: bool;
+    var phi_1688_: f32;
+    var phi_1689_: f32;
+    var phi_1690_: f32;
+    var phi_1691_: f32;
+    var phi_1699_: f32;
+    var phi_1709_: bool;
+    var phi_1710_: bool;
+    var phi_1714_: f32;
+    var phi_1715_: f32;
+    var phi_1716_: f32;
+    var phi_1717_: f32;
+    var phi_1725_: f32;
     var phi_1740_: f32;
     var phi_1741_: bool;
-    var phi_1759_: f32;
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: f32;
-    var phi_1763_: bool;
+    var phi_1742_: f32;
+    var phi_1743_: bool;
+    var phi_1744_: f32;
+    var phi_1745_: bool;
+    var phi_1763_: f32;
     var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1766_: f32;
+    var phi_1767_: bool;
     var phi_1768_: bool;
-    var phi_1769_: f32;
-    var phi_1770_: bool;
-    var phi_1800_: vec3<f32>;
-    var phi_1801_: vec3<f32>;
-    var phi_1826_: vec3<f32>;
-    var phi_1827_: vec3<f32>;
-    var phi_1852_: vec3<f32>;
-    var phi_1853_: vec3<f32>;
-    var phi_1911_: f32;
-    var phi_1920_: f32;
-    var phi_1929_: f32;
-    var phi_1938_: f32;
-    var phi_1945_: f32;
-    var phi_1952_: f32;
-    var phi_1965_: f32;
-    var phi_1974_: f32;
-    var phi_1983_: f32;
-    var phi_1992_: f32;
-    var phi_1999_: f32;
-    var phi_2006_: f32;
-    var phi_2029_: f32;
-    var phi_2034_: f32;
-    var phi_2039_: f32;
-    var phi_2047_: f32;
-    var phi_2052_: f32;
-    var phi_2057_: f32;
-    var phi_2069_: f32;
-    var phi_2074_: f32;
-    var phi_2079_: f32;
-    var phi_2084_: f32;
-    var phi_2089_: lt_bvh_triangle_Intersection;
-    var phi_2090_: bool;
-    var phi_2091_: lt_bvh_triangle_Intersection;
-    var phi_2092_: bool;
-    var phi_2096_: lt_bvh_triangle_Intersection;
-    var phi_2097_: bool;
-    var phi_2098_: lt_bvh_triangle_Intersection;
-    var phi_2099_: bool;
-    var phi_2100_: bool;
+    var phi_1772_: bool;
+    var phi_1773_: f32;
+    var phi_1774_: bool;
+    var phi_1804_: vec3<f32>;
+    var phi_1805_: vec3<f32>;
+    var phi_1830_: vec3<f32>;
+    var phi_1831_: vec3<f32>;
+    var phi_1856_: vec3<f32>;
+    var phi_1857_: vec3<f32>;
+    var phi_1915_: f32;
+    var phi_1924_: f32;
+    var phi_1933_: f32;
+    var phi_1942_: f32;
+    var phi_1949_: f32;
+    var phi_1956_: f32;
+    var phi_1969_: f32;
+    var phi_1978_: f32;
+    var phi_1987_: f32;
+    var phi_1996_: f32;
+    var phi_2003_: f32;
+    var phi_2010_: f32;
+    var phi_2033_: f32;
+    var phi_2038_: f32;
+    var phi_2043_: f32;
+    var phi_2051_: f32;
+    var phi_2056_: f32;
+    var phi_2061_: f32;
+    var phi_2073_: f32;
+    var phi_2078_: f32;
+    var phi_2083_: f32;
+    var phi_2088_: f32;
+    var phi_2093_: lt_bvh_triangle_Intersection;
+    var phi_2094_: bool;
+    var phi_2095_: lt_bvh_triangle_Intersection;
+    var phi_2096_: bool;
+    var phi_2100_: lt_bvh_triangle_Intersection;
+    var phi_2101_: bool;
+    var phi_2102_: lt_bvh_triangle_Intersection;
+    var phi_2103_: bool;
     var phi_2104_: bool;
-    var phi_2108_: lt_bvh_triangle_Intersection;
-    var phi_2147_: bool;
-    var phi_2148_: bool;
-    var phi_2149_: bool;
-    var phi_2150_: bool;
+    var phi_2108_: bool;
+    var phi_2112_: lt_bvh_triangle_Intersection;
     var phi_2151_: bool;
     var phi_2152_: bool;
+    var phi_2153_: bool;
+    var phi_2154_: bool;
+    var phi_2155_: bool;
     var phi_2156_: bool;
-    var phi_2157_: bool;
-    var phi_2171_: bool;
-    var phi_2179_: lt_bvh_Hit;
-    var phi_2180_: lt_bvh_Hit;
-    var phi_2181_: lt_bvh_Hit;
-    var phi_2182_: lt_bvh_Hit;
-    var phi_1522_: lt_bvh_Hit;
-    var phi_1525_: u32;
-    var phi_2183_: bool;
-    var phi_2222_: bool;
-    var phi_2223_: bool;
-    var phi_2254_: u32;
-    var phi_1185_: lt_bvh_Hit;
-    var phi_1188_: u32;
-    var phi_2255_: lt_bvh_Hit;
-    var phi_2256_: lt_bvh_Hit;
-    var phi_2257_: bool;
-    var phi_2261_: lt_bvh_Hit;
-    var phi_2325_: f32;
-    var phi_2330_: f32;
-    var phi_2335_: f32;
-    var phi_2346_: f32;
-    var phi_2351_: f32;
-    var phi_2356_: f32;
-    var phi_2432_: vec3<f32>;
-    var phi_2675_: vec3<f32>;
-    var phi_2690_: u32;
-    var phi_2717_: f32;
-    var phi_2724_: f32;
-    var phi_2731_: f32;
-    var phi_2766_: f32;
-    var phi_2773_: f32;
-    var phi_2780_: f32;
-    var phi_2818_: f32;
-    var phi_2825_: f32;
-    var phi_2832_: f32;
-    var phi_2891_: vec3<f32>;
-    var phi_2892_: vec3<f32>;
-    var phi_2893_: vec3<f32>;
-    var phi_2902_: f32;
-    var phi_2903_: f32;
-    var phi_2913_: f32;
-    var phi_2914_: f32;
-    var phi_2924_: f32;
-    var phi_2925_: f32;
-    var phi_2960_: abi_Sample;
+    var phi_2160_: bool;
+    var phi_2161_: bool;
+    var phi_2175_: bool;
+    var phi_2183_: lt_bvh_Hit;
+    var phi_2184_: lt_bvh_Hit;
+    var phi_2185_: lt_bvh_Hit;
+    var phi_2186_: lt_bvh_Hit;
+    var phi_1526_: lt_bvh_Hit;
+    var phi_1529_: u32;
+    var phi_2187_: bool;
+    var phi_2226_: bool;
+    var phi_2227_: bool;
+    var phi_2258_: u32;
+    var phi_1189_: lt_bvh_Hit;
+    var phi_1192_: u32;
+    var phi_2259_: lt_bvh_Hit;
+    var phi_2260_: lt_bvh_Hit;
+    var phi_2261_: bool;
+    var phi_2265_: lt_bvh_Hit;
+    var phi_2329_: f32;
+    var phi_2334_: f32;
+    var phi_2339_: f32;
+    var phi_2350_: f32;
+    var phi_2355_: f32;
+    var phi_2360_: f32;
+    var phi_2436_: vec3<f32>;
+    var phi_2679_: vec3<f32>;
+    var phi_2694_: u32;
+    var phi_2721_: f32;
+    var phi_2728_: f32;
+    var phi_2735_: f32;
+    var phi_2770_: f32;
+    var phi_2777_: f32;
+    var phi_2784_: f32;
+    var phi_2822_: f32;
+    var phi_2829_: f32;
+    var phi_2836_: f32;
+    var phi_2895_: vec3<f32>;
+    var phi_2896_: vec3<f32>;
+    var phi_2897_: vec3<f32>;
+    var phi_2906_: f32;
+    var phi_2907_: f32;
+    var phi_2917_: f32;
+    var phi_2918_: f32;
+    var phi_2928_: f32;
+    var phi_2929_: f32;
+    var phi_2964_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -822,7 +820,7 @@ fn function_() {
     let _e92 = p.member.size[0u];
     let _e94 = p.member.size[1u];
     let _e95 = lt_shaders_entry_pixel_index(_e70, _e92, _e94);
-    if (bitcast<i32>(_e95.root) != 0i) {
+    if (bitcast<i32>(_e95.word) != 0i) {
         let _e103 = p.member.eye;
         let _e108 = p.member.size[0u];
         let _e112 = ((((f32(_e70.x) + 0.5f) / f32(_e108)) * 2f) - 1f);
@@ -833,1464 +831,1465 @@ fn function_() {
         let _e139 = p.member.up;
         let _e150 = _lt_bvh_ray_Ray_new(_e103, vec3<f32>(((_e123.x + (_e125.x * _e112)) + (_e139.x * _e121)), ((_e123.y + (_e125.y * _e112)) + (_e139.y * _e121)), ((_e123.z + (_e125.z * _e112)) + (_e139.z * _e121))));
         let _e152 = lt_bvh_Hit(_e150.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e162 = abs(_e150.direction.x);
-        let _e164 = abs(_e150.direction.y);
-        let _e166 = abs(_e150.direction.z);
+        let _e155 = abs(_e150.direction.x);
+        let _e157 = abs(_e150.direction.y);
+        let _e159 = abs(_e150.direction.z);
         if (abs(_e150.origin.x) < 1000000000000000f) {
             if (abs(_e150.origin.y) < 1000000000000000f) {
-                if (abs(_e150.origin.z) < 1000000000000000f) {
-                    if (_e162 < 1000000000000000f) {
-                        if (_e164 < 1000000000000000f) {
-                            if (_e166 < 1000000000000000f) {
-                                if (_e162 > 0f) {
-                                    phi_773_ = bool();
-                                    phi_774_ = true;
-                                } else {
-                                    let _e174 = (_e164 > 0f);
-                                    if _e174 {
-                                        phi_772_ = bool();
-                                    } else {
-                                        phi_772_ = (_e166 > 0f);
-                                    }
-                                    let _e177 = phi_772_;
-                                    phi_773_ = _e177;
-                                    phi_774_ = _e174;
-                                }
-                                let _e179 = phi_773_;
-                                let _e181 = phi_774_;
-                                if _e181 {
-                                    phi_778_ = true;
-                                } else {
-                                    phi_778_ = _e179;
-                                }
-                                let _e183 = phi_778_;
-                                phi_779_ = _e183;
-                                phi_780_ = false;
-                            } else {
-                                phi_779_ = bool();
-                                phi_780_ = true;
-                            }
-                            let _e185 = phi_779_;
-                            let _e187 = phi_780_;
-                            phi_781_ = _e185;
-                            phi_782_ = false;
-                            phi_783_ = _e187;
-                        } else {
-                            phi_781_ = bool();
-                            phi_782_ = true;
-                            phi_783_ = false;
-                        }
-                        let _e189 = phi_781_;
-                        let _e191 = phi_782_;
-                        let _e193 = phi_783_;
-                        phi_784_ = _e189;
-                        phi_785_ = _e191;
-                        phi_786_ = _e193;
-                    } else {
-                        phi_784_ = bool();
-                        phi_785_ = true;
-                        phi_786_ = false;
-                    }
-                    let _e195 = phi_784_;
-                    let _e197 = phi_785_;
-                    let _e199 = phi_786_;
-                    phi_787_ = _e195;
-                    phi_788_ = _e197;
-                    phi_789_ = _e199;
-                } else {
-                    phi_787_ = bool();
-                    phi_788_ = true;
-                    phi_789_ = false;
-                }
-                let _e201 = phi_787_;
-                let _e203 = phi_788_;
-                let _e205 = phi_789_;
-                phi_790_ = _e201;
-                phi_791_ = _e203;
-                phi_792_ = _e205;
+                phi_748_ = (abs(_e150.origin.z) < 1000000000000000f);
+                phi_749_ = false;
             } else {
-                phi_790_ = bool();
-                phi_791_ = true;
-                phi_792_ = false;
+                phi_748_ = bool();
+                phi_749_ = true;
             }
-            let _e207 = phi_790_;
-            let _e209 = phi_791_;
-            let _e211 = phi_792_;
-            phi_793_ = _e207;
-            phi_794_ = _e209;
-            phi_795_ = _e211;
+            let _e171 = phi_748_;
+            let _e173 = phi_749_;
+            phi_750_ = _e171;
+            phi_751_ = _e173;
         } else {
-            phi_793_ = bool();
-            phi_794_ = true;
-            phi_795_ = false;
+            phi_750_ = bool();
+            phi_751_ = true;
         }
-        let _e213 = phi_793_;
-        let _e215 = phi_794_;
-        let _e217 = phi_795_;
-        if _e215 {
-            phi_799_ = true;
+        let _e175 = phi_750_;
+        let _e177 = phi_751_;
+        if _e177 {
+            phi_755_ = false;
         } else {
-            phi_799_ = _e217;
+            phi_755_ = _e175;
         }
-        let _e219 = phi_799_;
-        if _e219 {
-            phi_803_ = false;
+        let _e179 = phi_755_;
+        if _e179 {
+            if (_e155 < 1000000000000000f) {
+                if (_e157 < 1000000000000000f) {
+                    phi_768_ = (_e159 < 1000000000000000f);
+                    phi_769_ = false;
+                } else {
+                    phi_768_ = bool();
+                    phi_769_ = true;
+                }
+                let _e184 = phi_768_;
+                let _e186 = phi_769_;
+                phi_770_ = _e184;
+                phi_771_ = _e186;
+            } else {
+                phi_770_ = bool();
+                phi_771_ = true;
+            }
+            let _e188 = phi_770_;
+            let _e190 = phi_771_;
+            if _e190 {
+                phi_775_ = false;
+            } else {
+                phi_775_ = _e188;
+            }
+            let _e192 = phi_775_;
+            if _e192 {
+                if (_e155 > 0f) {
+                    phi_789_ = bool();
+                    phi_790_ = true;
+                } else {
+                    let _e194 = (_e157 > 0f);
+                    if _e194 {
+                        phi_788_ = bool();
+                    } else {
+                        phi_788_ = (_e159 > 0f);
+                    }
+                    let _e197 = phi_788_;
+                    phi_789_ = _e197;
+                    phi_790_ = _e194;
+                }
+                let _e199 = phi_789_;
+                let _e201 = phi_790_;
+                if _e201 {
+                    phi_794_ = true;
+                } else {
+                    phi_794_ = _e199;
+                }
+                let _e203 = phi_794_;
+                phi_795_ = _e203;
+                phi_796_ = false;
+            } else {
+                phi_795_ = bool();
+                phi_796_ = true;
+            }
+            let _e205 = phi_795_;
+            let _e207 = phi_796_;
+            phi_797_ = _e205;
+            phi_798_ = _e207;
         } else {
-            phi_803_ = _e213;
+            phi_797_ = bool();
+            phi_798_ = true;
         }
-        let _e221 = phi_803_;
-        if _e221 {
-            let _e222 = (0u >= _e74);
-            if _e222 {
-                phi_2255_ = lt_bvh_Hit();
+        let _e209 = phi_797_;
+        let _e211 = phi_798_;
+        if _e211 {
+            phi_802_ = false;
+        } else {
+            phi_802_ = _e209;
+        }
+        let _e213 = phi_802_;
+        if _e213 {
+            let _e214 = (0u >= _e74);
+            if _e214 {
+                phi_2259_ = lt_bvh_Hit();
             } else {
                 if (0u < _e74) {
                 } else {
                     return;
                 }
-                let _e228 = nodes.member[(0u + 0u)].frame[0u];
-                let _e232 = nodes.member[(0u + 0u)].frame[1u];
-                let _e236 = nodes.member[(0u + 0u)].frame[2u];
-                let _e240 = nodes.member[(0u + 0u)].frame[0u];
-                let _e244 = nodes.member[(0u + 0u)].frame[1u];
-                let _e248 = nodes.member[(0u + 0u)].frame[2u];
-                let _e252 = nodes.member[(0u + 0u)].frame[3u];
-                let _e290 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150.direction.x), abs(_e150.direction.y));
-                let _e291 = core_intrinsics_maximum_number_nsz_f32_(_e290, abs(_e150.direction.z));
-                let _e292 = (_e291 * 0.0000000000009094947f);
-                if (abs(_e150.direction.x) < _e292) {
-                    phi_878_ = _e292;
+                let _e220 = nodes.member[(0u + 0u)].frame[0u];
+                let _e224 = nodes.member[(0u + 0u)].frame[1u];
+                let _e228 = nodes.member[(0u + 0u)].frame[2u];
+                let _e232 = nodes.member[(0u + 0u)].frame[0u];
+                let _e236 = nodes.member[(0u + 0u)].frame[1u];
+                let _e240 = nodes.member[(0u + 0u)].frame[2u];
+                let _e244 = nodes.member[(0u + 0u)].frame[3u];
+                let _e283 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150.direction.x), abs(_e150.direction.y));
+                let _e284 = core_intrinsics_maximum_number_nsz_f32_(_e283, abs(_e150.direction.z));
+                let _e285 = (_e284 * 0.0000000000009094947f);
+                if (abs(_e150.direction.x) < _e285) {
+                    phi_878_ = _e285;
                 } else {
                     phi_878_ = abs(_e150.direction.x);
                 }
-                let _e299 = phi_878_;
+                let _e291 = phi_878_;
                 if (_e150.direction.x < 0f) {
-                    phi_885_ = (-1f / _e299);
+                    phi_885_ = (-1f / _e291);
                 } else {
-                    phi_885_ = (1f / _e299);
+                    phi_885_ = (1f / _e291);
                 }
-                let _e304 = phi_885_;
-                if (abs(_e150.direction.y) < _e292) {
-                    phi_893_ = _e292;
+                let _e296 = phi_885_;
+                if (abs(_e150.direction.y) < _e285) {
+                    phi_893_ = _e285;
                 } else {
                     phi_893_ = abs(_e150.direction.y);
                 }
-                let _e311 = phi_893_;
+                let _e302 = phi_893_;
                 if (_e150.direction.y < 0f) {
-                    phi_900_ = (-1f / _e311);
+                    phi_900_ = (-1f / _e302);
                 } else {
-                    phi_900_ = (1f / _e311);
+                    phi_900_ = (1f / _e302);
                 }
-                let _e316 = phi_900_;
-                if (abs(_e150.direction.z) < _e292) {
-                    phi_908_ = _e292;
+                let _e307 = phi_900_;
+                if (abs(_e150.direction.z) < _e285) {
+                    phi_908_ = _e285;
                 } else {
                     phi_908_ = abs(_e150.direction.z);
                 }
-                let _e323 = phi_908_;
+                let _e313 = phi_908_;
                 if (_e150.direction.z < 0f) {
-                    phi_915_ = (-1f / _e323);
+                    phi_915_ = (-1f / _e313);
                 } else {
-                    phi_915_ = (1f / _e323);
+                    phi_915_ = (1f / _e313);
                 }
-                let _e328 = phi_915_;
-                let _e336 = abs((bitcast<f32>(_e228) - _e150.origin.x));
-                let _e337 = abs((bitcast<f32>(_e232) - _e150.origin.y));
-                let _e338 = abs((bitcast<f32>(_e236) - _e150.origin.z));
-                let _e346 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e252 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.x));
-                let _e347 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e252 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.y));
-                let _e348 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e252 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.z));
-                if (_e336 > _e346) {
-                    phi_940_ = _e336;
+                let _e318 = phi_915_;
+                let _e325 = abs((bitcast<f32>(_e220) - _e150.origin.x));
+                let _e326 = abs((bitcast<f32>(_e224) - _e150.origin.y));
+                let _e327 = abs((bitcast<f32>(_e228) - _e150.origin.z));
+                let _e334 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.x));
+                let _e335 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.y));
+                let _e336 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.z));
+                if (_e325 > _e334) {
+                    phi_938_ = _e325;
                 } else {
-                    phi_940_ = _e346;
+                    phi_938_ = _e334;
                 }
-                let _e351 = phi_940_;
-                if (_e337 > _e347) {
-                    phi_945_ = _e337;
+                let _e339 = phi_938_;
+                if (_e326 > _e335) {
+                    phi_943_ = _e326;
                 } else {
-                    phi_945_ = _e347;
+                    phi_943_ = _e335;
                 }
-                let _e354 = phi_945_;
-                if (_e338 > _e348) {
-                    phi_950_ = _e338;
+                let _e342 = phi_943_;
+                if (_e327 > _e336) {
+                    phi_948_ = _e327;
                 } else {
-                    phi_950_ = _e348;
+                    phi_948_ = _e336;
                 }
-                let _e357 = phi_950_;
-                let _e358 = core_intrinsics_maximum_number_nsz_f32_(_e351, _e354);
-                let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e357);
-                let _e364 = (_e359 * 0.0000019073486f);
-                let _e365 = (abs(_e304) * _e364);
-                let _e366 = (abs(_e316) * _e364);
-                let _e367 = (abs(_e328) * _e364);
-                let _e371 = (_e359 * 0.0000009536743f);
-                let _e372 = (abs(_e304) * _e371);
-                let _e373 = (abs(_e316) * _e371);
-                let _e374 = (abs(_e328) * _e371);
-                let _e377 = abs(_e150.direction.x);
-                let _e379 = abs(_e150.direction.y);
-                let _e381 = abs(_e150.direction.z);
-                if (_e377 >= _e379) {
-                    if (_e377 >= _e381) {
-                        phi_983_ = false;
+                let _e345 = phi_948_;
+                if (_e339 > _e342) {
+                    phi_953_ = _e339;
+                } else {
+                    phi_953_ = _e342;
+                }
+                let _e348 = phi_953_;
+                if (_e348 > _e345) {
+                    phi_958_ = _e348;
+                } else {
+                    phi_958_ = _e345;
+                }
+                let _e351 = phi_958_;
+                let _e355 = (_e351 * 0.0000019073486f);
+                let _e356 = (abs(_e296) * _e355);
+                let _e357 = (abs(_e307) * _e355);
+                let _e358 = (abs(_e318) * _e355);
+                let _e362 = (_e351 * 0.0000009536743f);
+                let _e363 = (abs(_e296) * _e362);
+                let _e364 = (abs(_e307) * _e362);
+                let _e365 = (abs(_e318) * _e362);
+                let _e369 = abs(_e150.direction.x);
+                let _e371 = abs(_e150.direction.y);
+                let _e373 = abs(_e150.direction.z);
+                if (_e369 >= _e371) {
+                    if (_e369 >= _e373) {
+                        phi_989_ = false;
                     } else {
-                        phi_983_ = true;
+                        phi_989_ = true;
                     }
-                    let _e385 = phi_983_;
-                    phi_984_ = _e385;
+                    let _e377 = phi_989_;
+                    phi_990_ = _e377;
                 } else {
-                    phi_984_ = true;
+                    phi_990_ = true;
                 }
-                let _e387 = phi_984_;
-                if _e387 {
-                    if (_e379 >= _e381) {
-                        phi_992_ = 1u;
+                let _e379 = phi_990_;
+                if _e379 {
+                    if (_e371 >= _e373) {
+                        phi_998_ = 1u;
                     } else {
-                        phi_992_ = 2u;
+                        phi_998_ = 2u;
                     }
-                    let _e390 = phi_992_;
-                    phi_993_ = _e390;
+                    let _e382 = phi_998_;
+                    phi_999_ = _e382;
                 } else {
-                    phi_993_ = 0u;
+                    phi_999_ = 0u;
                 }
-                let _e392 = phi_993_;
-                if (_e392 == 0u) {
-                    phi_1012_ = vec3<f32>(_e150.direction.y, _e150.direction.z, _e150.direction.x);
+                let _e384 = phi_999_;
+                if (_e384 == 0u) {
+                    phi_1017_ = vec3<f32>(_e150.direction.y, _e150.direction.z, _e150.direction.x);
                 } else {
-                    if (_e392 == 1u) {
-                        phi_1011_ = vec3<f32>(_e150.direction.z, _e150.direction.x, _e150.direction.y);
+                    if (_e384 == 1u) {
+                        phi_1016_ = vec3<f32>(_e150.direction.z, _e150.direction.x, _e150.direction.y);
                     } else {
-                        phi_1011_ = _e150.direction;
+                        phi_1016_ = _e150.direction;
                     }
-                    let _e405 = phi_1011_;
-                    phi_1012_ = _e405;
+                    let _e396 = phi_1016_;
+                    phi_1017_ = _e396;
                 }
-                let _e407 = phi_1012_;
-                let _e411 = (_e407.x / _e407.z);
-                let _e414 = (_e407.y / _e407.z);
-                if (_e304 < 0f) {
-                    phi_1026_ = 0u;
+                let _e398 = phi_1017_;
+                let _e401 = (_e398.x / _e398.z);
+                let _e404 = (_e398.y / _e398.z);
+                if (_e296 < 0f) {
+                    phi_1030_ = 0u;
                 } else {
-                    phi_1026_ = 1u;
+                    phi_1030_ = 1u;
                 }
-                let _e419 = phi_1026_;
-                if (_e316 < 0f) {
-                    phi_1031_ = 0u;
+                let _e409 = phi_1030_;
+                if (_e307 < 0f) {
+                    phi_1035_ = 0u;
                 } else {
-                    phi_1031_ = 2u;
+                    phi_1035_ = 2u;
                 }
-                let _e422 = phi_1031_;
-                if (_e328 < 0f) {
-                    phi_1036_ = 0u;
+                let _e412 = phi_1035_;
+                if (_e318 < 0f) {
+                    phi_1040_ = 0u;
                 } else {
-                    phi_1036_ = 4u;
+                    phi_1040_ = 4u;
                 }
-                let _e425 = phi_1036_;
-                let _e427 = ((_e419 | _e422) | _e425);
-                let _e428 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e428.first[0], _e428.first[1], _e428.first[2], _e428.first[3], _e428.first[4], _e428.first[5], _e428.first[6], _e428.first[7], _e428.first[8], _e428.first[9], _e428.first[10], _e428.first[11], _e428.first[12], _e428.first[13], _e428.first[14], _e428.first[15], _e428.first[16], _e428.first[17], _e428.first[18], _e428.first[19], _e428.first[20], _e428.first[21], _e428.first[22], _e428.first[23], _e428.first[24], _e428.first[25], _e428.first[26], _e428.first[27], _e428.first[28], _e428.first[29], _e428.first[30], _e428.first[31]), array<u32, 32>(_e428.mask[0], _e428.mask[1], _e428.mask[2], _e428.mask[3], _e428.mask[4], _e428.mask[5], _e428.mask[6], _e428.mask[7], _e428.mask[8], _e428.mask[9], _e428.mask[10], _e428.mask[11], _e428.mask[12], _e428.mask[13], _e428.mask[14], _e428.mask[15], _e428.mask[16], _e428.mask[17], _e428.mask[18], _e428.mask[19], _e428.mask[20], _e428.mask[21], _e428.mask[22], _e428.mask[23], _e428.mask[24], _e428.mask[25], _e428.mask[26], _e428.mask[27], _e428.mask[28], _e428.mask[29], _e428.mask[30], _e428.mask[31]), _e428.len, _e428.group, _e428.group_mask);
-                let _e502 = local_1.group_mask;
-                if ((_e502 & 4278190080u) == 0u) {
-                    let _e506 = local_1.len;
-                    if (_e506 == 0u) {
-                        phi_1150_ = false;
+                let _e415 = phi_1040_;
+                let _e417 = ((_e409 | _e412) | _e415);
+                let _e418 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e418.first[0], _e418.first[1], _e418.first[2], _e418.first[3], _e418.first[4], _e418.first[5], _e418.first[6], _e418.first[7], _e418.first[8], _e418.first[9], _e418.first[10], _e418.first[11], _e418.first[12], _e418.first[13], _e418.first[14], _e418.first[15], _e418.first[16], _e418.first[17], _e418.first[18], _e418.first[19], _e418.first[20], _e418.first[21], _e418.first[22], _e418.first[23], _e418.first[24], _e418.first[25], _e418.first[26], _e418.first[27], _e418.first[28], _e418.first[29], _e418.first[30], _e418.first[31]), array<u32, 32>(_e418.mask[0], _e418.mask[1], _e418.mask[2], _e418.mask[3], _e418.mask[4], _e418.mask[5], _e418.mask[6], _e418.mask[7], _e418.mask[8], _e418.mask[9], _e418.mask[10], _e418.mask[11], _e418.mask[12], _e418.mask[13], _e418.mask[14], _e418.mask[15], _e418.mask[16], _e418.mask[17], _e418.mask[18], _e418.mask[19], _e418.mask[20], _e418.mask[21], _e418.mask[22], _e418.mask[23], _e418.mask[24], _e418.mask[25], _e418.mask[26], _e418.mask[27], _e418.mask[28], _e418.mask[29], _e418.mask[30], _e418.mask[31]), _e418.len, _e418.group, _e418.group_mask);
+                let _e492 = local_1.group_mask;
+                if ((_e492 & 4278190080u) == 0u) {
+                    let _e496 = local_1.len;
+                    if (_e496 == 0u) {
+                        phi_1154_ = false;
                     } else {
-                        let _e510 = local_1.len;
-                        local_1.len = (_e510 - 1u);
-                        let _e513 = local_1.len;
-                        if (_e513 < 32u) {
+                        let _e500 = local_1.len;
+                        local_1.len = (_e500 - 1u);
+                        let _e503 = local_1.len;
+                        if (_e503 < 32u) {
                         } else {
                             return;
                         }
-                        let _e518 = local_1.first[(0u + _e513)];
-                        local_1.group = _e518;
-                        let _e521 = local_1.len;
-                        if (_e521 < 32u) {
+                        let _e508 = local_1.first[(0u + _e503)];
+                        local_1.group = _e508;
+                        let _e511 = local_1.len;
+                        if (_e511 < 32u) {
                         } else {
                             return;
                         }
-                        let _e526 = local_1.mask[(0u + _e521)];
-                        local_1.group_mask = _e526;
-                        phi_1150_ = true;
+                        let _e516 = local_1.mask[(0u + _e511)];
+                        local_1.group_mask = _e516;
+                        phi_1154_ = true;
                     }
-                    let _e529 = phi_1150_;
-                    phi_1151_ = _e529;
+                    let _e519 = phi_1154_;
+                    phi_1155_ = _e519;
                 } else {
-                    phi_1151_ = true;
+                    phi_1155_ = true;
                 }
-                let _e531 = phi_1151_;
-                if _e531 {
+                let _e521 = phi_1155_;
+                if _e521 {
+                    let _e523 = local_1.group_mask;
+                    let _e529 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e523)), 32u, (_e523 == 0u)));
                     let _e533 = local_1.group_mask;
-                    let _e539 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e533)), 32u, (_e533 == 0u)));
-                    let _e543 = local_1.group_mask;
-                    let _e557 = local_1.group_mask;
-                    local_1.group_mask = (_e557 & ~((1u << bitcast<u32>((_e539 & 31u)))));
-                    let _e560 = local_1.group;
-                    phi_1182_ = (_e560 + countOneBits(((_e543 & ~((4294967295u << bitcast<u32>((((_e539 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e547 = local_1.group_mask;
+                    local_1.group_mask = (_e547 & ~((1u << bitcast<u32>((_e529 & 31u)))));
+                    let _e550 = local_1.group;
+                    phi_1186_ = (_e550 + countOneBits(((_e533 & ~((4294967295u << bitcast<u32>((((_e529 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1182_ = 4294967295u;
+                    phi_1186_ = 4294967295u;
                 }
-                let _e563 = phi_1182_;
-                phi_1184_ = _e152;
-                phi_1187_ = _e563;
+                let _e553 = phi_1186_;
+                phi_1188_ = _e152;
+                phi_1191_ = _e553;
                 loop {
-                    let _e565 = phi_1184_;
-                    let _e567 = phi_1187_;
-                    local_6 = _e565;
-                    let _e568 = (_e567 != 4294967295u);
-                    if _e568 {
-                        if (_e567 < _e74) {
+                    let _e555 = phi_1188_;
+                    let _e557 = phi_1191_;
+                    local_6 = _e555;
+                    let _e558 = (_e557 != 4294967295u);
+                    if _e558 {
+                        if (_e557 < _e74) {
                         } else {
                             return;
                         }
-                        let _e576 = nodes.member[(0u + _e567)].frame[3u];
-                        let _e601 = (bitcast<f32>((((_e576 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e602 = (bitcast<f32>((((_e576 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
-                        let _e603 = (bitcast<f32>((((_e576 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
-                        let _e606 = nodes.member[(0u + _e567)].frame[0u];
-                        let _e610 = nodes.member[(0u + _e567)].frame[1u];
-                        let _e614 = nodes.member[(0u + _e567)].frame[2u];
-                        let _e622 = ((bitcast<f32>(_e606) - _e150.origin.x) * _e304);
-                        let _e623 = ((bitcast<f32>(_e610) - _e150.origin.y) * _e316);
-                        let _e624 = ((bitcast<f32>(_e614) - _e150.origin.z) * _e328);
-                        let _e632 = nodes.member[(0u + _e567)].x;
-                        if (_e304 < 0f) {
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.unnamed.root, _e632.w), _e643.unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e632.x, _e649.unnamed_1.first_primitive));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e655.unnamed_1.root, _e632.y));
+                        let _e566 = nodes.member[(0u + _e557)].frame[3u];
+                        let _e591 = (bitcast<f32>((((_e566 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e296);
+                        let _e592 = (bitcast<f32>((((_e566 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
+                        let _e593 = (bitcast<f32>((((_e566 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e318);
+                        let _e596 = nodes.member[(0u + _e557)].frame[0u];
+                        let _e600 = nodes.member[(0u + _e557)].frame[1u];
+                        let _e604 = nodes.member[(0u + _e557)].frame[2u];
+                        let _e612 = ((bitcast<f32>(_e596) - _e150.origin.x) * _e296);
+                        let _e613 = ((bitcast<f32>(_e600) - _e150.origin.y) * _e307);
+                        let _e614 = ((bitcast<f32>(_e604) - _e150.origin.z) * _e318);
+                        let _e622 = nodes.member[(0u + _e557)].x;
+                        if (_e296 < 0f) {
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.unnamed.word, _e622.w), _e633.unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e622.x, _e639.unnamed_1.shift));
+                            phi_1276_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e645.unnamed_1.word, _e622.y));
                         } else {
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.unnamed.root, _e632.y), _e671.unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e632.z, _e677.unnamed_1.first_primitive));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e683.unnamed_1.root, _e632.w));
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e661.unnamed.word, _e622.y), _e661.unnamed_1);
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e667.unnamed, lt_mask_LightPlace(_e622.z, _e667.unnamed_1.shift));
+                            phi_1276_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e673.unnamed_1.word, _e622.w));
                         }
-                        let _e691 = phi_1272_;
-                        let _e701 = nodes.member[(0u + _e567)].y;
-                        if (_e316 < 0f) {
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e701.w), _e712.unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e701.x, _e718.unnamed_1.first_primitive));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e701.y));
+                        let _e681 = phi_1276_;
+                        let _e691 = nodes.member[(0u + _e557)].y;
+                        if (_e307 < 0f) {
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e691.w), _e702.unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e691.x, _e708.unnamed_1.shift));
+                            phi_1303_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e691.y));
                         } else {
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.unnamed.root, _e701.y), _e740.unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e701.z, _e746.unnamed_1.first_primitive));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e752.unnamed_1.root, _e701.w));
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e730.unnamed.word, _e691.y), _e730.unnamed_1);
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_mask_LightPlace(_e691.z, _e736.unnamed_1.shift));
+                            phi_1303_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e742.unnamed_1.word, _e691.w));
                         }
-                        let _e760 = phi_1299_;
-                        let _e770 = nodes.member[(0u + _e567)].z;
-                        if (_e328 < 0f) {
-                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.unnamed.root, _e770.w), _e781.unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e770.x, _e787.unnamed_1.first_primitive));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e793.unnamed_1.root, _e770.y));
+                        let _e750 = phi_1303_;
+                        let _e760 = nodes.member[(0u + _e557)].z;
+                        if (_e318 < 0f) {
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e760.w), _e771.unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e760.x, _e777.unnamed_1.shift));
+                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e760.y));
                         } else {
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e809.unnamed.root, _e770.y), _e809.unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_bvh_traverse_Tree(_e770.z, _e815.unnamed_1.first_primitive));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_bvh_traverse_Tree(_e821.unnamed_1.root, _e770.w));
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e799.unnamed.word, _e760.y), _e799.unnamed_1);
+                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e805.unnamed, lt_mask_LightPlace(_e760.z, _e805.unnamed_1.shift));
+                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e811.unnamed_1.word, _e760.w));
                         }
-                        let _e829 = phi_1326_;
-                        phi_1332_ = 0u;
-                        phi_1335_ = 0u;
+                        let _e819 = phi_1330_;
+                        phi_1336_ = 0u;
+                        phi_1339_ = 0u;
                         loop {
-                            let _e839 = phi_1332_;
-                            let _e841 = phi_1335_;
-                            local_2 = _e841;
-                            local_3 = _e841;
-                            local_4 = _e841;
-                            let _e842 = (_e839 < 8u);
-                            if _e842 {
-                                let _e844 = (_e839 >> bitcast<u32>(2i));
-                                let _e845 = (_e839 & 3u);
-                                if (_e844 == 0u) {
-                                    phi_1349_ = _e691.unnamed.root;
+                            let _e829 = phi_1336_;
+                            let _e831 = phi_1339_;
+                            local_2 = _e831;
+                            local_3 = _e831;
+                            local_4 = _e831;
+                            let _e832 = (_e829 < 8u);
+                            if _e832 {
+                                let _e834 = (_e829 >> bitcast<u32>(2i));
+                                let _e835 = (_e829 & 3u);
+                                if (_e834 == 0u) {
+                                    phi_1353_ = _e681.unnamed.word;
                                 } else {
-                                    phi_1349_ = _e691.unnamed.first_primitive;
+                                    phi_1353_ = _e681.unnamed.shift;
                                 }
-                                let _e848 = phi_1349_;
-                                if (_e844 == 0u) {
-                                    phi_1359_ = _e760.unnamed.root;
+                                let _e838 = phi_1353_;
+                                if (_e834 == 0u) {
+                                    phi_1363_ = _e750.unnamed.word;
                                 } else {
-                                    phi_1359_ = _e760.unnamed.first_primitive;
+                                    phi_1363_ = _e750.unnamed.shift;
                                 }
-                                let _e857 = phi_1359_;
-                                if (_e844 == 0u) {
-                                    phi_1369_ = _e829.unnamed.root;
+                                let _e847 = phi_1363_;
+                                if (_e834 == 0u) {
+                                    phi_1373_ = _e819.unnamed.word;
                                 } else {
-                                    phi_1369_ = _e829.unnamed.first_primitive;
+                                    phi_1373_ = _e819.unnamed.shift;
                                 }
-                                let _e866 = phi_1369_;
-                                let _e879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e365)), ((f32(((_e857 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)));
-                                let _e880 = core_intrinsics_maximum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
-                                if (_e844 == 0u) {
-                                    phi_1387_ = _e691.unnamed_1.root;
+                                let _e856 = phi_1373_;
+                                let _e869 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e838 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e591) + (_e612 - _e356)), ((f32(((_e847 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e592) + (_e613 - _e357)));
+                                let _e870 = core_intrinsics_maximum_number_nsz_f32_(_e869, ((f32(((_e856 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e593) + (_e614 - _e358)));
+                                if (_e834 == 0u) {
+                                    phi_1391_ = _e681.unnamed_1.word;
                                 } else {
-                                    phi_1387_ = _e691.unnamed_1.first_primitive;
+                                    phi_1391_ = _e681.unnamed_1.shift;
                                 }
-                                let _e883 = phi_1387_;
-                                if (_e844 == 0u) {
-                                    phi_1397_ = _e760.unnamed_1.root;
+                                let _e873 = phi_1391_;
+                                if (_e834 == 0u) {
+                                    phi_1401_ = _e750.unnamed_1.word;
                                 } else {
-                                    phi_1397_ = _e760.unnamed_1.first_primitive;
+                                    phi_1401_ = _e750.unnamed_1.shift;
                                 }
-                                let _e892 = phi_1397_;
-                                if (_e844 == 0u) {
-                                    phi_1407_ = _e829.unnamed_1.root;
+                                let _e882 = phi_1401_;
+                                if (_e834 == 0u) {
+                                    phi_1411_ = _e819.unnamed_1.word;
                                 } else {
-                                    phi_1407_ = _e829.unnamed_1.first_primitive;
+                                    phi_1411_ = _e819.unnamed_1.shift;
                                 }
-                                let _e901 = phi_1407_;
-                                let _e914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e365)), ((f32(((_e892 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)));
-                                let _e915 = core_intrinsics_minimum_number_nsz_f32_(_e914, ((f32(((_e901 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
-                                if (_e880 <= _e915) {
-                                    if (_e880 <= _e565.t) {
-                                        if (_e915 >= _e150.tmin) {
-                                            if (_e844 == 0u) {
-                                                let _e922 = nodes.member[(0u + _e567)].links[2u];
-                                                phi_1443_ = _e922;
+                                let _e891 = phi_1411_;
+                                let _e904 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e873 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e591) + (_e612 + _e356)), ((f32(((_e882 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e592) + (_e613 + _e357)));
+                                let _e905 = core_intrinsics_minimum_number_nsz_f32_(_e904, ((f32(((_e891 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u)) * _e593) + (_e614 + _e358)));
+                                if (_e870 <= _e905) {
+                                    if (_e870 <= _e555.t) {
+                                        if (_e905 >= _e150.tmin) {
+                                            if (_e834 == 0u) {
+                                                let _e912 = nodes.member[(0u + _e557)].links[2u];
+                                                phi_1447_ = _e912;
                                             } else {
-                                                let _e925 = nodes.member[(0u + _e567)].links[3u];
-                                                phi_1443_ = _e925;
+                                                let _e915 = nodes.member[(0u + _e557)].links[3u];
+                                                phi_1447_ = _e915;
                                             }
-                                            let _e927 = phi_1443_;
-                                            let _e932 = ((_e927 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u);
-                                            let _e933 = (_e932 & 31u);
-                                            if (_e933 >= 24u) {
-                                                phi_1456_ = (24u + ((_e933 - 24u) ^ _e427));
+                                            let _e917 = phi_1447_;
+                                            let _e922 = ((_e917 >> bitcast<u32>(((_e835 * 8u) & 31u))) & 255u);
+                                            let _e923 = (_e922 & 31u);
+                                            if (_e923 >= 24u) {
+                                                phi_1460_ = (24u + ((_e923 - 24u) ^ _e417));
                                             } else {
-                                                phi_1456_ = _e933;
+                                                phi_1460_ = _e923;
                                             }
-                                            let _e939 = phi_1456_;
-                                            phi_1461_ = (_e841 | ((_e932 >> bitcast<u32>(5i)) << bitcast<u32>((_e939 & 31u))));
+                                            let _e929 = phi_1460_;
+                                            phi_1465_ = (_e831 | ((_e922 >> bitcast<u32>(5i)) << bitcast<u32>((_e929 & 31u))));
                                         } else {
-                                            phi_1461_ = _e841;
+                                            phi_1465_ = _e831;
                                         }
-                                        let _e947 = phi_1461_;
-                                        phi_1462_ = _e947;
+                                        let _e937 = phi_1465_;
+                                        phi_1466_ = _e937;
                                     } else {
-                                        phi_1462_ = _e841;
+                                        phi_1466_ = _e831;
                                     }
-                                    let _e949 = phi_1462_;
-                                    phi_1463_ = _e949;
+                                    let _e939 = phi_1466_;
+                                    phi_1467_ = _e939;
                                 } else {
-                                    phi_1463_ = _e841;
+                                    phi_1467_ = _e831;
                                 }
-                                let _e951 = phi_1463_;
-                                phi_1333_ = (_e839 + 1u);
-                                phi_1336_ = _e951;
+                                let _e941 = phi_1467_;
+                                phi_1337_ = (_e829 + 1u);
+                                phi_1340_ = _e941;
                             } else {
-                                phi_1333_ = u32();
-                                phi_1336_ = u32();
+                                phi_1337_ = u32();
+                                phi_1340_ = u32();
                             }
-                            let _e954 = phi_1333_;
-                            let _e956 = phi_1336_;
+                            let _e944 = phi_1337_;
+                            let _e946 = phi_1340_;
                             continue;
                             continuing {
-                                phi_1332_ = _e954;
-                                phi_1335_ = _e956;
-                                break if !(_e842);
+                                phi_1336_ = _e944;
+                                phi_1339_ = _e946;
+                                break if !(_e832);
                             }
                         }
-                        let _e960 = nodes.member[(0u + _e567)].links[0u];
-                        let _e964 = nodes.member[(0u + _e567)].frame[3u];
-                        let _e968 = local_2;
-                        if ((_e968 & 4278190080u) == 0u) {
+                        let _e950 = nodes.member[(0u + _e557)].links[0u];
+                        let _e954 = nodes.member[(0u + _e557)].frame[3u];
+                        let _e958 = local_2;
+                        if ((_e958 & 4278190080u) == 0u) {
                         } else {
-                            let _e972 = local_1.group_mask;
-                            if ((_e972 & 4278190080u) == 0u) {
+                            let _e962 = local_1.group_mask;
+                            if ((_e962 & 4278190080u) == 0u) {
                             } else {
-                                let _e976 = local_1.len;
-                                if (_e976 < 32u) {
-                                    let _e979 = local_1.group;
-                                    let _e981 = local_1.len;
-                                    if (_e981 < 32u) {
+                                let _e966 = local_1.len;
+                                if (_e966 < 32u) {
+                                    let _e969 = local_1.group;
+                                    let _e971 = local_1.len;
+                                    if (_e971 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e981)] = _e979;
-                                    let _e987 = local_1.group_mask;
-                                    let _e989 = local_1.len;
-                                    if (_e989 < 32u) {
+                                    local_1.first[(0u + _e971)] = _e969;
+                                    let _e977 = local_1.group_mask;
+                                    let _e979 = local_1.len;
+                                    if (_e979 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e989)] = _e987;
-                                    let _e996 = local_1.len;
-                                    local_1.len = (_e996 + 1u);
+                                    local_1.mask[(0u + _e979)] = _e977;
+                                    let _e986 = local_1.len;
+                                    local_1.len = (_e986 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e960);
-                            let _e1000 = local_3;
-                            local_1.group_mask = ((_e1000 & 4278190080u) | (_e964 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e950);
+                            let _e990 = local_3;
+                            local_1.group_mask = ((_e990 & 4278190080u) | (_e954 >> bitcast<u32>(24i)));
                         }
-                        let _e1005 = local_4;
-                        phi_1521_ = _e565;
-                        phi_1524_ = (_e1005 & 16777215u);
+                        let _e995 = local_4;
+                        phi_1525_ = _e555;
+                        phi_1528_ = (_e995 & 16777215u);
                         loop {
-                            let _e1008 = phi_1521_;
-                            let _e1010 = phi_1524_;
-                            local_5 = _e1008;
-                            if (_e1010 == 0u) {
-                                phi_1522_ = lt_bvh_Hit();
-                                phi_1525_ = u32();
-                                phi_2183_ = false;
+                            let _e998 = phi_1525_;
+                            let _e1000 = phi_1528_;
+                            local_5 = _e998;
+                            if (_e1000 == 0u) {
+                                phi_1526_ = lt_bvh_Hit();
+                                phi_1529_ = u32();
+                                phi_2187_ = false;
                             } else {
-                                let _e1014 = nodes.member[(0u + _e567)].links[1u];
-                                let _e1019 = ((0u + _e1014) + select(firstTrailingBit(_e1010), 32u, (_e1010 == 0u)));
-                                if (_e1019 < _e77) {
+                                let _e1004 = nodes.member[(0u + _e557)].links[1u];
+                                let _e1009 = ((0u + _e1004) + select(firstTrailingBit(_e1000), 32u, (_e1000 == 0u)));
+                                if (_e1009 < _e77) {
                                 } else {
                                     return;
                                 }
-                                let _e1026 = triangles.member[(0u + _e1019)].v0_;
-                                let _e1029 = (_e1026.x - _e150.origin.x);
-                                let _e1032 = (_e1026.y - _e150.origin.y);
-                                let _e1035 = (_e1026.z - _e150.origin.z);
-                                if (_e392 == 0u) {
-                                    phi_1571_ = vec3<f32>(_e1032, _e1035, _e1029);
+                                let _e1016 = triangles.member[(0u + _e1009)].v0_;
+                                let _e1019 = (_e1016.x - _e150.origin.x);
+                                let _e1022 = (_e1016.y - _e150.origin.y);
+                                let _e1025 = (_e1016.z - _e150.origin.z);
+                                if (_e384 == 0u) {
+                                    phi_1575_ = vec3<f32>(_e1022, _e1025, _e1019);
                                 } else {
-                                    if (_e392 == 1u) {
-                                        phi_1570_ = vec3<f32>(_e1035, _e1029, _e1032);
+                                    if (_e384 == 1u) {
+                                        phi_1574_ = vec3<f32>(_e1025, _e1019, _e1022);
                                     } else {
-                                        phi_1570_ = (_e1026 - _e150.origin);
+                                        phi_1574_ = (_e1016 - _e150.origin);
                                     }
-                                    let _e1042 = phi_1570_;
-                                    phi_1571_ = _e1042;
+                                    let _e1032 = phi_1574_;
+                                    phi_1575_ = _e1032;
                                 }
-                                let _e1044 = phi_1571_;
-                                let _e1048 = (_e1044.x - (_e411 * _e1044.z));
-                                let _e1052 = (_e1044.y - (_e414 * _e1044.z));
-                                let _e1054 = triangles.member[(0u + _e1019)].v1_;
-                                let _e1057 = (_e1054.x - _e150.origin.x);
-                                let _e1060 = (_e1054.y - _e150.origin.y);
-                                let _e1063 = (_e1054.z - _e150.origin.z);
-                                if (_e392 == 0u) {
-                                    phi_1603_ = vec3<f32>(_e1060, _e1063, _e1057);
+                                let _e1034 = phi_1575_;
+                                let _e1038 = (_e1034.x - (_e401 * _e1034.z));
+                                let _e1042 = (_e1034.y - (_e404 * _e1034.z));
+                                let _e1044 = triangles.member[(0u + _e1009)].v1_;
+                                let _e1047 = (_e1044.x - _e150.origin.x);
+                                let _e1050 = (_e1044.y - _e150.origin.y);
+                                let _e1053 = (_e1044.z - _e150.origin.z);
+                                if (_e384 == 0u) {
+                                    phi_1607_ = vec3<f32>(_e1050, _e1053, _e1047);
                                 } else {
-                                    if (_e392 == 1u) {
-                                        phi_1602_ = vec3<f32>(_e1063, _e1057, _e1060);
+                                    if (_e384 == 1u) {
+                                        phi_1606_ = vec3<f32>(_e1053, _e1047, _e1050);
                                     } else {
-                                        phi_1602_ = (_e1054 - _e150.origin);
+                                        phi_1606_ = (_e1044 - _e150.origin);
                                     }
-                                    let _e1070 = phi_1602_;
-                                    phi_1603_ = _e1070;
+                                    let _e1060 = phi_1606_;
+                                    phi_1607_ = _e1060;
                                 }
-                                let _e1072 = phi_1603_;
-                                let _e1076 = (_e1072.x - (_e411 * _e1072.z));
-                                let _e1080 = (_e1072.y - (_e414 * _e1072.z));
-                                let _e1082 = triangles.member[(0u + _e1019)].v2_;
-                                let _e1085 = (_e1082.x - _e150.origin.x);
-                                let _e1088 = (_e1082.y - _e150.origin.y);
-                                let _e1091 = (_e1082.z - _e150.origin.z);
-                                if (_e392 == 0u) {
-                                    phi_1635_ = vec3<f32>(_e1088, _e1091, _e1085);
+                                let _e1062 = phi_1607_;
+                                let _e1066 = (_e1062.x - (_e401 * _e1062.z));
+                                let _e1070 = (_e1062.y - (_e404 * _e1062.z));
+                                let _e1072 = triangles.member[(0u + _e1009)].v2_;
+                                let _e1075 = (_e1072.x - _e150.origin.x);
+                                let _e1078 = (_e1072.y - _e150.origin.y);
+                                let _e1081 = (_e1072.z - _e150.origin.z);
+                                if (_e384 == 0u) {
+                                    phi_1639_ = vec3<f32>(_e1078, _e1081, _e1075);
                                 } else {
-                                    if (_e392 == 1u) {
-                                        phi_1634_ = vec3<f32>(_e1091, _e1085, _e1088);
+                                    if (_e384 == 1u) {
+                                        phi_1638_ = vec3<f32>(_e1081, _e1075, _e1078);
                                     } else {
-                                        phi_1634_ = (_e1082 - _e150.origin);
+                                        phi_1638_ = (_e1072 - _e150.origin);
                                     }
-                                    let _e1098 = phi_1634_;
-                                    phi_1635_ = _e1098;
+                                    let _e1088 = phi_1638_;
+                                    phi_1639_ = _e1088;
                                 }
-                                let _e1100 = phi_1635_;
-                                let _e1104 = (_e1100.x - (_e411 * _e1100.z));
-                                let _e1108 = (_e1100.y - (_e414 * _e1100.z));
-                                if (_e1076 < _e1104) {
-                                    phi_1654_ = true;
+                                let _e1090 = phi_1639_;
+                                let _e1094 = (_e1090.x - (_e401 * _e1090.z));
+                                let _e1098 = (_e1090.y - (_e404 * _e1090.z));
+                                if (_e1066 < _e1094) {
+                                    phi_1658_ = true;
                                 } else {
-                                    if (_e1076 == _e1104) {
-                                        phi_1653_ = (_e1080 < _e1108);
+                                    if (_e1066 == _e1094) {
+                                        phi_1657_ = (_e1070 < _e1098);
                                     } else {
-                                        phi_1653_ = false;
+                                        phi_1657_ = false;
                                     }
-                                    let _e1113 = phi_1653_;
-                                    phi_1654_ = _e1113;
+                                    let _e1103 = phi_1657_;
+                                    phi_1658_ = _e1103;
                                 }
-                                let _e1115 = phi_1654_;
-                                if _e1115 {
-                                    phi_1658_ = _e1108;
-                                    phi_1659_ = _e1104;
-                                    phi_1660_ = _e1080;
-                                    phi_1661_ = _e1076;
+                                let _e1105 = phi_1658_;
+                                if _e1105 {
+                                    phi_1662_ = _e1098;
+                                    phi_1663_ = _e1094;
+                                    phi_1664_ = _e1070;
+                                    phi_1665_ = _e1066;
                                 } else {
-                                    phi_1658_ = _e1080;
-                                    phi_1659_ = _e1076;
-                                    phi_1660_ = _e1108;
-                                    phi_1661_ = _e1104;
+                                    phi_1662_ = _e1070;
+                                    phi_1663_ = _e1066;
+                                    phi_1664_ = _e1098;
+                                    phi_1665_ = _e1094;
                                 }
-                                let _e1117 = phi_1658_;
-                                let _e1119 = phi_1659_;
-                                let _e1121 = phi_1660_;
-                                let _e1123 = phi_1661_;
-                                let _e1126 = ((_e1123 * _e1117) - (_e1121 * _e1119));
-                                if _e1115 {
-                                    phi_1669_ = -(_e1126);
+                                let _e1107 = phi_1662_;
+                                let _e1109 = phi_1663_;
+                                let _e1111 = phi_1664_;
+                                let _e1113 = phi_1665_;
+                                let _e1116 = ((_e1113 * _e1107) - (_e1111 * _e1109));
+                                if _e1105 {
+                                    phi_1673_ = -(_e1116);
                                 } else {
-                                    phi_1669_ = _e1126;
+                                    phi_1673_ = _e1116;
                                 }
-                                let _e1129 = phi_1669_;
-                                if (_e1104 < _e1048) {
-                                    phi_1680_ = true;
+                                let _e1119 = phi_1673_;
+                                if (_e1094 < _e1038) {
+                                    phi_1684_ = true;
                                 } else {
-                                    if (_e1104 == _e1048) {
-                                        phi_1679_ = (_e1108 < _e1052);
+                                    if (_e1094 == _e1038) {
+                                        phi_1683_ = (_e1098 < _e1042);
                                     } else {
-                                        phi_1679_ = false;
+                                        phi_1683_ = false;
                                     }
-                                    let _e1134 = phi_1679_;
-                                    phi_1680_ = _e1134;
+                                    let _e1124 = phi_1683_;
+                                    phi_1684_ = _e1124;
                                 }
-                                let _e1136 = phi_1680_;
-                                if _e1136 {
-                                    phi_1684_ = _e1052;
-                                    phi_1685_ = _e1048;
-                                    phi_1686_ = _e1108;
-                                    phi_1687_ = _e1104;
+                                let _e1126 = phi_1684_;
+                                if _e1126 {
+                                    phi_1688_ = _e1042;
+                                    phi_1689_ = _e1038;
+                                    phi_1690_ = _e1098;
+                                    phi_1691_ = _e1094;
                                 } else {
-                                    phi_1684_ = _e1108;
-                                    phi_1685_ = _e1104;
-                                    phi_1686_ = _e1052;
-                                    phi_1687_ = _e1048;
+                                    phi_1688_ = _e1098;
+                                    phi_1689_ = _e1094;
+                                    phi_1690_ = _e1042;
+                                    phi_1691_ = _e1038;
                                 }
-                                let _e1138 = phi_1684_;
-                                let _e1140 = phi_1685_;
-                                let _e1142 = phi_1686_;
-                                let _e1144 = phi_1687_;
-                                let _e1147 = ((_e1144 * _e1138) - (_e1142 * _e1140));
-                                if _e1136 {
-                                    phi_1695_ = -(_e1147);
+                                let _e1128 = phi_1688_;
+                                let _e1130 = phi_1689_;
+                                let _e1132 = phi_1690_;
+                                let _e1134 = phi_1691_;
+                                let _e1137 = ((_e1134 * _e1128) - (_e1132 * _e1130));
+                                if _e1126 {
+                                    phi_1699_ = -(_e1137);
                                 } else {
-                                    phi_1695_ = _e1147;
+                                    phi_1699_ = _e1137;
                                 }
-                                let _e1150 = phi_1695_;
-                                if (_e1048 < _e1076) {
-                                    phi_1706_ = true;
+                                let _e1140 = phi_1699_;
+                                if (_e1038 < _e1066) {
+                                    phi_1710_ = true;
                                 } else {
-                                    if (_e1048 == _e1076) {
-                                        phi_1705_ = (_e1052 < _e1080);
+                                    if (_e1038 == _e1066) {
+                                        phi_1709_ = (_e1042 < _e1070);
                                     } else {
-                                        phi_1705_ = false;
+                                        phi_1709_ = false;
                                     }
-                                    let _e1155 = phi_1705_;
-                                    phi_1706_ = _e1155;
+                                    let _e1145 = phi_1709_;
+                                    phi_1710_ = _e1145;
                                 }
-                                let _e1157 = phi_1706_;
-                                if _e1157 {
-                                    phi_1710_ = _e1080;
-                                    phi_1711_ = _e1076;
-                                    phi_1712_ = _e1052;
-                                    phi_1713_ = _e1048;
+                                let _e1147 = phi_1710_;
+                                if _e1147 {
+                                    phi_1714_ = _e1070;
+                                    phi_1715_ = _e1066;
+                                    phi_1716_ = _e1042;
+                                    phi_1717_ = _e1038;
                                 } else {
-                                    phi_1710_ = _e1052;
-                                    phi_1711_ = _e1048;
-                                    phi_1712_ = _e1080;
-                                    phi_1713_ = _e1076;
+                                    phi_1714_ = _e1042;
+                                    phi_1715_ = _e1038;
+                                    phi_1716_ = _e1070;
+                                    phi_1717_ = _e1066;
                                 }
-                                let _e1159 = phi_1710_;
-                                let _e1161 = phi_1711_;
-                                let _e1163 = phi_1712_;
-                                let _e1165 = phi_1713_;
-                                let _e1168 = ((_e1165 * _e1159) - (_e1163 * _e1161));
-                                if _e1157 {
-                                    phi_1721_ = -(_e1168);
+                                let _e1149 = phi_1714_;
+                                let _e1151 = phi_1715_;
+                                let _e1153 = phi_1716_;
+                                let _e1155 = phi_1717_;
+                                let _e1158 = ((_e1155 * _e1149) - (_e1153 * _e1151));
+                                if _e1147 {
+                                    phi_1725_ = -(_e1158);
                                 } else {
-                                    phi_1721_ = _e1168;
+                                    phi_1725_ = _e1158;
                                 }
-                                let _e1171 = phi_1721_;
-                                if (_e1129 >= 0f) {
-                                    if (_e1150 >= 0f) {
-                                        if (_e1171 >= 0f) {
-                                            phi_1736_ = ((_e1129 + _e1150) + _e1171);
-                                            phi_1737_ = false;
+                                let _e1161 = phi_1725_;
+                                if (_e1119 >= 0f) {
+                                    if (_e1140 >= 0f) {
+                                        if (_e1161 >= 0f) {
+                                            phi_1740_ = ((_e1119 + _e1140) + _e1161);
+                                            phi_1741_ = false;
                                         } else {
-                                            phi_1736_ = f32();
-                                            phi_1737_ = true;
+                                            phi_1740_ = f32();
+                                            phi_1741_ = true;
                                         }
-                                        let _e1178 = phi_1736_;
-                                        let _e1180 = phi_1737_;
-                                        phi_1738_ = _e1178;
-                                        phi_1739_ = _e1180;
+                                        let _e1168 = phi_1740_;
+                                        let _e1170 = phi_1741_;
+                                        phi_1742_ = _e1168;
+                                        phi_1743_ = _e1170;
                                     } else {
-                                        phi_1738_ = f32();
-                                        phi_1739_ = true;
+                                        phi_1742_ = f32();
+                                        phi_1743_ = true;
                                     }
-                                    let _e1182 = phi_1738_;
-                                    let _e1184 = phi_1739_;
-                                    phi_1740_ = _e1182;
-                                    phi_1741_ = _e1184;
+                                    let _e1172 = phi_1742_;
+                                    let _e1174 = phi_1743_;
+                                    phi_1744_ = _e1172;
+                                    phi_1745_ = _e1174;
                                 } else {
-                                    phi_1740_ = f32();
-                                    phi_1741_ = true;
+                                    phi_1744_ = f32();
+                                    phi_1745_ = true;
                                 }
-                                let _e1186 = phi_1740_;
-                                let _e1188 = phi_1741_;
-                                if _e1188 {
-                                    if (_e1129 <= 0f) {
-                                        if (_e1150 <= 0f) {
-                                            let _e1191 = (_e1171 <= 0f);
-                                            if _e1191 {
+                                let _e1176 = phi_1744_;
+                                let _e1178 = phi_1745_;
+                                if _e1178 {
+                                    if (_e1119 <= 0f) {
+                                        if (_e1140 <= 0f) {
+                                            let _e1181 = (_e1161 <= 0f);
+                                            if _e1181 {
                                             }
-                                            phi_1759_ = ((_e1129 + _e1150) + _e1171);
-                                            phi_1760_ = false;
-                                            phi_1761_ = _e1191;
+                                            phi_1763_ = ((_e1119 + _e1140) + _e1161);
+                                            phi_1764_ = false;
+                                            phi_1765_ = _e1181;
                                         } else {
-                                            phi_1759_ = f32();
-                                            phi_1760_ = true;
-                                            phi_1761_ = false;
+                                            phi_1763_ = f32();
+                                            phi_1764_ = true;
+                                            phi_1765_ = false;
                                         }
-                                        let _e1195 = phi_1759_;
-                                        let _e1197 = phi_1760_;
-                                        let _e1199 = phi_1761_;
-                                        phi_1762_ = _e1195;
-                                        phi_1763_ = _e1197;
-                                        phi_1764_ = _e1199;
+                                        let _e1185 = phi_1763_;
+                                        let _e1187 = phi_1764_;
+                                        let _e1189 = phi_1765_;
+                                        phi_1766_ = _e1185;
+                                        phi_1767_ = _e1187;
+                                        phi_1768_ = _e1189;
                                     } else {
-                                        phi_1762_ = f32();
-                                        phi_1763_ = true;
-                                        phi_1764_ = false;
-                                    }
-                                    let _e1201 = phi_1762_;
-                                    let _e1203 = phi_1763_;
-                                    let _e1205 = phi_1764_;
-                                    if _e1203 {
+                                        phi_1766_ = f32();
+                                        phi_1767_ = true;
                                         phi_1768_ = false;
-                                    } else {
-                                        phi_1768_ = _e1205;
                                     }
-                                    let _e1207 = phi_1768_;
-                                    phi_1769_ = _e1201;
-                                    phi_1770_ = _e1207;
-                                } else {
-                                    phi_1769_ = _e1186;
-                                    phi_1770_ = true;
-                                }
-                                let _e1209 = phi_1769_;
-                                let _e1211 = phi_1770_;
-                                if _e1211 {
-                                    let _e1212 = (_e1209 == 0f);
-                                    if _e1212 {
-                                        phi_2096_ = lt_bvh_triangle_Intersection();
-                                        phi_2097_ = false;
+                                    let _e1191 = phi_1766_;
+                                    let _e1193 = phi_1767_;
+                                    let _e1195 = phi_1768_;
+                                    if _e1193 {
+                                        phi_1772_ = false;
                                     } else {
-                                        let _e1214 = triangles.member[(0u + _e1019)].v0_;
-                                        let _e1217 = (_e1214.x - _e150.origin.x);
-                                        let _e1220 = (_e1214.y - _e150.origin.y);
-                                        let _e1223 = (_e1214.z - _e150.origin.z);
-                                        if (_e392 == 0u) {
-                                            phi_1801_ = vec3<f32>(_e1220, _e1223, _e1217);
-                                        } else {
-                                            if (_e392 == 1u) {
-                                                phi_1800_ = vec3<f32>(_e1223, _e1217, _e1220);
-                                            } else {
-                                                phi_1800_ = (_e1214 - _e150.origin);
-                                            }
-                                            let _e1230 = phi_1800_;
-                                            phi_1801_ = _e1230;
-                                        }
-                                        let _e1232 = phi_1801_;
-                                        let _e1234 = triangles.member[(0u + _e1019)].v1_;
-                                        let _e1236 = triangles.member[(0u + _e1019)].v0_;
-                                        let _e1239 = (_e1234.x - _e1236.x);
-                                        let _e1242 = (_e1234.y - _e1236.y);
-                                        let _e1245 = (_e1234.z - _e1236.z);
-                                        if (_e392 == 0u) {
-                                            phi_1827_ = vec3<f32>(_e1242, _e1245, _e1239);
-                                        } else {
-                                            if (_e392 == 1u) {
-                                                phi_1826_ = vec3<f32>(_e1245, _e1239, _e1242);
-                                            } else {
-                                                phi_1826_ = (_e1234 - _e1236);
-                                            }
-                                            let _e1252 = phi_1826_;
-                                            phi_1827_ = _e1252;
-                                        }
-                                        let _e1254 = phi_1827_;
-                                        let _e1256 = triangles.member[(0u + _e1019)].v2_;
-                                        let _e1258 = triangles.member[(0u + _e1019)].v0_;
-                                        let _e1261 = (_e1256.x - _e1258.x);
-                                        let _e1264 = (_e1256.y - _e1258.y);
-                                        let _e1267 = (_e1256.z - _e1258.z);
-                                        if (_e392 == 0u) {
-                                            phi_1853_ = vec3<f32>(_e1264, _e1267, _e1261);
-                                        } else {
-                                            if (_e392 == 1u) {
-                                                phi_1852_ = vec3<f32>(_e1267, _e1261, _e1264);
-                                            } else {
-                                                phi_1852_ = (_e1256 - _e1258);
-                                            }
-                                            let _e1274 = phi_1852_;
-                                            phi_1853_ = _e1274;
-                                        }
-                                        let _e1276 = phi_1853_;
-                                        let _e1283 = ((_e1254.y * _e1276.z) - (_e1254.z * _e1276.y));
-                                        let _e1290 = ((_e1254.z * _e1276.x) - (_e1254.x * _e1276.z));
-                                        let _e1297 = ((_e1254.x * _e1276.y) - (_e1254.y * _e1276.x));
-                                        let _e1311 = (((1f / _e407.z) * (((_e1283 * _e1232.x) + (_e1290 * _e1232.y)) + (_e1297 * _e1232.z))) / (((_e1283 * _e411) + (_e1290 * _e414)) + _e1297));
-                                        if (_e1311 > _e150.tmin) {
-                                            if (_e1311 < _e150.tmax) {
-                                                let _e1317 = triangles.member[(0u + _e1019)].v0_;
-                                                let _e1319 = triangles.member[(0u + _e1019)].v1_;
-                                                if (_e1317.x < _e1319.x) {
-                                                    phi_1911_ = _e1317.x;
-                                                } else {
-                                                    phi_1911_ = _e1319.x;
-                                                }
-                                                let _e1326 = phi_1911_;
-                                                if (_e1317.y < _e1319.y) {
-                                                    phi_1920_ = _e1317.y;
-                                                } else {
-                                                    phi_1920_ = _e1319.y;
-                                                }
-                                                let _e1333 = phi_1920_;
-                                                if (_e1317.z < _e1319.z) {
-                                                    phi_1929_ = _e1317.z;
-                                                } else {
-                                                    phi_1929_ = _e1319.z;
-                                                }
-                                                let _e1340 = phi_1929_;
-                                                let _e1342 = triangles.member[(0u + _e1019)].v2_;
-                                                if (_e1326 < _e1342.x) {
-                                                    phi_1938_ = _e1326;
-                                                } else {
-                                                    phi_1938_ = _e1342.x;
-                                                }
-                                                let _e1347 = phi_1938_;
-                                                if (_e1333 < _e1342.y) {
-                                                    phi_1945_ = _e1333;
-                                                } else {
-                                                    phi_1945_ = _e1342.y;
-                                                }
-                                                let _e1352 = phi_1945_;
-                                                if (_e1340 < _e1342.z) {
-                                                    phi_1952_ = _e1340;
-                                                } else {
-                                                    phi_1952_ = _e1342.z;
-                                                }
-                                                let _e1357 = phi_1952_;
-                                                let _e1359 = triangles.member[(0u + _e1019)].v0_;
-                                                let _e1361 = triangles.member[(0u + _e1019)].v1_;
-                                                if (_e1359.x > _e1361.x) {
-                                                    phi_1965_ = _e1359.x;
-                                                } else {
-                                                    phi_1965_ = _e1361.x;
-                                                }
-                                                let _e1368 = phi_1965_;
-                                                if (_e1359.y > _e1361.y) {
-                                                    phi_1974_ = _e1359.y;
-                                                } else {
-                                                    phi_1974_ = _e1361.y;
-                                                }
-                                                let _e1375 = phi_1974_;
-                                                if (_e1359.z > _e1361.z) {
-                                                    phi_1983_ = _e1359.z;
-                                                } else {
-                                                    phi_1983_ = _e1361.z;
-                                                }
-                                                let _e1382 = phi_1983_;
-                                                let _e1384 = triangles.member[(0u + _e1019)].v2_;
-                                                if (_e1368 > _e1384.x) {
-                                                    phi_1992_ = _e1368;
-                                                } else {
-                                                    phi_1992_ = _e1384.x;
-                                                }
-                                                let _e1389 = phi_1992_;
-                                                if (_e1375 > _e1384.y) {
-                                                    phi_1999_ = _e1375;
-                                                } else {
-                                                    phi_1999_ = _e1384.y;
-                                                }
-                                                let _e1394 = phi_1999_;
-                                                if (_e1382 > _e1384.z) {
-                                                    phi_2006_ = _e1382;
-                                                } else {
-                                                    phi_2006_ = _e1384.z;
-                                                }
-                                                let _e1399 = phi_2006_;
-                                                let _e1406 = ((_e1347 - _e150.origin.x) * _e304);
-                                                let _e1407 = ((_e1352 - _e150.origin.y) * _e316);
-                                                let _e1408 = ((_e1357 - _e150.origin.z) * _e328);
-                                                let _e1415 = ((_e1389 - _e150.origin.x) * _e304);
-                                                let _e1416 = ((_e1394 - _e150.origin.y) * _e316);
-                                                let _e1417 = ((_e1399 - _e150.origin.z) * _e328);
-                                                if (_e1406 < _e1415) {
-                                                    phi_2029_ = _e1406;
-                                                } else {
-                                                    phi_2029_ = _e1415;
-                                                }
-                                                let _e1420 = phi_2029_;
-                                                if (_e1407 < _e1416) {
-                                                    phi_2034_ = _e1407;
-                                                } else {
-                                                    phi_2034_ = _e1416;
-                                                }
-                                                let _e1423 = phi_2034_;
-                                                if (_e1408 < _e1417) {
-                                                    phi_2039_ = _e1408;
-                                                } else {
-                                                    phi_2039_ = _e1417;
-                                                }
-                                                let _e1426 = phi_2039_;
-                                                if (_e1406 > _e1415) {
-                                                    phi_2047_ = _e1406;
-                                                } else {
-                                                    phi_2047_ = _e1415;
-                                                }
-                                                let _e1432 = phi_2047_;
-                                                if (_e1407 > _e1416) {
-                                                    phi_2052_ = _e1407;
-                                                } else {
-                                                    phi_2052_ = _e1416;
-                                                }
-                                                let _e1435 = phi_2052_;
-                                                if (_e1408 > _e1417) {
-                                                    phi_2057_ = _e1408;
-                                                } else {
-                                                    phi_2057_ = _e1417;
-                                                }
-                                                let _e1438 = phi_2057_;
-                                                let _e1442 = core_intrinsics_maximum_number_nsz_f32_((_e1420 - _e372), (_e1423 - _e373));
-                                                let _e1443 = core_intrinsics_maximum_number_nsz_f32_(_e1442, (_e1426 - _e374));
-                                                let _e1444 = core_intrinsics_minimum_number_nsz_f32_((_e1432 + _e372), (_e1435 + _e373));
-                                                let _e1445 = core_intrinsics_minimum_number_nsz_f32_(_e1444, (_e1438 + _e374));
-                                                if (_e1443 > -300000000000000000000000000000000000000f) {
-                                                    phi_2069_ = _e1443;
-                                                } else {
-                                                    phi_2069_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1448 = phi_2069_;
-                                                if (_e1445 < 300000000000000000000000000000000000000f) {
-                                                    phi_2074_ = _e1445;
-                                                } else {
-                                                    phi_2074_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1451 = phi_2074_;
-                                                if (_e1311 < _e1448) {
-                                                    phi_2079_ = _e1448;
-                                                } else {
-                                                    phi_2079_ = _e1311;
-                                                }
-                                                let _e1454 = phi_2079_;
-                                                if (_e1454 > _e1451) {
-                                                    phi_2084_ = _e1451;
-                                                } else {
-                                                    phi_2084_ = _e1454;
-                                                }
-                                                let _e1457 = phi_2084_;
-                                                phi_2089_ = lt_bvh_triangle_Intersection(_e1457, (_e1150 / _e1209), (_e1171 / _e1209), (_e1448 <= _e1451));
-                                                phi_2090_ = false;
-                                            } else {
-                                                phi_2089_ = lt_bvh_triangle_Intersection();
-                                                phi_2090_ = true;
-                                            }
-                                            let _e1463 = phi_2089_;
-                                            let _e1465 = phi_2090_;
-                                            phi_2091_ = _e1463;
-                                            phi_2092_ = _e1465;
-                                        } else {
-                                            phi_2091_ = lt_bvh_triangle_Intersection();
-                                            phi_2092_ = true;
-                                        }
-                                        let _e1467 = phi_2091_;
-                                        let _e1469 = phi_2092_;
-                                        if _e1469 {
-                                        }
-                                        phi_2096_ = _e1467;
-                                        phi_2097_ = _e1469;
+                                        phi_1772_ = _e1195;
                                     }
-                                    let _e1471 = phi_2096_;
-                                    let _e1473 = phi_2097_;
-                                    phi_2098_ = _e1471;
-                                    phi_2099_ = _e1212;
-                                    phi_2100_ = _e1473;
+                                    let _e1197 = phi_1772_;
+                                    phi_1773_ = _e1191;
+                                    phi_1774_ = _e1197;
                                 } else {
-                                    phi_2098_ = lt_bvh_triangle_Intersection();
-                                    phi_2099_ = true;
-                                    phi_2100_ = false;
+                                    phi_1773_ = _e1176;
+                                    phi_1774_ = true;
                                 }
-                                let _e1475 = phi_2098_;
-                                let _e1477 = phi_2099_;
-                                let _e1479 = phi_2100_;
-                                if _e1477 {
-                                    phi_2104_ = true;
-                                } else {
-                                    phi_2104_ = _e1479;
-                                }
-                                let _e1481 = phi_2104_;
-                                if _e1481 {
-                                    phi_2108_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2108_ = _e1475;
-                                }
-                                let _e1483 = phi_2108_;
-                                if _e1483.is_hit {
-                                    if (_e1483.t > _e150.tmin) {
-                                        if (_e1483.t < _e1008.t) {
-                                            phi_2157_ = true;
+                                let _e1199 = phi_1773_;
+                                let _e1201 = phi_1774_;
+                                if _e1201 {
+                                    let _e1202 = (_e1199 == 0f);
+                                    if _e1202 {
+                                        phi_2100_ = lt_bvh_triangle_Intersection();
+                                        phi_2101_ = false;
+                                    } else {
+                                        let _e1204 = triangles.member[(0u + _e1009)].v0_;
+                                        let _e1207 = (_e1204.x - _e150.origin.x);
+                                        let _e1210 = (_e1204.y - _e150.origin.y);
+                                        let _e1213 = (_e1204.z - _e150.origin.z);
+                                        if (_e384 == 0u) {
+                                            phi_1805_ = vec3<f32>(_e1210, _e1213, _e1207);
                                         } else {
-                                            if (_e1483.t == _e1008.t) {
-                                                if (_e1008.triangle != 4294967295u) {
-                                                    if (_e1019 < _e1008.triangle) {
-                                                        phi_2148_ = true;
+                                            if (_e384 == 1u) {
+                                                phi_1804_ = vec3<f32>(_e1213, _e1207, _e1210);
+                                            } else {
+                                                phi_1804_ = (_e1204 - _e150.origin);
+                                            }
+                                            let _e1220 = phi_1804_;
+                                            phi_1805_ = _e1220;
+                                        }
+                                        let _e1222 = phi_1805_;
+                                        let _e1224 = triangles.member[(0u + _e1009)].v1_;
+                                        let _e1226 = triangles.member[(0u + _e1009)].v0_;
+                                        let _e1229 = (_e1224.x - _e1226.x);
+                                        let _e1232 = (_e1224.y - _e1226.y);
+                                        let _e1235 = (_e1224.z - _e1226.z);
+                                        if (_e384 == 0u) {
+                                            phi_1831_ = vec3<f32>(_e1232, _e1235, _e1229);
+                                        } else {
+                                            if (_e384 == 1u) {
+                                                phi_1830_ = vec3<f32>(_e1235, _e1229, _e1232);
+                                            } else {
+                                                phi_1830_ = (_e1224 - _e1226);
+                                            }
+                                            let _e1242 = phi_1830_;
+                                            phi_1831_ = _e1242;
+                                        }
+                                        let _e1244 = phi_1831_;
+                                        let _e1246 = triangles.member[(0u + _e1009)].v2_;
+                                        let _e1248 = triangles.member[(0u + _e1009)].v0_;
+                                        let _e1251 = (_e1246.x - _e1248.x);
+                                        let _e1254 = (_e1246.y - _e1248.y);
+                                        let _e1257 = (_e1246.z - _e1248.z);
+                                        if (_e384 == 0u) {
+                                            phi_1857_ = vec3<f32>(_e1254, _e1257, _e1251);
+                                        } else {
+                                            if (_e384 == 1u) {
+                                                phi_1856_ = vec3<f32>(_e1257, _e1251, _e1254);
+                                            } else {
+                                                phi_1856_ = (_e1246 - _e1248);
+                                            }
+                                            let _e1264 = phi_1856_;
+                                            phi_1857_ = _e1264;
+                                        }
+                                        let _e1266 = phi_1857_;
+                                        let _e1273 = ((_e1244.y * _e1266.z) - (_e1244.z * _e1266.y));
+                                        let _e1280 = ((_e1244.z * _e1266.x) - (_e1244.x * _e1266.z));
+                                        let _e1287 = ((_e1244.x * _e1266.y) - (_e1244.y * _e1266.x));
+                                        let _e1301 = (((1f / _e398.z) * (((_e1273 * _e1222.x) + (_e1280 * _e1222.y)) + (_e1287 * _e1222.z))) / (((_e1273 * _e401) + (_e1280 * _e404)) + _e1287));
+                                        if (_e1301 > _e150.tmin) {
+                                            if (_e1301 < _e150.tmax) {
+                                                let _e1307 = triangles.member[(0u + _e1009)].v0_;
+                                                let _e1309 = triangles.member[(0u + _e1009)].v1_;
+                                                if (_e1307.x < _e1309.x) {
+                                                    phi_1915_ = _e1307.x;
+                                                } else {
+                                                    phi_1915_ = _e1309.x;
+                                                }
+                                                let _e1316 = phi_1915_;
+                                                if (_e1307.y < _e1309.y) {
+                                                    phi_1924_ = _e1307.y;
+                                                } else {
+                                                    phi_1924_ = _e1309.y;
+                                                }
+                                                let _e1323 = phi_1924_;
+                                                if (_e1307.z < _e1309.z) {
+                                                    phi_1933_ = _e1307.z;
+                                                } else {
+                                                    phi_1933_ = _e1309.z;
+                                                }
+                                                let _e1330 = phi_1933_;
+                                                let _e1332 = triangles.member[(0u + _e1009)].v2_;
+                                                if (_e1316 < _e1332.x) {
+                                                    phi_1942_ = _e1316;
+                                                } else {
+                                                    phi_1942_ = _e1332.x;
+                                                }
+                                                let _e1337 = phi_1942_;
+                                                if (_e1323 < _e1332.y) {
+                                                    phi_1949_ = _e1323;
+                                                } else {
+                                                    phi_1949_ = _e1332.y;
+                                                }
+                                                let _e1342 = phi_1949_;
+                                                if (_e1330 < _e1332.z) {
+                                                    phi_1956_ = _e1330;
+                                                } else {
+                                                    phi_1956_ = _e1332.z;
+                                                }
+                                                let _e1347 = phi_1956_;
+                                                let _e1349 = triangles.member[(0u + _e1009)].v0_;
+                                                let _e1351 = triangles.member[(0u + _e1009)].v1_;
+                                                if (_e1349.x > _e1351.x) {
+                                                    phi_1969_ = _e1349.x;
+                                                } else {
+                                                    phi_1969_ = _e1351.x;
+                                                }
+                                                let _e1358 = phi_1969_;
+                                                if (_e1349.y > _e1351.y) {
+                                                    phi_1978_ = _e1349.y;
+                                                } else {
+                                                    phi_1978_ = _e1351.y;
+                                                }
+                                                let _e1365 = phi_1978_;
+                                                if (_e1349.z > _e1351.z) {
+                                                    phi_1987_ = _e1349.z;
+                                                } else {
+                                                    phi_1987_ = _e1351.z;
+                                                }
+                                                let _e1372 = phi_1987_;
+                                                let _e1374 = triangles.member[(0u + _e1009)].v2_;
+                                                if (_e1358 > _e1374.x) {
+                                                    phi_1996_ = _e1358;
+                                                } else {
+                                                    phi_1996_ = _e1374.x;
+                                                }
+                                                let _e1379 = phi_1996_;
+                                                if (_e1365 > _e1374.y) {
+                                                    phi_2003_ = _e1365;
+                                                } else {
+                                                    phi_2003_ = _e1374.y;
+                                                }
+                                                let _e1384 = phi_2003_;
+                                                if (_e1372 > _e1374.z) {
+                                                    phi_2010_ = _e1372;
+                                                } else {
+                                                    phi_2010_ = _e1374.z;
+                                                }
+                                                let _e1389 = phi_2010_;
+                                                let _e1396 = ((_e1337 - _e150.origin.x) * _e296);
+                                                let _e1397 = ((_e1342 - _e150.origin.y) * _e307);
+                                                let _e1398 = ((_e1347 - _e150.origin.z) * _e318);
+                                                let _e1405 = ((_e1379 - _e150.origin.x) * _e296);
+                                                let _e1406 = ((_e1384 - _e150.origin.y) * _e307);
+                                                let _e1407 = ((_e1389 - _e150.origin.z) * _e318);
+                                                if (_e1396 < _e1405) {
+                                                    phi_2033_ = _e1396;
+                                                } else {
+                                                    phi_2033_ = _e1405;
+                                                }
+                                                let _e1410 = phi_2033_;
+                                                if (_e1397 < _e1406) {
+                                                    phi_2038_ = _e1397;
+                                                } else {
+                                                    phi_2038_ = _e1406;
+                                                }
+                                                let _e1413 = phi_2038_;
+                                                if (_e1398 < _e1407) {
+                                                    phi_2043_ = _e1398;
+                                                } else {
+                                                    phi_2043_ = _e1407;
+                                                }
+                                                let _e1416 = phi_2043_;
+                                                if (_e1396 > _e1405) {
+                                                    phi_2051_ = _e1396;
+                                                } else {
+                                                    phi_2051_ = _e1405;
+                                                }
+                                                let _e1422 = phi_2051_;
+                                                if (_e1397 > _e1406) {
+                                                    phi_2056_ = _e1397;
+                                                } else {
+                                                    phi_2056_ = _e1406;
+                                                }
+                                                let _e1425 = phi_2056_;
+                                                if (_e1398 > _e1407) {
+                                                    phi_2061_ = _e1398;
+                                                } else {
+                                                    phi_2061_ = _e1407;
+                                                }
+                                                let _e1428 = phi_2061_;
+                                                let _e1432 = core_intrinsics_maximum_number_nsz_f32_((_e1410 - _e363), (_e1413 - _e364));
+                                                let _e1433 = core_intrinsics_maximum_number_nsz_f32_(_e1432, (_e1416 - _e365));
+                                                let _e1434 = core_intrinsics_minimum_number_nsz_f32_((_e1422 + _e363), (_e1425 + _e364));
+                                                let _e1435 = core_intrinsics_minimum_number_nsz_f32_(_e1434, (_e1428 + _e365));
+                                                if (_e1433 > -300000000000000000000000000000000000000f) {
+                                                    phi_2073_ = _e1433;
+                                                } else {
+                                                    phi_2073_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1438 = phi_2073_;
+                                                if (_e1435 < 300000000000000000000000000000000000000f) {
+                                                    phi_2078_ = _e1435;
+                                                } else {
+                                                    phi_2078_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1441 = phi_2078_;
+                                                if (_e1301 < _e1438) {
+                                                    phi_2083_ = _e1438;
+                                                } else {
+                                                    phi_2083_ = _e1301;
+                                                }
+                                                let _e1444 = phi_2083_;
+                                                if (_e1444 > _e1441) {
+                                                    phi_2088_ = _e1441;
+                                                } else {
+                                                    phi_2088_ = _e1444;
+                                                }
+                                                let _e1447 = phi_2088_;
+                                                phi_2093_ = lt_bvh_triangle_Intersection(_e1447, (_e1140 / _e1199), (_e1161 / _e1199), (_e1438 <= _e1441));
+                                                phi_2094_ = false;
+                                            } else {
+                                                phi_2093_ = lt_bvh_triangle_Intersection();
+                                                phi_2094_ = true;
+                                            }
+                                            let _e1453 = phi_2093_;
+                                            let _e1455 = phi_2094_;
+                                            phi_2095_ = _e1453;
+                                            phi_2096_ = _e1455;
+                                        } else {
+                                            phi_2095_ = lt_bvh_triangle_Intersection();
+                                            phi_2096_ = true;
+                                        }
+                                        let _e1457 = phi_2095_;
+                                        let _e1459 = phi_2096_;
+                                        if _e1459 {
+                                        }
+                                        phi_2100_ = _e1457;
+                                        phi_2101_ = _e1459;
+                                    }
+                                    let _e1461 = phi_2100_;
+                                    let _e1463 = phi_2101_;
+                                    phi_2102_ = _e1461;
+                                    phi_2103_ = _e1202;
+                                    phi_2104_ = _e1463;
+                                } else {
+                                    phi_2102_ = lt_bvh_triangle_Intersection();
+                                    phi_2103_ = true;
+                                    phi_2104_ = false;
+                                }
+                                let _e1465 = phi_2102_;
+                                let _e1467 = phi_2103_;
+                                let _e1469 = phi_2104_;
+                                if _e1467 {
+                                    phi_2108_ = true;
+                                } else {
+                                    phi_2108_ = _e1469;
+                                }
+                                let _e1471 = phi_2108_;
+                                if _e1471 {
+                                    phi_2112_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2112_ = _e1465;
+                                }
+                                let _e1473 = phi_2112_;
+                                if _e1473.is_hit {
+                                    if (_e1473.t > _e150.tmin) {
+                                        if (_e1473.t < _e998.t) {
+                                            phi_2161_ = true;
+                                        } else {
+                                            if (_e1473.t == _e998.t) {
+                                                if (_e998.triangle != 4294967295u) {
+                                                    if (_e1009 < _e998.triangle) {
+                                                        phi_2152_ = true;
                                                     } else {
-                                                        if (_e1019 == _e1008.triangle) {
-                                                            phi_2147_ = (4294967295u < _e1008.instance);
+                                                        if (_e1009 == _e998.triangle) {
+                                                            phi_2151_ = (4294967295u < _e998.instance);
                                                         } else {
-                                                            phi_2147_ = false;
+                                                            phi_2151_ = false;
                                                         }
-                                                        let _e1502 = phi_2147_;
-                                                        phi_2148_ = _e1502;
+                                                        let _e1492 = phi_2151_;
+                                                        phi_2152_ = _e1492;
                                                     }
-                                                    let _e1504 = phi_2148_;
-                                                    phi_2149_ = _e1504;
-                                                    phi_2150_ = false;
+                                                    let _e1494 = phi_2152_;
+                                                    phi_2153_ = _e1494;
+                                                    phi_2154_ = false;
                                                 } else {
-                                                    phi_2149_ = bool();
-                                                    phi_2150_ = true;
+                                                    phi_2153_ = bool();
+                                                    phi_2154_ = true;
                                                 }
-                                                let _e1506 = phi_2149_;
-                                                let _e1508 = phi_2150_;
-                                                phi_2151_ = _e1506;
-                                                phi_2152_ = _e1508;
+                                                let _e1496 = phi_2153_;
+                                                let _e1498 = phi_2154_;
+                                                phi_2155_ = _e1496;
+                                                phi_2156_ = _e1498;
                                             } else {
-                                                phi_2151_ = bool();
-                                                phi_2152_ = true;
+                                                phi_2155_ = bool();
+                                                phi_2156_ = true;
                                             }
-                                            let _e1510 = phi_2151_;
-                                            let _e1512 = phi_2152_;
-                                            if _e1512 {
-                                                phi_2156_ = false;
+                                            let _e1500 = phi_2155_;
+                                            let _e1502 = phi_2156_;
+                                            if _e1502 {
+                                                phi_2160_ = false;
                                             } else {
-                                                phi_2156_ = _e1510;
+                                                phi_2160_ = _e1500;
                                             }
-                                            let _e1514 = phi_2156_;
-                                            phi_2157_ = _e1514;
+                                            let _e1504 = phi_2160_;
+                                            phi_2161_ = _e1504;
                                         }
-                                        let _e1516 = phi_2157_;
-                                        if _e1516 {
-                                            let _e1518 = triangles.member[(0u + _e1019)].i0_;
-                                            if ((_e1518 & 2147483648u) == 0u) {
-                                                phi_2171_ = true;
+                                        let _e1506 = phi_2161_;
+                                        if _e1506 {
+                                            let _e1508 = triangles.member[(0u + _e1009)].i0_;
+                                            if ((_e1508 & 2147483648u) == 0u) {
+                                                phi_2175_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_2171_ = true;
+                                                phi_2175_ = true;
                                             }
-                                            let _e1522 = phi_2171_;
-                                            if _e1522 {
-                                                phi_2179_ = lt_bvh_Hit(_e1483.t, _e1483.u, _e1483.v, _e1019, 4294967295u);
+                                            let _e1512 = phi_2175_;
+                                            if _e1512 {
+                                                phi_2183_ = lt_bvh_Hit(_e1473.t, _e1473.u, _e1473.v, _e1009, 4294967295u);
                                             } else {
-                                                phi_2179_ = _e1008;
+                                                phi_2183_ = _e998;
                                             }
-                                            let _e1528 = phi_2179_;
-                                            phi_2180_ = _e1528;
+                                            let _e1518 = phi_2183_;
+                                            phi_2184_ = _e1518;
                                         } else {
-                                            phi_2180_ = _e1008;
+                                            phi_2184_ = _e998;
                                         }
-                                        let _e1530 = phi_2180_;
-                                        phi_2181_ = _e1530;
+                                        let _e1520 = phi_2184_;
+                                        phi_2185_ = _e1520;
                                     } else {
-                                        phi_2181_ = _e1008;
+                                        phi_2185_ = _e998;
                                     }
-                                    let _e1532 = phi_2181_;
-                                    phi_2182_ = _e1532;
+                                    let _e1522 = phi_2185_;
+                                    phi_2186_ = _e1522;
                                 } else {
-                                    phi_2182_ = _e1008;
+                                    phi_2186_ = _e998;
                                 }
-                                let _e1534 = phi_2182_;
-                                phi_1522_ = _e1534;
-                                phi_1525_ = (_e1010 & (_e1010 - 1u));
-                                phi_2183_ = true;
+                                let _e1524 = phi_2186_;
+                                phi_1526_ = _e1524;
+                                phi_1529_ = (_e1000 & (_e1000 - 1u));
+                                phi_2187_ = true;
                             }
-                            let _e1536 = phi_1522_;
-                            let _e1538 = phi_1525_;
-                            let _e1540 = phi_2183_;
+                            let _e1526 = phi_1526_;
+                            let _e1528 = phi_1529_;
+                            let _e1530 = phi_2187_;
                             continue;
                             continuing {
-                                phi_1521_ = _e1536;
-                                phi_1524_ = _e1538;
-                                break if !(_e1540);
+                                phi_1525_ = _e1526;
+                                phi_1528_ = _e1528;
+                                break if !(_e1530);
                             }
                         }
-                        let _e1543 = local_1.group_mask;
-                        if ((_e1543 & 4278190080u) == 0u) {
-                            let _e1547 = local_1.len;
-                            if (_e1547 == 0u) {
-                                phi_2222_ = false;
+                        let _e1533 = local_1.group_mask;
+                        if ((_e1533 & 4278190080u) == 0u) {
+                            let _e1537 = local_1.len;
+                            if (_e1537 == 0u) {
+                                phi_2226_ = false;
                             } else {
-                                let _e1551 = local_1.len;
-                                local_1.len = (_e1551 - 1u);
-                                let _e1554 = local_1.len;
-                                if (_e1554 < 32u) {
+                                let _e1541 = local_1.len;
+                                local_1.len = (_e1541 - 1u);
+                                let _e1544 = local_1.len;
+                                if (_e1544 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1559 = local_1.first[(0u + _e1554)];
-                                local_1.group = _e1559;
-                                let _e1562 = local_1.len;
-                                if (_e1562 < 32u) {
+                                let _e1549 = local_1.first[(0u + _e1544)];
+                                local_1.group = _e1549;
+                                let _e1552 = local_1.len;
+                                if (_e1552 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1567 = local_1.mask[(0u + _e1562)];
-                                local_1.group_mask = _e1567;
-                                phi_2222_ = true;
+                                let _e1557 = local_1.mask[(0u + _e1552)];
+                                local_1.group_mask = _e1557;
+                                phi_2226_ = true;
                             }
-                            let _e1570 = phi_2222_;
-                            phi_2223_ = _e1570;
+                            let _e1560 = phi_2226_;
+                            phi_2227_ = _e1560;
                         } else {
-                            phi_2223_ = true;
+                            phi_2227_ = true;
                         }
-                        let _e1572 = phi_2223_;
-                        if _e1572 {
+                        let _e1562 = phi_2227_;
+                        if _e1562 {
+                            let _e1564 = local_1.group_mask;
+                            let _e1570 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1564)), 32u, (_e1564 == 0u)));
                             let _e1574 = local_1.group_mask;
-                            let _e1580 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1574)), 32u, (_e1574 == 0u)));
-                            let _e1584 = local_1.group_mask;
-                            let _e1598 = local_1.group_mask;
-                            local_1.group_mask = (_e1598 & ~((1u << bitcast<u32>((_e1580 & 31u)))));
-                            let _e1601 = local_1.group;
-                            phi_2254_ = (_e1601 + countOneBits(((_e1584 & ~((4294967295u << bitcast<u32>((((_e1580 - 24u) ^ _e427) & 31u))))) & 255u)));
+                            let _e1588 = local_1.group_mask;
+                            local_1.group_mask = (_e1588 & ~((1u << bitcast<u32>((_e1570 & 31u)))));
+                            let _e1591 = local_1.group;
+                            phi_2258_ = (_e1591 + countOneBits(((_e1574 & ~((4294967295u << bitcast<u32>((((_e1570 - 24u) ^ _e417) & 31u))))) & 255u)));
                         } else {
-                            phi_2254_ = 4294967295u;
+                            phi_2258_ = 4294967295u;
                         }
-                        let _e1604 = phi_2254_;
-                        let _e2448 = local_5;
-                        phi_1185_ = _e2448;
-                        phi_1188_ = _e1604;
+                        let _e1594 = phi_2258_;
+                        let _e2436 = local_5;
+                        phi_1189_ = _e2436;
+                        phi_1192_ = _e1594;
                     } else {
-                        phi_1185_ = lt_bvh_Hit();
-                        phi_1188_ = u32();
+                        phi_1189_ = lt_bvh_Hit();
+                        phi_1192_ = u32();
                     }
-                    let _e1606 = phi_1185_;
-                    let _e1608 = phi_1188_;
+                    let _e1596 = phi_1189_;
+                    let _e1598 = phi_1192_;
                     continue;
                     continuing {
-                        phi_1184_ = _e1606;
-                        phi_1187_ = _e1608;
-                        break if !(_e568);
+                        phi_1188_ = _e1596;
+                        phi_1191_ = _e1598;
+                        break if !(_e558);
                     }
                 }
-                let _e2452 = local_6;
-                phi_2255_ = _e2452;
+                let _e2440 = local_6;
+                phi_2259_ = _e2440;
             }
-            let _e1611 = phi_2255_;
-            phi_2256_ = _e1611;
-            phi_2257_ = _e222;
+            let _e1601 = phi_2259_;
+            phi_2260_ = _e1601;
+            phi_2261_ = _e214;
         } else {
-            phi_2256_ = lt_bvh_Hit();
-            phi_2257_ = true;
+            phi_2260_ = lt_bvh_Hit();
+            phi_2261_ = true;
         }
-        let _e1613 = phi_2256_;
-        let _e1615 = phi_2257_;
-        if _e1615 {
-            phi_2261_ = _e152;
+        let _e1603 = phi_2260_;
+        let _e1605 = phi_2261_;
+        if _e1605 {
+            phi_2265_ = _e152;
         } else {
-            phi_2261_ = _e1613;
+            phi_2265_ = _e1603;
         }
-        let _e1617 = phi_2261_;
-        if (_e1617.triangle != 4294967295u) {
-            let _e1623 = ((1f - _e1617.u) - _e1617.v);
-            if (_e1617.triangle < _e77) {
+        let _e1607 = phi_2265_;
+        if (_e1607.triangle != 4294967295u) {
+            let _e1613 = ((1f - _e1607.u) - _e1607.v);
+            if (_e1607.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1628 = triangles.member[(0u + _e1617.triangle)];
-            let _e1653 = (((_e1628.v0_.x * _e1623) + (_e1628.v1_.x * _e1617.u)) + (_e1628.v2_.x * _e1617.v));
-            let _e1654 = (((_e1628.v0_.y * _e1623) + (_e1628.v1_.y * _e1617.u)) + (_e1628.v2_.y * _e1617.v));
-            let _e1655 = (((_e1628.v0_.z * _e1623) + (_e1628.v1_.z * _e1617.u)) + (_e1628.v2_.z * _e1617.v));
-            let _e1658 = abs(_e1628.v0_.x);
-            let _e1660 = abs(_e1628.v0_.y);
-            let _e1662 = abs(_e1628.v0_.z);
-            let _e1664 = abs(_e1628.v1_.x);
-            let _e1666 = abs(_e1628.v1_.y);
-            let _e1668 = abs(_e1628.v1_.z);
-            if (_e1658 > _e1664) {
-                phi_2325_ = _e1658;
+            let _e1618 = triangles.member[(0u + _e1607.triangle)];
+            let _e1643 = (((_e1618.v0_.x * _e1613) + (_e1618.v1_.x * _e1607.u)) + (_e1618.v2_.x * _e1607.v));
+            let _e1644 = (((_e1618.v0_.y * _e1613) + (_e1618.v1_.y * _e1607.u)) + (_e1618.v2_.y * _e1607.v));
+            let _e1645 = (((_e1618.v0_.z * _e1613) + (_e1618.v1_.z * _e1607.u)) + (_e1618.v2_.z * _e1607.v));
+            let _e1648 = abs(_e1618.v0_.x);
+            let _e1650 = abs(_e1618.v0_.y);
+            let _e1652 = abs(_e1618.v0_.z);
+            let _e1654 = abs(_e1618.v1_.x);
+            let _e1656 = abs(_e1618.v1_.y);
+            let _e1658 = abs(_e1618.v1_.z);
+            if (_e1648 > _e1654) {
+                phi_2329_ = _e1648;
             } else {
-                phi_2325_ = _e1664;
+                phi_2329_ = _e1654;
             }
-            let _e1671 = phi_2325_;
-            if (_e1660 > _e1666) {
-                phi_2330_ = _e1660;
+            let _e1661 = phi_2329_;
+            if (_e1650 > _e1656) {
+                phi_2334_ = _e1650;
             } else {
-                phi_2330_ = _e1666;
+                phi_2334_ = _e1656;
             }
-            let _e1674 = phi_2330_;
-            if (_e1662 > _e1668) {
-                phi_2335_ = _e1662;
+            let _e1664 = phi_2334_;
+            if (_e1652 > _e1658) {
+                phi_2339_ = _e1652;
             } else {
-                phi_2335_ = _e1668;
+                phi_2339_ = _e1658;
             }
-            let _e1677 = phi_2335_;
-            let _e1679 = abs(_e1628.v2_.x);
-            let _e1681 = abs(_e1628.v2_.y);
-            let _e1683 = abs(_e1628.v2_.z);
-            if (_e1671 > _e1679) {
-                phi_2346_ = _e1671;
+            let _e1667 = phi_2339_;
+            let _e1669 = abs(_e1618.v2_.x);
+            let _e1671 = abs(_e1618.v2_.y);
+            let _e1673 = abs(_e1618.v2_.z);
+            if (_e1661 > _e1669) {
+                phi_2350_ = _e1661;
             } else {
-                phi_2346_ = _e1679;
+                phi_2350_ = _e1669;
             }
-            let _e1686 = phi_2346_;
-            if (_e1674 > _e1681) {
-                phi_2351_ = _e1674;
+            let _e1676 = phi_2350_;
+            if (_e1664 > _e1671) {
+                phi_2355_ = _e1664;
             } else {
-                phi_2351_ = _e1681;
+                phi_2355_ = _e1671;
             }
-            let _e1689 = phi_2351_;
-            if (_e1677 > _e1683) {
-                phi_2356_ = _e1677;
+            let _e1679 = phi_2355_;
+            if (_e1667 > _e1673) {
+                phi_2360_ = _e1667;
             } else {
-                phi_2356_ = _e1683;
+                phi_2360_ = _e1673;
             }
-            let _e1692 = phi_2356_;
-            let _e1695 = (_e1628.v1_.x - _e1628.v0_.x);
-            let _e1698 = (_e1628.v1_.y - _e1628.v0_.y);
-            let _e1701 = (_e1628.v1_.z - _e1628.v0_.z);
-            let _e1704 = (_e1628.v2_.x - _e1628.v0_.x);
-            let _e1707 = (_e1628.v2_.y - _e1628.v0_.y);
-            let _e1710 = (_e1628.v2_.z - _e1628.v0_.z);
-            let _e1714 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1698), abs(_e1701));
-            let _e1715 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), _e1714);
-            let _e1716 = (_e1695 / _e1715);
-            let _e1717 = (_e1698 / _e1715);
-            let _e1718 = (_e1701 / _e1715);
-            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1707), abs(_e1710));
-            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), _e1722);
-            let _e1724 = (_e1704 / _e1723);
-            let _e1725 = (_e1707 / _e1723);
-            let _e1726 = (_e1710 / _e1723);
-            let _e1729 = ((_e1717 * _e1726) - (_e1725 * _e1718));
-            let _e1732 = ((_e1718 * _e1724) - (_e1726 * _e1716));
-            let _e1735 = ((_e1716 * _e1725) - (_e1724 * _e1717));
-            let _e1737 = p.member.eye;
-            let _e1750 = (1f / sqrt((((_e1729 * _e1729) + (_e1732 * _e1732)) + (_e1735 * _e1735))));
-            let _e1751 = (_e1729 * _e1750);
-            let _e1752 = (_e1732 * _e1750);
-            let _e1753 = (_e1735 * _e1750);
-            if ((((_e1751 * (_e1737.x - _e1653)) + (_e1752 * (_e1737.y - _e1654))) + (_e1753 * (_e1737.z - _e1655))) < 0f) {
-                phi_2432_ = vec3<f32>(-(_e1751), -(_e1752), -(_e1753));
+            let _e1682 = phi_2360_;
+            let _e1685 = (_e1618.v1_.x - _e1618.v0_.x);
+            let _e1688 = (_e1618.v1_.y - _e1618.v0_.y);
+            let _e1691 = (_e1618.v1_.z - _e1618.v0_.z);
+            let _e1694 = (_e1618.v2_.x - _e1618.v0_.x);
+            let _e1697 = (_e1618.v2_.y - _e1618.v0_.y);
+            let _e1700 = (_e1618.v2_.z - _e1618.v0_.z);
+            let _e1704 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1688), abs(_e1691));
+            let _e1705 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1685), _e1704);
+            let _e1706 = (_e1685 / _e1705);
+            let _e1707 = (_e1688 / _e1705);
+            let _e1708 = (_e1691 / _e1705);
+            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1697), abs(_e1700));
+            let _e1713 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1694), _e1712);
+            let _e1714 = (_e1694 / _e1713);
+            let _e1715 = (_e1697 / _e1713);
+            let _e1716 = (_e1700 / _e1713);
+            let _e1719 = ((_e1707 * _e1716) - (_e1715 * _e1708));
+            let _e1722 = ((_e1708 * _e1714) - (_e1716 * _e1706));
+            let _e1725 = ((_e1706 * _e1715) - (_e1714 * _e1707));
+            let _e1727 = p.member.eye;
+            let _e1740 = (1f / sqrt((((_e1719 * _e1719) + (_e1722 * _e1722)) + (_e1725 * _e1725))));
+            let _e1741 = (_e1719 * _e1740);
+            let _e1742 = (_e1722 * _e1740);
+            let _e1743 = (_e1725 * _e1740);
+            if ((((_e1741 * (_e1727.x - _e1643)) + (_e1742 * (_e1727.y - _e1644))) + (_e1743 * (_e1727.z - _e1645))) < 0f) {
+                phi_2436_ = vec3<f32>(-(_e1741), -(_e1742), -(_e1743));
             } else {
-                phi_2432_ = vec3<f32>(_e1751, _e1752, _e1753);
+                phi_2436_ = vec3<f32>(_e1741, _e1742, _e1743);
             }
-            let _e1766 = phi_2432_;
-            if (_e1617.triangle < _e77) {
+            let _e1756 = phi_2436_;
+            if (_e1607.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1771 = triangles.member[(0u + _e1617.triangle)];
-            let _e1773 = (_e1771.i0_ & 2147483647u);
-            if (_e1773 < _e80) {
+            let _e1761 = triangles.member[(0u + _e1607.triangle)];
+            let _e1763 = (_e1761.i0_ & 2147483647u);
+            if (_e1763 < _e80) {
             } else {
                 return;
             }
-            let _e1779 = vertices.member[(0u + _e1773)];
-            if (_e1771.i1_ < _e80) {
+            let _e1769 = vertices.member[(0u + _e1763)];
+            if (_e1761.i1_ < _e80) {
             } else {
                 return;
             }
-            let _e1783 = vertices.member[(0u + _e1771.i1_)];
-            if (_e1771.i2_ < _e80) {
+            let _e1773 = vertices.member[(0u + _e1761.i1_)];
+            if (_e1761.i2_ < _e80) {
             } else {
                 return;
             }
-            let _e1787 = vertices.member[(0u + _e1771.i2_)];
-            let _e1788 = array<abi_Vertex, 3>(_e1779, _e1783, _e1787);
-            if (_e1788[0].material < arrayLength((&materials.member))) {
+            let _e1777 = vertices.member[(0u + _e1761.i2_)];
+            let _e1778 = array<abi_Vertex, 3>(_e1769, _e1773, _e1777);
+            if (_e1778[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1794 = materials.member[(0u + _e1788[0].material)];
-            let _e1811 = (1f / 255f);
-            let _e1830 = (1f / 255f);
-            let _e1852 = (1f / 255f);
-            if (_e1794.color_size == 0u) {
-                phi_2675_ = vec3<f32>(1f, 1f, 1f);
+            let _e1784 = materials.member[(0u + _e1778[0].material)];
+            let _e1801 = (1f / 255f);
+            let _e1820 = (1f / 255f);
+            let _e1842 = (1f / 255f);
+            if (_e1784.color_size == 0u) {
+                phi_2679_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1794.color_offset;
-                local.size = _e1794.color_size;
-                local.flags = _e1794.flags;
-                let _e1895 = _lt_shaders_texture_TextureView_quad((&local), (((_e1788[0].u * _e1623) + (_e1788[1].u * _e1617.u)) + (_e1788[2].u * _e1617.v)), (((_e1788[0].v * _e1623) + (_e1788[1].v * _e1617.u)) + (_e1788[2].v * _e1617.v)));
-                if (_e1895.indices[0] < _e89) {
+                local.offset = _e1784.color_offset;
+                local.size = _e1784.color_size;
+                local.flags = _e1784.flags;
+                let _e1885 = _lt_shaders_texture_TextureView_quad((&local), (((_e1778[0].u * _e1613) + (_e1778[1].u * _e1607.u)) + (_e1778[2].u * _e1607.v)), (((_e1778[0].v * _e1613) + (_e1778[1].v * _e1607.u)) + (_e1778[2].v * _e1607.v)));
+                if (_e1885.indices[0] < _e89) {
                 } else {
                     return;
                 }
-                let _e1901 = color_texels.member[(0u + _e1895.indices[0])];
-                let _e1912 = (1f / 255f);
-                if (_e1895.indices[1] < _e89) {
+                let _e1891 = color_texels.member[(0u + _e1885.indices[0])];
+                let _e1902 = (1f / 255f);
+                if (_e1885.indices[1] < _e89) {
                 } else {
                     return;
                 }
-                let _e1926 = color_texels.member[(0u + _e1895.indices[1])];
-                let _e1937 = (1f / 255f);
-                if (_e1895.indices[2] < _e89) {
+                let _e1916 = color_texels.member[(0u + _e1885.indices[1])];
+                let _e1927 = (1f / 255f);
+                if (_e1885.indices[2] < _e89) {
                 } else {
                     return;
                 }
-                let _e1954 = color_texels.member[(0u + _e1895.indices[2])];
-                let _e1965 = (1f / 255f);
-                if (_e1895.indices[3] < _e89) {
+                let _e1944 = color_texels.member[(0u + _e1885.indices[2])];
+                let _e1955 = (1f / 255f);
+                if (_e1885.indices[3] < _e89) {
                 } else {
                     return;
                 }
-                let _e1982 = color_texels.member[(0u + _e1895.indices[3])];
-                let _e1993 = (1f / 255f);
-                let _e2002 = (((((f32((_e1901 & 255u)) * _e1912) * _e1895.weights.x) + ((f32((_e1926 & 255u)) * _e1937) * _e1895.weights.y)) + ((f32((_e1954 & 255u)) * _e1965) * _e1895.weights.z)) + ((f32((_e1982 & 255u)) * _e1993) * _e1895.weights.w));
-                let _e2003 = (((((f32(((_e1901 >> bitcast<u32>(8i)) & 255u)) * _e1912) * _e1895.weights.x) + ((f32(((_e1926 >> bitcast<u32>(8i)) & 255u)) * _e1937) * _e1895.weights.y)) + ((f32(((_e1954 >> bitcast<u32>(8i)) & 255u)) * _e1965) * _e1895.weights.z)) + ((f32(((_e1982 >> bitcast<u32>(8i)) & 255u)) * _e1993) * _e1895.weights.w));
-                let _e2004 = (((((f32(((_e1901 >> bitcast<u32>(16i)) & 255u)) * _e1912) * _e1895.weights.x) + ((f32(((_e1926 >> bitcast<u32>(16i)) & 255u)) * _e1937) * _e1895.weights.y)) + ((f32(((_e1954 >> bitcast<u32>(16i)) & 255u)) * _e1965) * _e1895.weights.z)) + ((f32(((_e1982 >> bitcast<u32>(16i)) & 255u)) * _e1993) * _e1895.weights.w));
-                phi_2675_ = vec3<f32>((_e2002 * _e2002), (_e2003 * _e2003), (_e2004 * _e2004));
+                let _e1972 = color_texels.member[(0u + _e1885.indices[3])];
+                let _e1983 = (1f / 255f);
+                let _e1992 = (((((f32((_e1891 & 255u)) * _e1902) * _e1885.weights.x) + ((f32((_e1916 & 255u)) * _e1927) * _e1885.weights.y)) + ((f32((_e1944 & 255u)) * _e1955) * _e1885.weights.z)) + ((f32((_e1972 & 255u)) * _e1983) * _e1885.weights.w));
+                let _e1993 = (((((f32(((_e1891 >> bitcast<u32>(8i)) & 255u)) * _e1902) * _e1885.weights.x) + ((f32(((_e1916 >> bitcast<u32>(8i)) & 255u)) * _e1927) * _e1885.weights.y)) + ((f32(((_e1944 >> bitcast<u32>(8i)) & 255u)) * _e1955) * _e1885.weights.z)) + ((f32(((_e1972 >> bitcast<u32>(8i)) & 255u)) * _e1983) * _e1885.weights.w));
+                let _e1994 = (((((f32(((_e1891 >> bitcast<u32>(16i)) & 255u)) * _e1902) * _e1885.weights.x) + ((f32(((_e1916 >> bitcast<u32>(16i)) & 255u)) * _e1927) * _e1885.weights.y)) + ((f32(((_e1944 >> bitcast<u32>(16i)) & 255u)) * _e1955) * _e1885.weights.z)) + ((f32(((_e1972 >> bitcast<u32>(16i)) & 255u)) * _e1983) * _e1885.weights.w));
+                phi_2679_ = vec3<f32>((_e1992 * _e1992), (_e1993 * _e1993), (_e1994 * _e1994));
             }
-            let _e2010 = phi_2675_;
-            let _e2012 = ((_e1794.base_color.x * ((((f32((_e1788[0].color & 255u)) * _e1811) * _e1623) + ((f32((_e1788[1].color & 255u)) * _e1830) * _e1617.u)) + ((f32((_e1788[2].color & 255u)) * _e1852) * _e1617.v))) * _e2010.x);
-            let _e2014 = ((_e1794.base_color.y * ((((f32(((_e1788[0].color >> bitcast<u32>(8i)) & 255u)) * _e1811) * _e1623) + ((f32(((_e1788[1].color >> bitcast<u32>(8i)) & 255u)) * _e1830) * _e1617.u)) + ((f32(((_e1788[2].color >> bitcast<u32>(8i)) & 255u)) * _e1852) * _e1617.v))) * _e2010.y);
-            let _e2016 = ((_e1794.base_color.z * ((((f32(((_e1788[0].color >> bitcast<u32>(16i)) & 255u)) * _e1811) * _e1623) + ((f32(((_e1788[1].color >> bitcast<u32>(16i)) & 255u)) * _e1830) * _e1617.u)) + ((f32(((_e1788[2].color >> bitcast<u32>(16i)) & 255u)) * _e1852) * _e1617.v))) * _e2010.z);
-            let _e2017 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1689, _e1692);
-            let _e2018 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e2017);
-            if ((_e1794.flags & 2u) == 0u) {
-                phi_2690_ = 0u;
+            let _e2000 = phi_2679_;
+            let _e2002 = ((_e1784.base_color.x * ((((f32((_e1778[0].color & 255u)) * _e1801) * _e1613) + ((f32((_e1778[1].color & 255u)) * _e1820) * _e1607.u)) + ((f32((_e1778[2].color & 255u)) * _e1842) * _e1607.v))) * _e2000.x);
+            let _e2004 = ((_e1784.base_color.y * ((((f32(((_e1778[0].color >> bitcast<u32>(8i)) & 255u)) * _e1801) * _e1613) + ((f32(((_e1778[1].color >> bitcast<u32>(8i)) & 255u)) * _e1820) * _e1607.u)) + ((f32(((_e1778[2].color >> bitcast<u32>(8i)) & 255u)) * _e1842) * _e1607.v))) * _e2000.y);
+            let _e2006 = ((_e1784.base_color.z * ((((f32(((_e1778[0].color >> bitcast<u32>(16i)) & 255u)) * _e1801) * _e1613) + ((f32(((_e1778[1].color >> bitcast<u32>(16i)) & 255u)) * _e1820) * _e1607.u)) + ((f32(((_e1778[2].color >> bitcast<u32>(16i)) & 255u)) * _e1842) * _e1607.v))) * _e2000.z);
+            let _e2007 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1679, _e1682);
+            let _e2008 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1676, _e2007);
+            if ((_e1784.flags & 2u) == 0u) {
+                phi_2694_ = 0u;
             } else {
-                phi_2690_ = 1u;
+                phi_2694_ = 1u;
             }
-            let _e2023 = phi_2690_;
-            if (_e1788[0].normal == 2147516416u) {
-                phi_2893_ = _e1766;
+            let _e2013 = phi_2694_;
+            if (_e1778[0].normal == 2147516416u) {
+                phi_2897_ = _e1756;
             } else {
-                let _e2036 = (f32((bitcast<i32>((_e1788[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2042 = (f32((bitcast<i32>(_e1788[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2046 = ((1f - abs(_e2036)) - abs(_e2042));
-                if (_e2046 < 0f) {
-                    phi_2717_ = -(_e2046);
-                } else {
-                    phi_2717_ = 0f;
-                }
-                let _e2050 = phi_2717_;
+                let _e2026 = (f32((bitcast<i32>((_e1778[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2032 = (f32((bitcast<i32>(_e1778[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2036 = ((1f - abs(_e2026)) - abs(_e2032));
                 if (_e2036 < 0f) {
-                    phi_2724_ = (_e2036 + _e2050);
+                    phi_2721_ = -(_e2036);
                 } else {
-                    phi_2724_ = (_e2036 - _e2050);
+                    phi_2721_ = 0f;
                 }
-                let _e2055 = phi_2724_;
-                if (_e2042 < 0f) {
-                    phi_2731_ = (_e2042 + _e2050);
+                let _e2040 = phi_2721_;
+                if (_e2026 < 0f) {
+                    phi_2728_ = (_e2026 + _e2040);
                 } else {
-                    phi_2731_ = (_e2042 - _e2050);
+                    phi_2728_ = (_e2026 - _e2040);
                 }
-                let _e2060 = phi_2731_;
-                let _e2067 = (1f / sqrt((((_e2055 * _e2055) + (_e2060 * _e2060)) + (_e2046 * _e2046))));
-                let _e2083 = (f32((bitcast<i32>((_e1788[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2089 = (f32((bitcast<i32>(_e1788[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2093 = ((1f - abs(_e2083)) - abs(_e2089));
-                if (_e2093 < 0f) {
-                    phi_2766_ = -(_e2093);
+                let _e2045 = phi_2728_;
+                if (_e2032 < 0f) {
+                    phi_2735_ = (_e2032 + _e2040);
                 } else {
-                    phi_2766_ = 0f;
+                    phi_2735_ = (_e2032 - _e2040);
                 }
-                let _e2097 = phi_2766_;
+                let _e2050 = phi_2735_;
+                let _e2057 = (1f / sqrt((((_e2045 * _e2045) + (_e2050 * _e2050)) + (_e2036 * _e2036))));
+                let _e2073 = (f32((bitcast<i32>((_e1778[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2079 = (f32((bitcast<i32>(_e1778[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2083 = ((1f - abs(_e2073)) - abs(_e2079));
                 if (_e2083 < 0f) {
-                    phi_2773_ = (_e2083 + _e2097);
+                    phi_2770_ = -(_e2083);
                 } else {
-                    phi_2773_ = (_e2083 - _e2097);
+                    phi_2770_ = 0f;
                 }
-                let _e2102 = phi_2773_;
-                if (_e2089 < 0f) {
-                    phi_2780_ = (_e2089 + _e2097);
+                let _e2087 = phi_2770_;
+                if (_e2073 < 0f) {
+                    phi_2777_ = (_e2073 + _e2087);
                 } else {
-                    phi_2780_ = (_e2089 - _e2097);
+                    phi_2777_ = (_e2073 - _e2087);
                 }
-                let _e2107 = phi_2780_;
-                let _e2114 = (1f / sqrt((((_e2102 * _e2102) + (_e2107 * _e2107)) + (_e2093 * _e2093))));
-                let _e2133 = (f32((bitcast<i32>((_e1788[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2139 = (f32((bitcast<i32>(_e1788[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2143 = ((1f - abs(_e2133)) - abs(_e2139));
-                if (_e2143 < 0f) {
-                    phi_2818_ = -(_e2143);
+                let _e2092 = phi_2777_;
+                if (_e2079 < 0f) {
+                    phi_2784_ = (_e2079 + _e2087);
                 } else {
-                    phi_2818_ = 0f;
+                    phi_2784_ = (_e2079 - _e2087);
                 }
-                let _e2147 = phi_2818_;
+                let _e2097 = phi_2784_;
+                let _e2104 = (1f / sqrt((((_e2092 * _e2092) + (_e2097 * _e2097)) + (_e2083 * _e2083))));
+                let _e2123 = (f32((bitcast<i32>((_e1778[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2129 = (f32((bitcast<i32>(_e1778[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2133 = ((1f - abs(_e2123)) - abs(_e2129));
                 if (_e2133 < 0f) {
-                    phi_2825_ = (_e2133 + _e2147);
+                    phi_2822_ = -(_e2133);
                 } else {
-                    phi_2825_ = (_e2133 - _e2147);
+                    phi_2822_ = 0f;
                 }
-                let _e2152 = phi_2825_;
-                if (_e2139 < 0f) {
-                    phi_2832_ = (_e2139 + _e2147);
+                let _e2137 = phi_2822_;
+                if (_e2123 < 0f) {
+                    phi_2829_ = (_e2123 + _e2137);
                 } else {
-                    phi_2832_ = (_e2139 - _e2147);
+                    phi_2829_ = (_e2123 - _e2137);
                 }
-                let _e2157 = phi_2832_;
-                let _e2164 = (1f / sqrt((((_e2152 * _e2152) + (_e2157 * _e2157)) + (_e2143 * _e2143))));
-                let _e2175 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2055 * _e2067) * _e1623) + ((_e2102 * _e2114) * _e1617.u)) + ((_e2152 * _e2164) * _e1617.v)), ((((_e2060 * _e2067) * _e1623) + ((_e2107 * _e2114) * _e1617.u)) + ((_e2157 * _e2164) * _e1617.v)), ((((_e2046 * _e2067) * _e1623) + ((_e2093 * _e2114) * _e1617.u)) + ((_e2143 * _e2164) * _e1617.v))));
-                let _e2187 = sqrt((((_e2175.x * _e2175.x) + (_e2175.y * _e2175.y)) + (_e2175.z * _e2175.z)));
-                if (_e2187 > 0f) {
-                    let _e2190 = (_e2175.x / _e2187);
-                    let _e2192 = (_e2175.y / _e2187);
-                    let _e2194 = (_e2175.z / _e2187);
-                    if ((((_e2190 * _e1766.x) + (_e2192 * _e1766.y)) + (_e2194 * _e1766.z)) < 0f) {
-                        phi_2891_ = vec3<f32>(-(_e2190), -(_e2192), -(_e2194));
+                let _e2142 = phi_2829_;
+                if (_e2129 < 0f) {
+                    phi_2836_ = (_e2129 + _e2137);
+                } else {
+                    phi_2836_ = (_e2129 - _e2137);
+                }
+                let _e2147 = phi_2836_;
+                let _e2154 = (1f / sqrt((((_e2142 * _e2142) + (_e2147 * _e2147)) + (_e2133 * _e2133))));
+                let _e2165 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2045 * _e2057) * _e1613) + ((_e2092 * _e2104) * _e1607.u)) + ((_e2142 * _e2154) * _e1607.v)), ((((_e2050 * _e2057) * _e1613) + ((_e2097 * _e2104) * _e1607.u)) + ((_e2147 * _e2154) * _e1607.v)), ((((_e2036 * _e2057) * _e1613) + ((_e2083 * _e2104) * _e1607.u)) + ((_e2133 * _e2154) * _e1607.v))));
+                let _e2177 = sqrt((((_e2165.x * _e2165.x) + (_e2165.y * _e2165.y)) + (_e2165.z * _e2165.z)));
+                if (_e2177 > 0f) {
+                    let _e2180 = (_e2165.x / _e2177);
+                    let _e2182 = (_e2165.y / _e2177);
+                    let _e2184 = (_e2165.z / _e2177);
+                    if ((((_e2180 * _e1756.x) + (_e2182 * _e1756.y)) + (_e2184 * _e1756.z)) < 0f) {
+                        phi_2895_ = vec3<f32>(-(_e2180), -(_e2182), -(_e2184));
                     } else {
-                        phi_2891_ = (_e2175 / vec3(_e2187));
+                        phi_2895_ = (_e2165 / vec3(_e2177));
                     }
-                    let _e2211 = phi_2891_;
-                    phi_2892_ = _e2211;
+                    let _e2201 = phi_2895_;
+                    phi_2896_ = _e2201;
                 } else {
-                    phi_2892_ = _e1766;
+                    phi_2896_ = _e1756;
                 }
-                let _e2213 = phi_2892_;
-                phi_2893_ = _e2213;
+                let _e2203 = phi_2896_;
+                phi_2897_ = _e2203;
             }
-            let _e2215 = phi_2893_;
-            if (_e2012 > 0f) {
-                if (_e2012 < 1f) {
-                    phi_2902_ = _e2012;
+            let _e2205 = phi_2897_;
+            if (_e2002 > 0f) {
+                if (_e2002 < 1f) {
+                    phi_2906_ = _e2002;
                 } else {
-                    phi_2902_ = 1f;
+                    phi_2906_ = 1f;
                 }
-                let _e2219 = phi_2902_;
-                phi_2903_ = _e2219;
+                let _e2209 = phi_2906_;
+                phi_2907_ = _e2209;
             } else {
-                phi_2903_ = 0f;
+                phi_2907_ = 0f;
             }
-            let _e2221 = phi_2903_;
-            if (_e2014 > 0f) {
-                if (_e2014 < 1f) {
-                    phi_2913_ = _e2014;
+            let _e2211 = phi_2907_;
+            if (_e2004 > 0f) {
+                if (_e2004 < 1f) {
+                    phi_2917_ = _e2004;
                 } else {
-                    phi_2913_ = 1f;
+                    phi_2917_ = 1f;
                 }
-                let _e2226 = phi_2913_;
-                phi_2914_ = _e2226;
+                let _e2216 = phi_2917_;
+                phi_2918_ = _e2216;
             } else {
-                phi_2914_ = 0f;
+                phi_2918_ = 0f;
             }
-            let _e2228 = phi_2914_;
-            if (_e2016 > 0f) {
-                if (_e2016 < 1f) {
-                    phi_2924_ = _e2016;
+            let _e2218 = phi_2918_;
+            if (_e2006 > 0f) {
+                if (_e2006 < 1f) {
+                    phi_2928_ = _e2006;
                 } else {
-                    phi_2924_ = 1f;
+                    phi_2928_ = 1f;
                 }
-                let _e2233 = phi_2924_;
-                phi_2925_ = _e2233;
+                let _e2223 = phi_2928_;
+                phi_2929_ = _e2223;
             } else {
-                phi_2925_ = 0f;
+                phi_2929_ = 0f;
             }
-            let _e2235 = phi_2925_;
-            let _e2238 = ((sqrt(_e2221) * 255f) + 0.5f);
-            let _e2247 = ((sqrt(_e2228) * 255f) + 0.5f);
-            let _e2259 = ((sqrt(_e2235) * 255f) + 0.5f);
-            phi_2960_ = abi_Sample(vec3<f32>(_e1653, _e1654, _e1655), _e2018, _e1766, _e2023, _e2215, ((select(select(u32(_e2238), 0u, (_e2238 < bitcast<f32>(0u))), 4294967295u, (_e2238 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2247), 0u, (_e2247 < bitcast<f32>(0u))), 4294967295u, (_e2247 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2259), 0u, (_e2259 < bitcast<f32>(0u))), 4294967295u, (_e2259 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2225 = phi_2929_;
+            let _e2228 = ((sqrt(_e2211) * 255f) + 0.5f);
+            let _e2237 = ((sqrt(_e2218) * 255f) + 0.5f);
+            let _e2249 = ((sqrt(_e2225) * 255f) + 0.5f);
+            phi_2964_ = abi_Sample(vec3<f32>(_e1643, _e1644, _e1645), _e2008, _e1756, _e2013, _e2205, ((select(select(u32(_e2228), 0u, (_e2228 < bitcast<f32>(0u))), 4294967295u, (_e2228 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2237), 0u, (_e2237 < bitcast<f32>(0u))), 4294967295u, (_e2237 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2249), 0u, (_e2249 < bitcast<f32>(0u))), 4294967295u, (_e2249 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2960_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2964_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2273 = phi_2960_;
-        if (_e95.first_primitive < arrayLength((&samples.member))) {
+        let _e2263 = phi_2964_;
+        if (_e95.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e95.first_primitive)] = _e2273;
+        samples.member[(0u + _e95.shift)] = _e2263;
     }
     return;
 }

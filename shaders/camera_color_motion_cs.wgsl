@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -166,19 +166,19 @@ var<storage> before: type_26;
 @group(0) @binding(8) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_213_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_213_: lt_mask_LightPlace;
     var phi_214_: bool;
-    var phi_215_: lt_bvh_traverse_Tree;
+    var phi_215_: lt_mask_LightPlace;
     var phi_216_: bool;
-    var phi_221_: lt_bvh_traverse_Tree;
+    var phi_221_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_213_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_213_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_214_ = false;
         } else {
-            phi_213_ = lt_bvh_traverse_Tree();
+            phi_213_ = lt_mask_LightPlace();
             phi_214_ = true;
         }
         let _e83 = phi_213_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_215_ = _e83;
         phi_216_ = _e85;
     } else {
-        phi_215_ = lt_bvh_traverse_Tree();
+        phi_215_ = lt_mask_LightPlace();
         phi_216_ = true;
     }
     let _e87 = phi_215_;
     let _e89 = phi_216_;
     if _e89 {
-        phi_221_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_221_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_221_ = _e87;
     }
     let _e94 = phi_221_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -620,210 +620,208 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_769_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_789_: bool;
     var phi_802_: bool;
     var phi_803_: bool;
     var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
     var phi_808_: bool;
     var phi_809_: bool;
-    var phi_813_: bool;
-    var phi_817_: bool;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_816_: bool;
     var phi_892_: f32;
     var phi_899_: f32;
     var phi_907_: f32;
     var phi_914_: f32;
     var phi_922_: f32;
     var phi_929_: f32;
-    var phi_954_: f32;
-    var phi_959_: f32;
-    var phi_964_: f32;
-    var phi_997_: bool;
-    var phi_998_: bool;
-    var phi_1006_: u32;
-    var phi_1007_: u32;
-    var phi_1025_: vec3<f32>;
-    var phi_1026_: vec3<f32>;
-    var phi_1040_: u32;
-    var phi_1045_: u32;
-    var phi_1050_: u32;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1196_: u32;
-    var phi_1198_: lt_bvh_Hit;
-    var phi_1201_: u32;
-    var phi_1286_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1313_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1340_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1346_: u32;
-    var phi_1349_: u32;
-    var phi_1363_: u32;
-    var phi_1373_: u32;
-    var phi_1383_: u32;
-    var phi_1401_: u32;
-    var phi_1411_: u32;
-    var phi_1421_: u32;
-    var phi_1457_: u32;
-    var phi_1470_: u32;
-    var phi_1475_: u32;
-    var phi_1476_: u32;
-    var phi_1477_: u32;
-    var phi_1347_: u32;
+    var phi_952_: f32;
+    var phi_957_: f32;
+    var phi_962_: f32;
+    var phi_967_: f32;
+    var phi_972_: f32;
+    var phi_1003_: bool;
+    var phi_1004_: bool;
+    var phi_1012_: u32;
+    var phi_1013_: u32;
+    var phi_1030_: vec3<f32>;
+    var phi_1031_: vec3<f32>;
+    var phi_1044_: u32;
+    var phi_1049_: u32;
+    var phi_1054_: u32;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1200_: u32;
+    var phi_1202_: lt_bvh_Hit;
+    var phi_1205_: u32;
+    var phi_1290_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1317_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1344_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1350_: u32;
+    var phi_1353_: u32;
+    var phi_1367_: u32;
+    var phi_1377_: u32;
+    var phi_1387_: u32;
+    var phi_1405_: u32;
+    var phi_1415_: u32;
+    var phi_1425_: u32;
+    var phi_1461_: u32;
+    var phi_1474_: u32;
+    var phi_1479_: u32;
+    var phi_1480_: u32;
+    var phi_1481_: u32;
+    var phi_1351_: u32;
+    var phi_1354_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1535_: lt_bvh_Hit;
-    var phi_1538_: u32;
-    var phi_1584_: vec3<f32>;
-    var phi_1585_: vec3<f32>;
-    var phi_1616_: vec3<f32>;
-    var phi_1617_: vec3<f32>;
-    var phi_1648_: vec3<f32>;
-    var phi_1649_: vec3<f32>;
-    var phi_1667_: bool;
-    var phi_1668_: bool;
-    var phi_1672_: f32;
-    var phi_1673_: f32;
-    var phi_1674_: f32;
-    var phi_1675_: f32;
-    var phi_1683_: f32;
-    var phi_1693_: bool;
-    var phi_1694_: bool;
-    var phi_1698_: f32;
-    var phi_1699_: f32;
-    var phi_1700_: f32;
-    var phi_1701_: f32;
-    var phi_1709_: f32;
-    var phi_1719_: bool;
-    var phi_1720_: bool;
-    var phi_1724_: f32;
-    var phi_1725_: f32;
-    var phi_1726_: f32;
-    var phi_1727_: f32;
-    var phi_1735_: f32;
-    var phi_1750_: f32;
-    var phi_1751_: bool;
-    var phi_1752_: f32;
-    var phi_1753_: bool;
+    var phi_1539_: lt_bvh_Hit;
+    var phi_1542_: u32;
+    var phi_1588_: vec3<f32>;
+    var phi_1589_: vec3<f32>;
+    var phi_1620_: vec3<f32>;
+    var phi_1621_: vec3<f32>;
+    var phi_1652_: vec3<f32>;
+    var phi_1653_: vec3<f32>;
+    var phi_1671_: bool;
+    var phi_1672_: bool;
+    var phi_1676_: f32;
+    var phi_1677_: f32;
+    var phi_1678_: f32;
+    var phi_1679_: f32;
+    var phi_1687_: f32;
+    var phi_1697_: bool;
+    var phi_1698_: bool;
+    var phi_1702_: f32;
+    var phi_1703_: f32;
+    var phi_1704_: f32;
+    var phi_1705_: f32;
+    var phi_1713_: f32;
+    var phi_1723_: bool;
+    var phi_1724_: bool;
+    var phi_1728_: f32;
+    var phi_1729_: f32;
+    var phi_1730_: f32;
+    var phi_1731_: f32;
+    var phi_1739_: f32;
     var phi_1754_: f32;
     var phi_1755_: bool;
-    var phi_1773_: f32;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: f32;
-    var phi_1777_: bool;
+    var phi_1756_: f32;
+    var phi_1757_: bool;
+    var phi_1758_: f32;
+    var phi_1759_: bool;
+    var phi_1777_: f32;
     var phi_1778_: bool;
+    var phi_1779_: bool;
+    var phi_1780_: f32;
+    var phi_1781_: bool;
     var phi_1782_: bool;
-    var phi_1783_: f32;
-    var phi_1784_: bool;
-    var phi_1814_: vec3<f32>;
-    var phi_1815_: vec3<f32>;
-    var phi_1840_: vec3<f32>;
-    var phi_1841_: vec3<f32>;
-    var phi_1866_: vec3<f32>;
-    var phi_1867_: vec3<f32>;
-    var phi_1925_: f32;
-    var phi_1934_: f32;
-    var phi_1943_: f32;
-    var phi_1952_: f32;
-    var phi_1959_: f32;
-    var phi_1966_: f32;
-    var phi_1979_: f32;
-    var phi_1988_: f32;
-    var phi_1997_: f32;
-    var phi_2006_: f32;
-    var phi_2013_: f32;
-    var phi_2020_: f32;
-    var phi_2043_: f32;
-    var phi_2048_: f32;
-    var phi_2053_: f32;
-    var phi_2061_: f32;
-    var phi_2066_: f32;
-    var phi_2071_: f32;
-    var phi_2083_: f32;
-    var phi_2088_: f32;
-    var phi_2093_: f32;
-    var phi_2098_: f32;
-    var phi_2103_: lt_bvh_triangle_Intersection;
-    var phi_2104_: bool;
-    var phi_2105_: lt_bvh_triangle_Intersection;
-    var phi_2106_: bool;
-    var phi_2110_: lt_bvh_triangle_Intersection;
-    var phi_2111_: bool;
-    var phi_2112_: lt_bvh_triangle_Intersection;
-    var phi_2113_: bool;
-    var phi_2114_: bool;
+    var phi_1786_: bool;
+    var phi_1787_: f32;
+    var phi_1788_: bool;
+    var phi_1818_: vec3<f32>;
+    var phi_1819_: vec3<f32>;
+    var phi_1844_: vec3<f32>;
+    var phi_1845_: vec3<f32>;
+    var phi_1870_: vec3<f32>;
+    var phi_1871_: vec3<f32>;
+    var phi_1929_: f32;
+    var phi_1938_: f32;
+    var phi_1947_: f32;
+    var phi_1956_: f32;
+    var phi_1963_: f32;
+    var phi_1970_: f32;
+    var phi_1983_: f32;
+    var phi_1992_: f32;
+    var phi_2001_: f32;
+    var phi_2010_: f32;
+    var phi_2017_: f32;
+    var phi_2024_: f32;
+    var phi_2047_: f32;
+    var phi_2052_: f32;
+    var phi_2057_: f32;
+    var phi_2065_: f32;
+    var phi_2070_: f32;
+    var phi_2075_: f32;
+    var phi_2087_: f32;
+    var phi_2092_: f32;
+    var phi_2097_: f32;
+    var phi_2102_: f32;
+    var phi_2107_: lt_bvh_triangle_Intersection;
+    var phi_2108_: bool;
+    var phi_2109_: lt_bvh_triangle_Intersection;
+    var phi_2110_: bool;
+    var phi_2114_: lt_bvh_triangle_Intersection;
+    var phi_2115_: bool;
+    var phi_2116_: lt_bvh_triangle_Intersection;
+    var phi_2117_: bool;
     var phi_2118_: bool;
-    var phi_2122_: lt_bvh_triangle_Intersection;
-    var phi_2161_: bool;
-    var phi_2162_: bool;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
+    var phi_2122_: bool;
+    var phi_2126_: lt_bvh_triangle_Intersection;
     var phi_2165_: bool;
     var phi_2166_: bool;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
+    var phi_2169_: bool;
     var phi_2170_: bool;
-    var phi_2171_: bool;
-    var phi_2185_: bool;
-    var phi_2193_: lt_bvh_Hit;
-    var phi_2194_: lt_bvh_Hit;
-    var phi_2195_: lt_bvh_Hit;
-    var phi_2196_: lt_bvh_Hit;
-    var phi_1536_: lt_bvh_Hit;
-    var phi_1539_: u32;
-    var phi_2197_: bool;
-    var phi_2236_: bool;
-    var phi_2237_: bool;
-    var phi_2268_: u32;
-    var phi_1199_: lt_bvh_Hit;
-    var phi_1202_: u32;
-    var phi_2269_: lt_bvh_Hit;
-    var phi_2270_: lt_bvh_Hit;
-    var phi_2271_: bool;
-    var phi_2275_: lt_bvh_Hit;
-    var phi_2339_: f32;
-    var phi_2344_: f32;
-    var phi_2349_: f32;
-    var phi_2360_: f32;
-    var phi_2365_: f32;
-    var phi_2370_: f32;
-    var phi_2446_: vec3<f32>;
-    var phi_2689_: vec3<f32>;
-    var phi_2704_: u32;
-    var phi_2731_: f32;
-    var phi_2738_: f32;
-    var phi_2745_: f32;
-    var phi_2780_: f32;
-    var phi_2787_: f32;
-    var phi_2794_: f32;
-    var phi_2832_: f32;
-    var phi_2839_: f32;
-    var phi_2846_: f32;
-    var phi_2905_: vec3<f32>;
-    var phi_2906_: vec3<f32>;
-    var phi_2907_: vec3<f32>;
-    var phi_2916_: f32;
-    var phi_2917_: f32;
-    var phi_2927_: f32;
-    var phi_2928_: f32;
-    var phi_2938_: f32;
-    var phi_2939_: f32;
-    var phi_2974_: abi_Sample;
-    var phi_3065_: vec3<f32>;
+    var phi_2174_: bool;
+    var phi_2175_: bool;
+    var phi_2189_: bool;
+    var phi_2197_: lt_bvh_Hit;
+    var phi_2198_: lt_bvh_Hit;
+    var phi_2199_: lt_bvh_Hit;
+    var phi_2200_: lt_bvh_Hit;
+    var phi_1540_: lt_bvh_Hit;
+    var phi_1543_: u32;
+    var phi_2201_: bool;
+    var phi_2240_: bool;
+    var phi_2241_: bool;
+    var phi_2272_: u32;
+    var phi_1203_: lt_bvh_Hit;
+    var phi_1206_: u32;
+    var phi_2273_: lt_bvh_Hit;
+    var phi_2274_: lt_bvh_Hit;
+    var phi_2275_: bool;
+    var phi_2279_: lt_bvh_Hit;
+    var phi_2343_: f32;
+    var phi_2348_: f32;
+    var phi_2353_: f32;
+    var phi_2364_: f32;
+    var phi_2369_: f32;
+    var phi_2374_: f32;
+    var phi_2450_: vec3<f32>;
+    var phi_2693_: vec3<f32>;
+    var phi_2708_: u32;
+    var phi_2735_: f32;
+    var phi_2742_: f32;
+    var phi_2749_: f32;
+    var phi_2784_: f32;
+    var phi_2791_: f32;
+    var phi_2798_: f32;
+    var phi_2836_: f32;
+    var phi_2843_: f32;
+    var phi_2850_: f32;
+    var phi_2909_: vec3<f32>;
+    var phi_2910_: vec3<f32>;
+    var phi_2911_: vec3<f32>;
+    var phi_2920_: f32;
+    var phi_2921_: f32;
+    var phi_2931_: f32;
+    var phi_2932_: f32;
+    var phi_2942_: f32;
+    var phi_2943_: f32;
+    var phi_2978_: abi_Sample;
+    var phi_3069_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -836,7 +834,7 @@ fn function_() {
     let _e100 = p.member.size[0u];
     let _e102 = p.member.size[1u];
     let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
-    if (bitcast<i32>(_e103.root) != 0i) {
+    if (bitcast<i32>(_e103.word) != 0i) {
         let _e111 = p.member.eye;
         let _e116 = p.member.size[0u];
         let _e120 = ((((f32(_e72.x) + 0.5f) / f32(_e116)) * 2f) - 1f);
@@ -847,1500 +845,1501 @@ fn function_() {
         let _e147 = p.member.up;
         let _e158 = _lt_bvh_ray_Ray_new(_e111, vec3<f32>(((_e131.x + (_e133.x * _e120)) + (_e147.x * _e129)), ((_e131.y + (_e133.y * _e120)) + (_e147.y * _e129)), ((_e131.z + (_e133.z * _e120)) + (_e147.z * _e129))));
         let _e160 = lt_bvh_Hit(_e158.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e170 = abs(_e158.direction.x);
-        let _e172 = abs(_e158.direction.y);
-        let _e174 = abs(_e158.direction.z);
+        let _e163 = abs(_e158.direction.x);
+        let _e165 = abs(_e158.direction.y);
+        let _e167 = abs(_e158.direction.z);
         if (abs(_e158.origin.x) < 1000000000000000f) {
             if (abs(_e158.origin.y) < 1000000000000000f) {
-                if (abs(_e158.origin.z) < 1000000000000000f) {
-                    if (_e170 < 1000000000000000f) {
-                        if (_e172 < 1000000000000000f) {
-                            if (_e174 < 1000000000000000f) {
-                                if (_e170 > 0f) {
-                                    phi_787_ = bool();
-                                    phi_788_ = true;
-                                } else {
-                                    let _e182 = (_e172 > 0f);
-                                    if _e182 {
-                                        phi_786_ = bool();
-                                    } else {
-                                        phi_786_ = (_e174 > 0f);
-                                    }
-                                    let _e185 = phi_786_;
-                                    phi_787_ = _e185;
-                                    phi_788_ = _e182;
-                                }
-                                let _e187 = phi_787_;
-                                let _e189 = phi_788_;
-                                if _e189 {
-                                    phi_792_ = true;
-                                } else {
-                                    phi_792_ = _e187;
-                                }
-                                let _e191 = phi_792_;
-                                phi_793_ = _e191;
-                                phi_794_ = false;
-                            } else {
-                                phi_793_ = bool();
-                                phi_794_ = true;
-                            }
-                            let _e193 = phi_793_;
-                            let _e195 = phi_794_;
-                            phi_795_ = _e193;
-                            phi_796_ = false;
-                            phi_797_ = _e195;
-                        } else {
-                            phi_795_ = bool();
-                            phi_796_ = true;
-                            phi_797_ = false;
-                        }
-                        let _e197 = phi_795_;
-                        let _e199 = phi_796_;
-                        let _e201 = phi_797_;
-                        phi_798_ = _e197;
-                        phi_799_ = _e199;
-                        phi_800_ = _e201;
-                    } else {
-                        phi_798_ = bool();
-                        phi_799_ = true;
-                        phi_800_ = false;
-                    }
-                    let _e203 = phi_798_;
-                    let _e205 = phi_799_;
-                    let _e207 = phi_800_;
-                    phi_801_ = _e203;
-                    phi_802_ = _e205;
-                    phi_803_ = _e207;
-                } else {
-                    phi_801_ = bool();
-                    phi_802_ = true;
-                    phi_803_ = false;
-                }
-                let _e209 = phi_801_;
-                let _e211 = phi_802_;
-                let _e213 = phi_803_;
-                phi_804_ = _e209;
-                phi_805_ = _e211;
-                phi_806_ = _e213;
+                phi_762_ = (abs(_e158.origin.z) < 1000000000000000f);
+                phi_763_ = false;
             } else {
-                phi_804_ = bool();
-                phi_805_ = true;
-                phi_806_ = false;
+                phi_762_ = bool();
+                phi_763_ = true;
             }
-            let _e215 = phi_804_;
-            let _e217 = phi_805_;
-            let _e219 = phi_806_;
-            phi_807_ = _e215;
-            phi_808_ = _e217;
-            phi_809_ = _e219;
+            let _e179 = phi_762_;
+            let _e181 = phi_763_;
+            phi_764_ = _e179;
+            phi_765_ = _e181;
         } else {
-            phi_807_ = bool();
-            phi_808_ = true;
-            phi_809_ = false;
+            phi_764_ = bool();
+            phi_765_ = true;
         }
-        let _e221 = phi_807_;
-        let _e223 = phi_808_;
-        let _e225 = phi_809_;
-        if _e223 {
-            phi_813_ = true;
+        let _e183 = phi_764_;
+        let _e185 = phi_765_;
+        if _e185 {
+            phi_769_ = false;
         } else {
-            phi_813_ = _e225;
+            phi_769_ = _e183;
         }
-        let _e227 = phi_813_;
-        if _e227 {
-            phi_817_ = false;
+        let _e187 = phi_769_;
+        if _e187 {
+            if (_e163 < 1000000000000000f) {
+                if (_e165 < 1000000000000000f) {
+                    phi_782_ = (_e167 < 1000000000000000f);
+                    phi_783_ = false;
+                } else {
+                    phi_782_ = bool();
+                    phi_783_ = true;
+                }
+                let _e192 = phi_782_;
+                let _e194 = phi_783_;
+                phi_784_ = _e192;
+                phi_785_ = _e194;
+            } else {
+                phi_784_ = bool();
+                phi_785_ = true;
+            }
+            let _e196 = phi_784_;
+            let _e198 = phi_785_;
+            if _e198 {
+                phi_789_ = false;
+            } else {
+                phi_789_ = _e196;
+            }
+            let _e200 = phi_789_;
+            if _e200 {
+                if (_e163 > 0f) {
+                    phi_803_ = bool();
+                    phi_804_ = true;
+                } else {
+                    let _e202 = (_e165 > 0f);
+                    if _e202 {
+                        phi_802_ = bool();
+                    } else {
+                        phi_802_ = (_e167 > 0f);
+                    }
+                    let _e205 = phi_802_;
+                    phi_803_ = _e205;
+                    phi_804_ = _e202;
+                }
+                let _e207 = phi_803_;
+                let _e209 = phi_804_;
+                if _e209 {
+                    phi_808_ = true;
+                } else {
+                    phi_808_ = _e207;
+                }
+                let _e211 = phi_808_;
+                phi_809_ = _e211;
+                phi_810_ = false;
+            } else {
+                phi_809_ = bool();
+                phi_810_ = true;
+            }
+            let _e213 = phi_809_;
+            let _e215 = phi_810_;
+            phi_811_ = _e213;
+            phi_812_ = _e215;
         } else {
-            phi_817_ = _e221;
+            phi_811_ = bool();
+            phi_812_ = true;
         }
-        let _e229 = phi_817_;
-        if _e229 {
-            let _e230 = (0u >= _e76);
-            if _e230 {
-                phi_2269_ = lt_bvh_Hit();
+        let _e217 = phi_811_;
+        let _e219 = phi_812_;
+        if _e219 {
+            phi_816_ = false;
+        } else {
+            phi_816_ = _e217;
+        }
+        let _e221 = phi_816_;
+        if _e221 {
+            let _e222 = (0u >= _e76);
+            if _e222 {
+                phi_2273_ = lt_bvh_Hit();
             } else {
                 if (0u < _e76) {
                 } else {
                     return;
                 }
-                let _e236 = nodes.member[(0u + 0u)].frame[0u];
-                let _e240 = nodes.member[(0u + 0u)].frame[1u];
-                let _e244 = nodes.member[(0u + 0u)].frame[2u];
-                let _e248 = nodes.member[(0u + 0u)].frame[0u];
-                let _e252 = nodes.member[(0u + 0u)].frame[1u];
-                let _e256 = nodes.member[(0u + 0u)].frame[2u];
-                let _e260 = nodes.member[(0u + 0u)].frame[3u];
-                let _e298 = core_intrinsics_maximum_number_nsz_f32_(abs(_e158.direction.x), abs(_e158.direction.y));
-                let _e299 = core_intrinsics_maximum_number_nsz_f32_(_e298, abs(_e158.direction.z));
-                let _e300 = (_e299 * 0.0000000000009094947f);
-                if (abs(_e158.direction.x) < _e300) {
-                    phi_892_ = _e300;
+                let _e228 = nodes.member[(0u + 0u)].frame[0u];
+                let _e232 = nodes.member[(0u + 0u)].frame[1u];
+                let _e236 = nodes.member[(0u + 0u)].frame[2u];
+                let _e240 = nodes.member[(0u + 0u)].frame[0u];
+                let _e244 = nodes.member[(0u + 0u)].frame[1u];
+                let _e248 = nodes.member[(0u + 0u)].frame[2u];
+                let _e252 = nodes.member[(0u + 0u)].frame[3u];
+                let _e291 = core_intrinsics_maximum_number_nsz_f32_(abs(_e158.direction.x), abs(_e158.direction.y));
+                let _e292 = core_intrinsics_maximum_number_nsz_f32_(_e291, abs(_e158.direction.z));
+                let _e293 = (_e292 * 0.0000000000009094947f);
+                if (abs(_e158.direction.x) < _e293) {
+                    phi_892_ = _e293;
                 } else {
                     phi_892_ = abs(_e158.direction.x);
                 }
-                let _e307 = phi_892_;
+                let _e299 = phi_892_;
                 if (_e158.direction.x < 0f) {
-                    phi_899_ = (-1f / _e307);
+                    phi_899_ = (-1f / _e299);
                 } else {
-                    phi_899_ = (1f / _e307);
+                    phi_899_ = (1f / _e299);
                 }
-                let _e312 = phi_899_;
-                if (abs(_e158.direction.y) < _e300) {
-                    phi_907_ = _e300;
+                let _e304 = phi_899_;
+                if (abs(_e158.direction.y) < _e293) {
+                    phi_907_ = _e293;
                 } else {
                     phi_907_ = abs(_e158.direction.y);
                 }
-                let _e319 = phi_907_;
+                let _e310 = phi_907_;
                 if (_e158.direction.y < 0f) {
-                    phi_914_ = (-1f / _e319);
+                    phi_914_ = (-1f / _e310);
                 } else {
-                    phi_914_ = (1f / _e319);
+                    phi_914_ = (1f / _e310);
                 }
-                let _e324 = phi_914_;
-                if (abs(_e158.direction.z) < _e300) {
-                    phi_922_ = _e300;
+                let _e315 = phi_914_;
+                if (abs(_e158.direction.z) < _e293) {
+                    phi_922_ = _e293;
                 } else {
                     phi_922_ = abs(_e158.direction.z);
                 }
-                let _e331 = phi_922_;
+                let _e321 = phi_922_;
                 if (_e158.direction.z < 0f) {
-                    phi_929_ = (-1f / _e331);
+                    phi_929_ = (-1f / _e321);
                 } else {
-                    phi_929_ = (1f / _e331);
+                    phi_929_ = (1f / _e321);
                 }
-                let _e336 = phi_929_;
-                let _e344 = abs((bitcast<f32>(_e236) - _e158.origin.x));
-                let _e345 = abs((bitcast<f32>(_e240) - _e158.origin.y));
-                let _e346 = abs((bitcast<f32>(_e244) - _e158.origin.z));
-                let _e354 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e260 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.x));
-                let _e355 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e260 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.y));
-                let _e356 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e260 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.z));
-                if (_e344 > _e354) {
-                    phi_954_ = _e344;
+                let _e326 = phi_929_;
+                let _e333 = abs((bitcast<f32>(_e228) - _e158.origin.x));
+                let _e334 = abs((bitcast<f32>(_e232) - _e158.origin.y));
+                let _e335 = abs((bitcast<f32>(_e236) - _e158.origin.z));
+                let _e342 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e252 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.x));
+                let _e343 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e252 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.y));
+                let _e344 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e252 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.z));
+                if (_e333 > _e342) {
+                    phi_952_ = _e333;
                 } else {
-                    phi_954_ = _e354;
+                    phi_952_ = _e342;
                 }
-                let _e359 = phi_954_;
-                if (_e345 > _e355) {
-                    phi_959_ = _e345;
+                let _e347 = phi_952_;
+                if (_e334 > _e343) {
+                    phi_957_ = _e334;
                 } else {
-                    phi_959_ = _e355;
+                    phi_957_ = _e343;
                 }
-                let _e362 = phi_959_;
-                if (_e346 > _e356) {
-                    phi_964_ = _e346;
+                let _e350 = phi_957_;
+                if (_e335 > _e344) {
+                    phi_962_ = _e335;
                 } else {
-                    phi_964_ = _e356;
+                    phi_962_ = _e344;
                 }
-                let _e365 = phi_964_;
-                let _e366 = core_intrinsics_maximum_number_nsz_f32_(_e359, _e362);
-                let _e367 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e365);
-                let _e372 = (_e367 * 0.0000019073486f);
-                let _e373 = (abs(_e312) * _e372);
-                let _e374 = (abs(_e324) * _e372);
-                let _e375 = (abs(_e336) * _e372);
-                let _e379 = (_e367 * 0.0000009536743f);
-                let _e380 = (abs(_e312) * _e379);
-                let _e381 = (abs(_e324) * _e379);
-                let _e382 = (abs(_e336) * _e379);
-                let _e385 = abs(_e158.direction.x);
-                let _e387 = abs(_e158.direction.y);
-                let _e389 = abs(_e158.direction.z);
-                if (_e385 >= _e387) {
-                    if (_e385 >= _e389) {
-                        phi_997_ = false;
+                let _e353 = phi_962_;
+                if (_e347 > _e350) {
+                    phi_967_ = _e347;
+                } else {
+                    phi_967_ = _e350;
+                }
+                let _e356 = phi_967_;
+                if (_e356 > _e353) {
+                    phi_972_ = _e356;
+                } else {
+                    phi_972_ = _e353;
+                }
+                let _e359 = phi_972_;
+                let _e363 = (_e359 * 0.0000019073486f);
+                let _e364 = (abs(_e304) * _e363);
+                let _e365 = (abs(_e315) * _e363);
+                let _e366 = (abs(_e326) * _e363);
+                let _e370 = (_e359 * 0.0000009536743f);
+                let _e371 = (abs(_e304) * _e370);
+                let _e372 = (abs(_e315) * _e370);
+                let _e373 = (abs(_e326) * _e370);
+                let _e377 = abs(_e158.direction.x);
+                let _e379 = abs(_e158.direction.y);
+                let _e381 = abs(_e158.direction.z);
+                if (_e377 >= _e379) {
+                    if (_e377 >= _e381) {
+                        phi_1003_ = false;
                     } else {
-                        phi_997_ = true;
+                        phi_1003_ = true;
                     }
-                    let _e393 = phi_997_;
-                    phi_998_ = _e393;
+                    let _e385 = phi_1003_;
+                    phi_1004_ = _e385;
                 } else {
-                    phi_998_ = true;
+                    phi_1004_ = true;
                 }
-                let _e395 = phi_998_;
-                if _e395 {
-                    if (_e387 >= _e389) {
-                        phi_1006_ = 1u;
+                let _e387 = phi_1004_;
+                if _e387 {
+                    if (_e379 >= _e381) {
+                        phi_1012_ = 1u;
                     } else {
-                        phi_1006_ = 2u;
+                        phi_1012_ = 2u;
                     }
-                    let _e398 = phi_1006_;
-                    phi_1007_ = _e398;
+                    let _e390 = phi_1012_;
+                    phi_1013_ = _e390;
                 } else {
-                    phi_1007_ = 0u;
+                    phi_1013_ = 0u;
                 }
-                let _e400 = phi_1007_;
-                if (_e400 == 0u) {
-                    phi_1026_ = vec3<f32>(_e158.direction.y, _e158.direction.z, _e158.direction.x);
+                let _e392 = phi_1013_;
+                if (_e392 == 0u) {
+                    phi_1031_ = vec3<f32>(_e158.direction.y, _e158.direction.z, _e158.direction.x);
                 } else {
-                    if (_e400 == 1u) {
-                        phi_1025_ = vec3<f32>(_e158.direction.z, _e158.direction.x, _e158.direction.y);
+                    if (_e392 == 1u) {
+                        phi_1030_ = vec3<f32>(_e158.direction.z, _e158.direction.x, _e158.direction.y);
                     } else {
-                        phi_1025_ = _e158.direction;
+                        phi_1030_ = _e158.direction;
                     }
-                    let _e413 = phi_1025_;
-                    phi_1026_ = _e413;
+                    let _e404 = phi_1030_;
+                    phi_1031_ = _e404;
                 }
-                let _e415 = phi_1026_;
-                let _e419 = (_e415.x / _e415.z);
-                let _e422 = (_e415.y / _e415.z);
-                if (_e312 < 0f) {
-                    phi_1040_ = 0u;
+                let _e406 = phi_1031_;
+                let _e409 = (_e406.x / _e406.z);
+                let _e412 = (_e406.y / _e406.z);
+                if (_e304 < 0f) {
+                    phi_1044_ = 0u;
                 } else {
-                    phi_1040_ = 1u;
+                    phi_1044_ = 1u;
                 }
-                let _e427 = phi_1040_;
-                if (_e324 < 0f) {
-                    phi_1045_ = 0u;
+                let _e417 = phi_1044_;
+                if (_e315 < 0f) {
+                    phi_1049_ = 0u;
                 } else {
-                    phi_1045_ = 2u;
+                    phi_1049_ = 2u;
                 }
-                let _e430 = phi_1045_;
-                if (_e336 < 0f) {
-                    phi_1050_ = 0u;
+                let _e420 = phi_1049_;
+                if (_e326 < 0f) {
+                    phi_1054_ = 0u;
                 } else {
-                    phi_1050_ = 4u;
+                    phi_1054_ = 4u;
                 }
-                let _e433 = phi_1050_;
-                let _e435 = ((_e427 | _e430) | _e433);
-                let _e436 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e436.first[0], _e436.first[1], _e436.first[2], _e436.first[3], _e436.first[4], _e436.first[5], _e436.first[6], _e436.first[7], _e436.first[8], _e436.first[9], _e436.first[10], _e436.first[11], _e436.first[12], _e436.first[13], _e436.first[14], _e436.first[15], _e436.first[16], _e436.first[17], _e436.first[18], _e436.first[19], _e436.first[20], _e436.first[21], _e436.first[22], _e436.first[23], _e436.first[24], _e436.first[25], _e436.first[26], _e436.first[27], _e436.first[28], _e436.first[29], _e436.first[30], _e436.first[31]), array<u32, 32>(_e436.mask[0], _e436.mask[1], _e436.mask[2], _e436.mask[3], _e436.mask[4], _e436.mask[5], _e436.mask[6], _e436.mask[7], _e436.mask[8], _e436.mask[9], _e436.mask[10], _e436.mask[11], _e436.mask[12], _e436.mask[13], _e436.mask[14], _e436.mask[15], _e436.mask[16], _e436.mask[17], _e436.mask[18], _e436.mask[19], _e436.mask[20], _e436.mask[21], _e436.mask[22], _e436.mask[23], _e436.mask[24], _e436.mask[25], _e436.mask[26], _e436.mask[27], _e436.mask[28], _e436.mask[29], _e436.mask[30], _e436.mask[31]), _e436.len, _e436.group, _e436.group_mask);
-                let _e510 = local_1.group_mask;
-                if ((_e510 & 4278190080u) == 0u) {
-                    let _e514 = local_1.len;
-                    if (_e514 == 0u) {
-                        phi_1164_ = false;
+                let _e423 = phi_1054_;
+                let _e425 = ((_e417 | _e420) | _e423);
+                let _e426 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e426.first[0], _e426.first[1], _e426.first[2], _e426.first[3], _e426.first[4], _e426.first[5], _e426.first[6], _e426.first[7], _e426.first[8], _e426.first[9], _e426.first[10], _e426.first[11], _e426.first[12], _e426.first[13], _e426.first[14], _e426.first[15], _e426.first[16], _e426.first[17], _e426.first[18], _e426.first[19], _e426.first[20], _e426.first[21], _e426.first[22], _e426.first[23], _e426.first[24], _e426.first[25], _e426.first[26], _e426.first[27], _e426.first[28], _e426.first[29], _e426.first[30], _e426.first[31]), array<u32, 32>(_e426.mask[0], _e426.mask[1], _e426.mask[2], _e426.mask[3], _e426.mask[4], _e426.mask[5], _e426.mask[6], _e426.mask[7], _e426.mask[8], _e426.mask[9], _e426.mask[10], _e426.mask[11], _e426.mask[12], _e426.mask[13], _e426.mask[14], _e426.mask[15], _e426.mask[16], _e426.mask[17], _e426.mask[18], _e426.mask[19], _e426.mask[20], _e426.mask[21], _e426.mask[22], _e426.mask[23], _e426.mask[24], _e426.mask[25], _e426.mask[26], _e426.mask[27], _e426.mask[28], _e426.mask[29], _e426.mask[30], _e426.mask[31]), _e426.len, _e426.group, _e426.group_mask);
+                let _e500 = local_1.group_mask;
+                if ((_e500 & 4278190080u) == 0u) {
+                    let _e504 = local_1.len;
+                    if (_e504 == 0u) {
+                        phi_1168_ = false;
                     } else {
-                        let _e518 = local_1.len;
-                        local_1.len = (_e518 - 1u);
-                        let _e521 = local_1.len;
-                        if (_e521 < 32u) {
+                        let _e508 = local_1.len;
+                        local_1.len = (_e508 - 1u);
+                        let _e511 = local_1.len;
+                        if (_e511 < 32u) {
                         } else {
                             return;
                         }
-                        let _e526 = local_1.first[(0u + _e521)];
-                        local_1.group = _e526;
-                        let _e529 = local_1.len;
-                        if (_e529 < 32u) {
+                        let _e516 = local_1.first[(0u + _e511)];
+                        local_1.group = _e516;
+                        let _e519 = local_1.len;
+                        if (_e519 < 32u) {
                         } else {
                             return;
                         }
-                        let _e534 = local_1.mask[(0u + _e529)];
-                        local_1.group_mask = _e534;
-                        phi_1164_ = true;
+                        let _e524 = local_1.mask[(0u + _e519)];
+                        local_1.group_mask = _e524;
+                        phi_1168_ = true;
                     }
-                    let _e537 = phi_1164_;
-                    phi_1165_ = _e537;
+                    let _e527 = phi_1168_;
+                    phi_1169_ = _e527;
                 } else {
-                    phi_1165_ = true;
+                    phi_1169_ = true;
                 }
-                let _e539 = phi_1165_;
-                if _e539 {
+                let _e529 = phi_1169_;
+                if _e529 {
+                    let _e531 = local_1.group_mask;
+                    let _e537 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, (_e531 == 0u)));
                     let _e541 = local_1.group_mask;
-                    let _e547 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e541)), 32u, (_e541 == 0u)));
-                    let _e551 = local_1.group_mask;
-                    let _e565 = local_1.group_mask;
-                    local_1.group_mask = (_e565 & ~((1u << bitcast<u32>((_e547 & 31u)))));
-                    let _e568 = local_1.group;
-                    phi_1196_ = (_e568 + countOneBits(((_e551 & ~((4294967295u << bitcast<u32>((((_e547 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e555 = local_1.group_mask;
+                    local_1.group_mask = (_e555 & ~((1u << bitcast<u32>((_e537 & 31u)))));
+                    let _e558 = local_1.group;
+                    phi_1200_ = (_e558 + countOneBits(((_e541 & ~((4294967295u << bitcast<u32>((((_e537 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1196_ = 4294967295u;
+                    phi_1200_ = 4294967295u;
                 }
-                let _e571 = phi_1196_;
-                phi_1198_ = _e160;
-                phi_1201_ = _e571;
+                let _e561 = phi_1200_;
+                phi_1202_ = _e160;
+                phi_1205_ = _e561;
                 loop {
-                    let _e573 = phi_1198_;
-                    let _e575 = phi_1201_;
-                    local_6 = _e573;
-                    let _e576 = (_e575 != 4294967295u);
-                    if _e576 {
-                        if (_e575 < _e76) {
+                    let _e563 = phi_1202_;
+                    let _e565 = phi_1205_;
+                    local_6 = _e563;
+                    let _e566 = (_e565 != 4294967295u);
+                    if _e566 {
+                        if (_e565 < _e76) {
                         } else {
                             return;
                         }
-                        let _e584 = nodes.member[(0u + _e575)].frame[3u];
-                        let _e609 = (bitcast<f32>((((_e584 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e312);
-                        let _e610 = (bitcast<f32>((((_e584 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e611 = (bitcast<f32>((((_e584 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e336);
-                        let _e614 = nodes.member[(0u + _e575)].frame[0u];
-                        let _e618 = nodes.member[(0u + _e575)].frame[1u];
-                        let _e622 = nodes.member[(0u + _e575)].frame[2u];
-                        let _e630 = ((bitcast<f32>(_e614) - _e158.origin.x) * _e312);
-                        let _e631 = ((bitcast<f32>(_e618) - _e158.origin.y) * _e324);
-                        let _e632 = ((bitcast<f32>(_e622) - _e158.origin.z) * _e336);
-                        let _e640 = nodes.member[(0u + _e575)].x;
-                        if (_e312 < 0f) {
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.unnamed.root, _e640.w), _e651.unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_bvh_traverse_Tree(_e640.x, _e657.unnamed_1.first_primitive));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e663.unnamed_1.root, _e640.y));
+                        let _e574 = nodes.member[(0u + _e565)].frame[3u];
+                        let _e599 = (bitcast<f32>((((_e574 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e600 = (bitcast<f32>((((_e574 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e315);
+                        let _e601 = (bitcast<f32>((((_e574 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e326);
+                        let _e604 = nodes.member[(0u + _e565)].frame[0u];
+                        let _e608 = nodes.member[(0u + _e565)].frame[1u];
+                        let _e612 = nodes.member[(0u + _e565)].frame[2u];
+                        let _e620 = ((bitcast<f32>(_e604) - _e158.origin.x) * _e304);
+                        let _e621 = ((bitcast<f32>(_e608) - _e158.origin.y) * _e315);
+                        let _e622 = ((bitcast<f32>(_e612) - _e158.origin.z) * _e326);
+                        let _e630 = nodes.member[(0u + _e565)].x;
+                        if (_e304 < 0f) {
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e630.w), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e630.x, _e647.unnamed_1.shift));
+                            phi_1290_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e630.y));
                         } else {
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.unnamed.root, _e640.y), _e679.unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e640.z, _e685.unnamed_1.first_primitive));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e691.unnamed_1.root, _e640.w));
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e669.unnamed.word, _e630.y), _e669.unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_mask_LightPlace(_e630.z, _e675.unnamed_1.shift));
+                            phi_1290_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e681.unnamed_1.word, _e630.w));
                         }
-                        let _e699 = phi_1286_;
-                        let _e709 = nodes.member[(0u + _e575)].y;
-                        if (_e324 < 0f) {
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.unnamed.root, _e709.w), _e720.unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e709.x, _e726.unnamed_1.first_primitive));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e732.unnamed_1.root, _e709.y));
+                        let _e689 = phi_1290_;
+                        let _e699 = nodes.member[(0u + _e565)].y;
+                        if (_e315 < 0f) {
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e699.w), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e699.x, _e716.unnamed_1.shift));
+                            phi_1317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e699.y));
                         } else {
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.unnamed.root, _e709.y), _e748.unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e709.z, _e754.unnamed_1.first_primitive));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e760.unnamed_1.root, _e709.w));
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e738.unnamed.word, _e699.y), _e738.unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_mask_LightPlace(_e699.z, _e744.unnamed_1.shift));
+                            phi_1317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e750.unnamed_1.word, _e699.w));
                         }
-                        let _e768 = phi_1313_;
-                        let _e778 = nodes.member[(0u + _e575)].z;
-                        if (_e336 < 0f) {
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e789.unnamed.root, _e778.w), _e789.unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_bvh_traverse_Tree(_e778.x, _e795.unnamed_1.first_primitive));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e801.unnamed_1.root, _e778.y));
+                        let _e758 = phi_1317_;
+                        let _e768 = nodes.member[(0u + _e565)].z;
+                        if (_e326 < 0f) {
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e768.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e768.w), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e768.x, _e785.unnamed_1.shift));
+                            phi_1344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e768.y));
                         } else {
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e817.unnamed.root, _e778.y), _e817.unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_bvh_traverse_Tree(_e778.z, _e823.unnamed_1.first_primitive));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e829.unnamed_1.root, _e778.w));
+                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e768.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e807.unnamed.word, _e768.y), _e807.unnamed_1);
+                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e813.unnamed, lt_mask_LightPlace(_e768.z, _e813.unnamed_1.shift));
+                            phi_1344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e819.unnamed_1.word, _e768.w));
                         }
-                        let _e837 = phi_1340_;
-                        phi_1346_ = 0u;
-                        phi_1349_ = 0u;
+                        let _e827 = phi_1344_;
+                        phi_1350_ = 0u;
+                        phi_1353_ = 0u;
                         loop {
-                            let _e847 = phi_1346_;
-                            let _e849 = phi_1349_;
-                            local_2 = _e849;
-                            local_3 = _e849;
-                            local_4 = _e849;
-                            let _e850 = (_e847 < 8u);
-                            if _e850 {
-                                let _e852 = (_e847 >> bitcast<u32>(2i));
-                                let _e853 = (_e847 & 3u);
-                                if (_e852 == 0u) {
-                                    phi_1363_ = _e699.unnamed.root;
+                            let _e837 = phi_1350_;
+                            let _e839 = phi_1353_;
+                            local_2 = _e839;
+                            local_3 = _e839;
+                            local_4 = _e839;
+                            let _e840 = (_e837 < 8u);
+                            if _e840 {
+                                let _e842 = (_e837 >> bitcast<u32>(2i));
+                                let _e843 = (_e837 & 3u);
+                                if (_e842 == 0u) {
+                                    phi_1367_ = _e689.unnamed.word;
                                 } else {
-                                    phi_1363_ = _e699.unnamed.first_primitive;
+                                    phi_1367_ = _e689.unnamed.shift;
                                 }
-                                let _e856 = phi_1363_;
-                                if (_e852 == 0u) {
-                                    phi_1373_ = _e768.unnamed.root;
+                                let _e846 = phi_1367_;
+                                if (_e842 == 0u) {
+                                    phi_1377_ = _e758.unnamed.word;
                                 } else {
-                                    phi_1373_ = _e768.unnamed.first_primitive;
+                                    phi_1377_ = _e758.unnamed.shift;
                                 }
-                                let _e865 = phi_1373_;
-                                if (_e852 == 0u) {
-                                    phi_1383_ = _e837.unnamed.root;
+                                let _e855 = phi_1377_;
+                                if (_e842 == 0u) {
+                                    phi_1387_ = _e827.unnamed.word;
                                 } else {
-                                    phi_1383_ = _e837.unnamed.first_primitive;
+                                    phi_1387_ = _e827.unnamed.shift;
                                 }
-                                let _e874 = phi_1383_;
-                                let _e887 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)), ((f32(((_e865 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e374)));
-                                let _e888 = core_intrinsics_maximum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e375)));
-                                if (_e852 == 0u) {
-                                    phi_1401_ = _e699.unnamed_1.root;
+                                let _e864 = phi_1387_;
+                                let _e877 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e846 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e364)), ((f32(((_e855 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e365)));
+                                let _e878 = core_intrinsics_maximum_number_nsz_f32_(_e877, ((f32(((_e864 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e366)));
+                                if (_e842 == 0u) {
+                                    phi_1405_ = _e689.unnamed_1.word;
                                 } else {
-                                    phi_1401_ = _e699.unnamed_1.first_primitive;
+                                    phi_1405_ = _e689.unnamed_1.shift;
                                 }
-                                let _e891 = phi_1401_;
-                                if (_e852 == 0u) {
-                                    phi_1411_ = _e768.unnamed_1.root;
+                                let _e881 = phi_1405_;
+                                if (_e842 == 0u) {
+                                    phi_1415_ = _e758.unnamed_1.word;
                                 } else {
-                                    phi_1411_ = _e768.unnamed_1.first_primitive;
+                                    phi_1415_ = _e758.unnamed_1.shift;
                                 }
-                                let _e900 = phi_1411_;
-                                if (_e852 == 0u) {
-                                    phi_1421_ = _e837.unnamed_1.root;
+                                let _e890 = phi_1415_;
+                                if (_e842 == 0u) {
+                                    phi_1425_ = _e827.unnamed_1.word;
                                 } else {
-                                    phi_1421_ = _e837.unnamed_1.first_primitive;
+                                    phi_1425_ = _e827.unnamed_1.shift;
                                 }
-                                let _e909 = phi_1421_;
-                                let _e922 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e891 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)), ((f32(((_e900 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e374)));
-                                let _e923 = core_intrinsics_minimum_number_nsz_f32_(_e922, ((f32(((_e909 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e375)));
-                                if (_e888 <= _e923) {
-                                    if (_e888 <= _e573.t) {
-                                        if (_e923 >= _e158.tmin) {
-                                            if (_e852 == 0u) {
-                                                let _e930 = nodes.member[(0u + _e575)].links[2u];
-                                                phi_1457_ = _e930;
+                                let _e899 = phi_1425_;
+                                let _e912 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e881 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e364)), ((f32(((_e890 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e600) + (_e621 + _e365)));
+                                let _e913 = core_intrinsics_minimum_number_nsz_f32_(_e912, ((f32(((_e899 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e366)));
+                                if (_e878 <= _e913) {
+                                    if (_e878 <= _e563.t) {
+                                        if (_e913 >= _e158.tmin) {
+                                            if (_e842 == 0u) {
+                                                let _e920 = nodes.member[(0u + _e565)].links[2u];
+                                                phi_1461_ = _e920;
                                             } else {
-                                                let _e933 = nodes.member[(0u + _e575)].links[3u];
-                                                phi_1457_ = _e933;
+                                                let _e923 = nodes.member[(0u + _e565)].links[3u];
+                                                phi_1461_ = _e923;
                                             }
-                                            let _e935 = phi_1457_;
-                                            let _e940 = ((_e935 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u);
-                                            let _e941 = (_e940 & 31u);
-                                            if (_e941 >= 24u) {
-                                                phi_1470_ = (24u + ((_e941 - 24u) ^ _e435));
+                                            let _e925 = phi_1461_;
+                                            let _e930 = ((_e925 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u);
+                                            let _e931 = (_e930 & 31u);
+                                            if (_e931 >= 24u) {
+                                                phi_1474_ = (24u + ((_e931 - 24u) ^ _e425));
                                             } else {
-                                                phi_1470_ = _e941;
+                                                phi_1474_ = _e931;
                                             }
-                                            let _e947 = phi_1470_;
-                                            phi_1475_ = (_e849 | ((_e940 >> bitcast<u32>(5i)) << bitcast<u32>((_e947 & 31u))));
+                                            let _e937 = phi_1474_;
+                                            phi_1479_ = (_e839 | ((_e930 >> bitcast<u32>(5i)) << bitcast<u32>((_e937 & 31u))));
                                         } else {
-                                            phi_1475_ = _e849;
+                                            phi_1479_ = _e839;
                                         }
-                                        let _e955 = phi_1475_;
-                                        phi_1476_ = _e955;
+                                        let _e945 = phi_1479_;
+                                        phi_1480_ = _e945;
                                     } else {
-                                        phi_1476_ = _e849;
+                                        phi_1480_ = _e839;
                                     }
-                                    let _e957 = phi_1476_;
-                                    phi_1477_ = _e957;
+                                    let _e947 = phi_1480_;
+                                    phi_1481_ = _e947;
                                 } else {
-                                    phi_1477_ = _e849;
+                                    phi_1481_ = _e839;
                                 }
-                                let _e959 = phi_1477_;
-                                phi_1347_ = (_e847 + 1u);
-                                phi_1350_ = _e959;
+                                let _e949 = phi_1481_;
+                                phi_1351_ = (_e837 + 1u);
+                                phi_1354_ = _e949;
                             } else {
-                                phi_1347_ = u32();
-                                phi_1350_ = u32();
+                                phi_1351_ = u32();
+                                phi_1354_ = u32();
                             }
-                            let _e962 = phi_1347_;
-                            let _e964 = phi_1350_;
+                            let _e952 = phi_1351_;
+                            let _e954 = phi_1354_;
                             continue;
                             continuing {
-                                phi_1346_ = _e962;
-                                phi_1349_ = _e964;
-                                break if !(_e850);
+                                phi_1350_ = _e952;
+                                phi_1353_ = _e954;
+                                break if !(_e840);
                             }
                         }
-                        let _e968 = nodes.member[(0u + _e575)].links[0u];
-                        let _e972 = nodes.member[(0u + _e575)].frame[3u];
-                        let _e976 = local_2;
-                        if ((_e976 & 4278190080u) == 0u) {
+                        let _e958 = nodes.member[(0u + _e565)].links[0u];
+                        let _e962 = nodes.member[(0u + _e565)].frame[3u];
+                        let _e966 = local_2;
+                        if ((_e966 & 4278190080u) == 0u) {
                         } else {
-                            let _e980 = local_1.group_mask;
-                            if ((_e980 & 4278190080u) == 0u) {
+                            let _e970 = local_1.group_mask;
+                            if ((_e970 & 4278190080u) == 0u) {
                             } else {
-                                let _e984 = local_1.len;
-                                if (_e984 < 32u) {
-                                    let _e987 = local_1.group;
-                                    let _e989 = local_1.len;
-                                    if (_e989 < 32u) {
+                                let _e974 = local_1.len;
+                                if (_e974 < 32u) {
+                                    let _e977 = local_1.group;
+                                    let _e979 = local_1.len;
+                                    if (_e979 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e989)] = _e987;
-                                    let _e995 = local_1.group_mask;
-                                    let _e997 = local_1.len;
-                                    if (_e997 < 32u) {
+                                    local_1.first[(0u + _e979)] = _e977;
+                                    let _e985 = local_1.group_mask;
+                                    let _e987 = local_1.len;
+                                    if (_e987 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e997)] = _e995;
-                                    let _e1004 = local_1.len;
-                                    local_1.len = (_e1004 + 1u);
+                                    local_1.mask[(0u + _e987)] = _e985;
+                                    let _e994 = local_1.len;
+                                    local_1.len = (_e994 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e968);
-                            let _e1008 = local_3;
-                            local_1.group_mask = ((_e1008 & 4278190080u) | (_e972 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e958);
+                            let _e998 = local_3;
+                            local_1.group_mask = ((_e998 & 4278190080u) | (_e962 >> bitcast<u32>(24i)));
                         }
-                        let _e1013 = local_4;
-                        phi_1535_ = _e573;
-                        phi_1538_ = (_e1013 & 16777215u);
+                        let _e1003 = local_4;
+                        phi_1539_ = _e563;
+                        phi_1542_ = (_e1003 & 16777215u);
                         loop {
-                            let _e1016 = phi_1535_;
-                            let _e1018 = phi_1538_;
-                            local_5 = _e1016;
-                            if (_e1018 == 0u) {
-                                phi_1536_ = lt_bvh_Hit();
-                                phi_1539_ = u32();
-                                phi_2197_ = false;
+                            let _e1006 = phi_1539_;
+                            let _e1008 = phi_1542_;
+                            local_5 = _e1006;
+                            if (_e1008 == 0u) {
+                                phi_1540_ = lt_bvh_Hit();
+                                phi_1543_ = u32();
+                                phi_2201_ = false;
                             } else {
-                                let _e1022 = nodes.member[(0u + _e575)].links[1u];
-                                let _e1027 = ((0u + _e1022) + select(firstTrailingBit(_e1018), 32u, (_e1018 == 0u)));
-                                if (_e1027 < _e79) {
+                                let _e1012 = nodes.member[(0u + _e565)].links[1u];
+                                let _e1017 = ((0u + _e1012) + select(firstTrailingBit(_e1008), 32u, (_e1008 == 0u)));
+                                if (_e1017 < _e79) {
                                 } else {
                                     return;
                                 }
-                                let _e1034 = triangles.member[(0u + _e1027)].v0_;
-                                let _e1037 = (_e1034.x - _e158.origin.x);
-                                let _e1040 = (_e1034.y - _e158.origin.y);
-                                let _e1043 = (_e1034.z - _e158.origin.z);
-                                if (_e400 == 0u) {
-                                    phi_1585_ = vec3<f32>(_e1040, _e1043, _e1037);
+                                let _e1024 = triangles.member[(0u + _e1017)].v0_;
+                                let _e1027 = (_e1024.x - _e158.origin.x);
+                                let _e1030 = (_e1024.y - _e158.origin.y);
+                                let _e1033 = (_e1024.z - _e158.origin.z);
+                                if (_e392 == 0u) {
+                                    phi_1589_ = vec3<f32>(_e1030, _e1033, _e1027);
                                 } else {
-                                    if (_e400 == 1u) {
-                                        phi_1584_ = vec3<f32>(_e1043, _e1037, _e1040);
+                                    if (_e392 == 1u) {
+                                        phi_1588_ = vec3<f32>(_e1033, _e1027, _e1030);
                                     } else {
-                                        phi_1584_ = (_e1034 - _e158.origin);
+                                        phi_1588_ = (_e1024 - _e158.origin);
                                     }
-                                    let _e1050 = phi_1584_;
-                                    phi_1585_ = _e1050;
+                                    let _e1040 = phi_1588_;
+                                    phi_1589_ = _e1040;
                                 }
-                                let _e1052 = phi_1585_;
-                                let _e1056 = (_e1052.x - (_e419 * _e1052.z));
-                                let _e1060 = (_e1052.y - (_e422 * _e1052.z));
-                                let _e1062 = triangles.member[(0u + _e1027)].v1_;
-                                let _e1065 = (_e1062.x - _e158.origin.x);
-                                let _e1068 = (_e1062.y - _e158.origin.y);
-                                let _e1071 = (_e1062.z - _e158.origin.z);
-                                if (_e400 == 0u) {
-                                    phi_1617_ = vec3<f32>(_e1068, _e1071, _e1065);
+                                let _e1042 = phi_1589_;
+                                let _e1046 = (_e1042.x - (_e409 * _e1042.z));
+                                let _e1050 = (_e1042.y - (_e412 * _e1042.z));
+                                let _e1052 = triangles.member[(0u + _e1017)].v1_;
+                                let _e1055 = (_e1052.x - _e158.origin.x);
+                                let _e1058 = (_e1052.y - _e158.origin.y);
+                                let _e1061 = (_e1052.z - _e158.origin.z);
+                                if (_e392 == 0u) {
+                                    phi_1621_ = vec3<f32>(_e1058, _e1061, _e1055);
                                 } else {
-                                    if (_e400 == 1u) {
-                                        phi_1616_ = vec3<f32>(_e1071, _e1065, _e1068);
+                                    if (_e392 == 1u) {
+                                        phi_1620_ = vec3<f32>(_e1061, _e1055, _e1058);
                                     } else {
-                                        phi_1616_ = (_e1062 - _e158.origin);
+                                        phi_1620_ = (_e1052 - _e158.origin);
                                     }
-                                    let _e1078 = phi_1616_;
-                                    phi_1617_ = _e1078;
+                                    let _e1068 = phi_1620_;
+                                    phi_1621_ = _e1068;
                                 }
-                                let _e1080 = phi_1617_;
-                                let _e1084 = (_e1080.x - (_e419 * _e1080.z));
-                                let _e1088 = (_e1080.y - (_e422 * _e1080.z));
-                                let _e1090 = triangles.member[(0u + _e1027)].v2_;
-                                let _e1093 = (_e1090.x - _e158.origin.x);
-                                let _e1096 = (_e1090.y - _e158.origin.y);
-                                let _e1099 = (_e1090.z - _e158.origin.z);
-                                if (_e400 == 0u) {
-                                    phi_1649_ = vec3<f32>(_e1096, _e1099, _e1093);
+                                let _e1070 = phi_1621_;
+                                let _e1074 = (_e1070.x - (_e409 * _e1070.z));
+                                let _e1078 = (_e1070.y - (_e412 * _e1070.z));
+                                let _e1080 = triangles.member[(0u + _e1017)].v2_;
+                                let _e1083 = (_e1080.x - _e158.origin.x);
+                                let _e1086 = (_e1080.y - _e158.origin.y);
+                                let _e1089 = (_e1080.z - _e158.origin.z);
+                                if (_e392 == 0u) {
+                                    phi_1653_ = vec3<f32>(_e1086, _e1089, _e1083);
                                 } else {
-                                    if (_e400 == 1u) {
-                                        phi_1648_ = vec3<f32>(_e1099, _e1093, _e1096);
+                                    if (_e392 == 1u) {
+                                        phi_1652_ = vec3<f32>(_e1089, _e1083, _e1086);
                                     } else {
-                                        phi_1648_ = (_e1090 - _e158.origin);
+                                        phi_1652_ = (_e1080 - _e158.origin);
                                     }
-                                    let _e1106 = phi_1648_;
-                                    phi_1649_ = _e1106;
+                                    let _e1096 = phi_1652_;
+                                    phi_1653_ = _e1096;
                                 }
-                                let _e1108 = phi_1649_;
-                                let _e1112 = (_e1108.x - (_e419 * _e1108.z));
-                                let _e1116 = (_e1108.y - (_e422 * _e1108.z));
-                                if (_e1084 < _e1112) {
-                                    phi_1668_ = true;
+                                let _e1098 = phi_1653_;
+                                let _e1102 = (_e1098.x - (_e409 * _e1098.z));
+                                let _e1106 = (_e1098.y - (_e412 * _e1098.z));
+                                if (_e1074 < _e1102) {
+                                    phi_1672_ = true;
                                 } else {
-                                    if (_e1084 == _e1112) {
-                                        phi_1667_ = (_e1088 < _e1116);
+                                    if (_e1074 == _e1102) {
+                                        phi_1671_ = (_e1078 < _e1106);
                                     } else {
-                                        phi_1667_ = false;
+                                        phi_1671_ = false;
                                     }
-                                    let _e1121 = phi_1667_;
-                                    phi_1668_ = _e1121;
+                                    let _e1111 = phi_1671_;
+                                    phi_1672_ = _e1111;
                                 }
-                                let _e1123 = phi_1668_;
-                                if _e1123 {
-                                    phi_1672_ = _e1116;
-                                    phi_1673_ = _e1112;
-                                    phi_1674_ = _e1088;
-                                    phi_1675_ = _e1084;
+                                let _e1113 = phi_1672_;
+                                if _e1113 {
+                                    phi_1676_ = _e1106;
+                                    phi_1677_ = _e1102;
+                                    phi_1678_ = _e1078;
+                                    phi_1679_ = _e1074;
                                 } else {
-                                    phi_1672_ = _e1088;
-                                    phi_1673_ = _e1084;
-                                    phi_1674_ = _e1116;
-                                    phi_1675_ = _e1112;
+                                    phi_1676_ = _e1078;
+                                    phi_1677_ = _e1074;
+                                    phi_1678_ = _e1106;
+                                    phi_1679_ = _e1102;
                                 }
-                                let _e1125 = phi_1672_;
-                                let _e1127 = phi_1673_;
-                                let _e1129 = phi_1674_;
-                                let _e1131 = phi_1675_;
-                                let _e1134 = ((_e1131 * _e1125) - (_e1129 * _e1127));
-                                if _e1123 {
-                                    phi_1683_ = -(_e1134);
+                                let _e1115 = phi_1676_;
+                                let _e1117 = phi_1677_;
+                                let _e1119 = phi_1678_;
+                                let _e1121 = phi_1679_;
+                                let _e1124 = ((_e1121 * _e1115) - (_e1119 * _e1117));
+                                if _e1113 {
+                                    phi_1687_ = -(_e1124);
                                 } else {
-                                    phi_1683_ = _e1134;
+                                    phi_1687_ = _e1124;
                                 }
-                                let _e1137 = phi_1683_;
-                                if (_e1112 < _e1056) {
-                                    phi_1694_ = true;
+                                let _e1127 = phi_1687_;
+                                if (_e1102 < _e1046) {
+                                    phi_1698_ = true;
                                 } else {
-                                    if (_e1112 == _e1056) {
-                                        phi_1693_ = (_e1116 < _e1060);
+                                    if (_e1102 == _e1046) {
+                                        phi_1697_ = (_e1106 < _e1050);
                                     } else {
-                                        phi_1693_ = false;
+                                        phi_1697_ = false;
                                     }
-                                    let _e1142 = phi_1693_;
-                                    phi_1694_ = _e1142;
+                                    let _e1132 = phi_1697_;
+                                    phi_1698_ = _e1132;
                                 }
-                                let _e1144 = phi_1694_;
-                                if _e1144 {
-                                    phi_1698_ = _e1060;
-                                    phi_1699_ = _e1056;
-                                    phi_1700_ = _e1116;
-                                    phi_1701_ = _e1112;
+                                let _e1134 = phi_1698_;
+                                if _e1134 {
+                                    phi_1702_ = _e1050;
+                                    phi_1703_ = _e1046;
+                                    phi_1704_ = _e1106;
+                                    phi_1705_ = _e1102;
                                 } else {
-                                    phi_1698_ = _e1116;
-                                    phi_1699_ = _e1112;
-                                    phi_1700_ = _e1060;
-                                    phi_1701_ = _e1056;
+                                    phi_1702_ = _e1106;
+                                    phi_1703_ = _e1102;
+                                    phi_1704_ = _e1050;
+                                    phi_1705_ = _e1046;
                                 }
-                                let _e1146 = phi_1698_;
-                                let _e1148 = phi_1699_;
-                                let _e1150 = phi_1700_;
-                                let _e1152 = phi_1701_;
-                                let _e1155 = ((_e1152 * _e1146) - (_e1150 * _e1148));
-                                if _e1144 {
-                                    phi_1709_ = -(_e1155);
+                                let _e1136 = phi_1702_;
+                                let _e1138 = phi_1703_;
+                                let _e1140 = phi_1704_;
+                                let _e1142 = phi_1705_;
+                                let _e1145 = ((_e1142 * _e1136) - (_e1140 * _e1138));
+                                if _e1134 {
+                                    phi_1713_ = -(_e1145);
                                 } else {
-                                    phi_1709_ = _e1155;
+                                    phi_1713_ = _e1145;
                                 }
-                                let _e1158 = phi_1709_;
-                                if (_e1056 < _e1084) {
-                                    phi_1720_ = true;
+                                let _e1148 = phi_1713_;
+                                if (_e1046 < _e1074) {
+                                    phi_1724_ = true;
                                 } else {
-                                    if (_e1056 == _e1084) {
-                                        phi_1719_ = (_e1060 < _e1088);
+                                    if (_e1046 == _e1074) {
+                                        phi_1723_ = (_e1050 < _e1078);
                                     } else {
-                                        phi_1719_ = false;
+                                        phi_1723_ = false;
                                     }
-                                    let _e1163 = phi_1719_;
-                                    phi_1720_ = _e1163;
+                                    let _e1153 = phi_1723_;
+                                    phi_1724_ = _e1153;
                                 }
-                                let _e1165 = phi_1720_;
-                                if _e1165 {
-                                    phi_1724_ = _e1088;
-                                    phi_1725_ = _e1084;
-                                    phi_1726_ = _e1060;
-                                    phi_1727_ = _e1056;
+                                let _e1155 = phi_1724_;
+                                if _e1155 {
+                                    phi_1728_ = _e1078;
+                                    phi_1729_ = _e1074;
+                                    phi_1730_ = _e1050;
+                                    phi_1731_ = _e1046;
                                 } else {
-                                    phi_1724_ = _e1060;
-                                    phi_1725_ = _e1056;
-                                    phi_1726_ = _e1088;
-                                    phi_1727_ = _e1084;
+                                    phi_1728_ = _e1050;
+                                    phi_1729_ = _e1046;
+                                    phi_1730_ = _e1078;
+                                    phi_1731_ = _e1074;
                                 }
-                                let _e1167 = phi_1724_;
-                                let _e1169 = phi_1725_;
-                                let _e1171 = phi_1726_;
-                                let _e1173 = phi_1727_;
-                                let _e1176 = ((_e1173 * _e1167) - (_e1171 * _e1169));
-                                if _e1165 {
-                                    phi_1735_ = -(_e1176);
+                                let _e1157 = phi_1728_;
+                                let _e1159 = phi_1729_;
+                                let _e1161 = phi_1730_;
+                                let _e1163 = phi_1731_;
+                                let _e1166 = ((_e1163 * _e1157) - (_e1161 * _e1159));
+                                if _e1155 {
+                                    phi_1739_ = -(_e1166);
                                 } else {
-                                    phi_1735_ = _e1176;
+                                    phi_1739_ = _e1166;
                                 }
-                                let _e1179 = phi_1735_;
-                                if (_e1137 >= 0f) {
-                                    if (_e1158 >= 0f) {
-                                        if (_e1179 >= 0f) {
-                                            phi_1750_ = ((_e1137 + _e1158) + _e1179);
-                                            phi_1751_ = false;
+                                let _e1169 = phi_1739_;
+                                if (_e1127 >= 0f) {
+                                    if (_e1148 >= 0f) {
+                                        if (_e1169 >= 0f) {
+                                            phi_1754_ = ((_e1127 + _e1148) + _e1169);
+                                            phi_1755_ = false;
                                         } else {
-                                            phi_1750_ = f32();
-                                            phi_1751_ = true;
+                                            phi_1754_ = f32();
+                                            phi_1755_ = true;
                                         }
-                                        let _e1186 = phi_1750_;
-                                        let _e1188 = phi_1751_;
-                                        phi_1752_ = _e1186;
-                                        phi_1753_ = _e1188;
+                                        let _e1176 = phi_1754_;
+                                        let _e1178 = phi_1755_;
+                                        phi_1756_ = _e1176;
+                                        phi_1757_ = _e1178;
                                     } else {
-                                        phi_1752_ = f32();
-                                        phi_1753_ = true;
+                                        phi_1756_ = f32();
+                                        phi_1757_ = true;
                                     }
-                                    let _e1190 = phi_1752_;
-                                    let _e1192 = phi_1753_;
-                                    phi_1754_ = _e1190;
-                                    phi_1755_ = _e1192;
+                                    let _e1180 = phi_1756_;
+                                    let _e1182 = phi_1757_;
+                                    phi_1758_ = _e1180;
+                                    phi_1759_ = _e1182;
                                 } else {
-                                    phi_1754_ = f32();
-                                    phi_1755_ = true;
+                                    phi_1758_ = f32();
+                                    phi_1759_ = true;
                                 }
-                                let _e1194 = phi_1754_;
-                                let _e1196 = phi_1755_;
-                                if _e1196 {
-                                    if (_e1137 <= 0f) {
-                                        if (_e1158 <= 0f) {
-                                            let _e1199 = (_e1179 <= 0f);
-                                            if _e1199 {
+                                let _e1184 = phi_1758_;
+                                let _e1186 = phi_1759_;
+                                if _e1186 {
+                                    if (_e1127 <= 0f) {
+                                        if (_e1148 <= 0f) {
+                                            let _e1189 = (_e1169 <= 0f);
+                                            if _e1189 {
                                             }
-                                            phi_1773_ = ((_e1137 + _e1158) + _e1179);
-                                            phi_1774_ = false;
-                                            phi_1775_ = _e1199;
+                                            phi_1777_ = ((_e1127 + _e1148) + _e1169);
+                                            phi_1778_ = false;
+                                            phi_1779_ = _e1189;
                                         } else {
-                                            phi_1773_ = f32();
-                                            phi_1774_ = true;
-                                            phi_1775_ = false;
+                                            phi_1777_ = f32();
+                                            phi_1778_ = true;
+                                            phi_1779_ = false;
                                         }
-                                        let _e1203 = phi_1773_;
-                                        let _e1205 = phi_1774_;
-                                        let _e1207 = phi_1775_;
-                                        phi_1776_ = _e1203;
-                                        phi_1777_ = _e1205;
-                                        phi_1778_ = _e1207;
+                                        let _e1193 = phi_1777_;
+                                        let _e1195 = phi_1778_;
+                                        let _e1197 = phi_1779_;
+                                        phi_1780_ = _e1193;
+                                        phi_1781_ = _e1195;
+                                        phi_1782_ = _e1197;
                                     } else {
-                                        phi_1776_ = f32();
-                                        phi_1777_ = true;
-                                        phi_1778_ = false;
-                                    }
-                                    let _e1209 = phi_1776_;
-                                    let _e1211 = phi_1777_;
-                                    let _e1213 = phi_1778_;
-                                    if _e1211 {
+                                        phi_1780_ = f32();
+                                        phi_1781_ = true;
                                         phi_1782_ = false;
-                                    } else {
-                                        phi_1782_ = _e1213;
                                     }
-                                    let _e1215 = phi_1782_;
-                                    phi_1783_ = _e1209;
-                                    phi_1784_ = _e1215;
-                                } else {
-                                    phi_1783_ = _e1194;
-                                    phi_1784_ = true;
-                                }
-                                let _e1217 = phi_1783_;
-                                let _e1219 = phi_1784_;
-                                if _e1219 {
-                                    let _e1220 = (_e1217 == 0f);
-                                    if _e1220 {
-                                        phi_2110_ = lt_bvh_triangle_Intersection();
-                                        phi_2111_ = false;
+                                    let _e1199 = phi_1780_;
+                                    let _e1201 = phi_1781_;
+                                    let _e1203 = phi_1782_;
+                                    if _e1201 {
+                                        phi_1786_ = false;
                                     } else {
-                                        let _e1222 = triangles.member[(0u + _e1027)].v0_;
-                                        let _e1225 = (_e1222.x - _e158.origin.x);
-                                        let _e1228 = (_e1222.y - _e158.origin.y);
-                                        let _e1231 = (_e1222.z - _e158.origin.z);
-                                        if (_e400 == 0u) {
-                                            phi_1815_ = vec3<f32>(_e1228, _e1231, _e1225);
-                                        } else {
-                                            if (_e400 == 1u) {
-                                                phi_1814_ = vec3<f32>(_e1231, _e1225, _e1228);
-                                            } else {
-                                                phi_1814_ = (_e1222 - _e158.origin);
-                                            }
-                                            let _e1238 = phi_1814_;
-                                            phi_1815_ = _e1238;
-                                        }
-                                        let _e1240 = phi_1815_;
-                                        let _e1242 = triangles.member[(0u + _e1027)].v1_;
-                                        let _e1244 = triangles.member[(0u + _e1027)].v0_;
-                                        let _e1247 = (_e1242.x - _e1244.x);
-                                        let _e1250 = (_e1242.y - _e1244.y);
-                                        let _e1253 = (_e1242.z - _e1244.z);
-                                        if (_e400 == 0u) {
-                                            phi_1841_ = vec3<f32>(_e1250, _e1253, _e1247);
-                                        } else {
-                                            if (_e400 == 1u) {
-                                                phi_1840_ = vec3<f32>(_e1253, _e1247, _e1250);
-                                            } else {
-                                                phi_1840_ = (_e1242 - _e1244);
-                                            }
-                                            let _e1260 = phi_1840_;
-                                            phi_1841_ = _e1260;
-                                        }
-                                        let _e1262 = phi_1841_;
-                                        let _e1264 = triangles.member[(0u + _e1027)].v2_;
-                                        let _e1266 = triangles.member[(0u + _e1027)].v0_;
-                                        let _e1269 = (_e1264.x - _e1266.x);
-                                        let _e1272 = (_e1264.y - _e1266.y);
-                                        let _e1275 = (_e1264.z - _e1266.z);
-                                        if (_e400 == 0u) {
-                                            phi_1867_ = vec3<f32>(_e1272, _e1275, _e1269);
-                                        } else {
-                                            if (_e400 == 1u) {
-                                                phi_1866_ = vec3<f32>(_e1275, _e1269, _e1272);
-                                            } else {
-                                                phi_1866_ = (_e1264 - _e1266);
-                                            }
-                                            let _e1282 = phi_1866_;
-                                            phi_1867_ = _e1282;
-                                        }
-                                        let _e1284 = phi_1867_;
-                                        let _e1291 = ((_e1262.y * _e1284.z) - (_e1262.z * _e1284.y));
-                                        let _e1298 = ((_e1262.z * _e1284.x) - (_e1262.x * _e1284.z));
-                                        let _e1305 = ((_e1262.x * _e1284.y) - (_e1262.y * _e1284.x));
-                                        let _e1319 = (((1f / _e415.z) * (((_e1291 * _e1240.x) + (_e1298 * _e1240.y)) + (_e1305 * _e1240.z))) / (((_e1291 * _e419) + (_e1298 * _e422)) + _e1305));
-                                        if (_e1319 > _e158.tmin) {
-                                            if (_e1319 < _e158.tmax) {
-                                                let _e1325 = triangles.member[(0u + _e1027)].v0_;
-                                                let _e1327 = triangles.member[(0u + _e1027)].v1_;
-                                                if (_e1325.x < _e1327.x) {
-                                                    phi_1925_ = _e1325.x;
-                                                } else {
-                                                    phi_1925_ = _e1327.x;
-                                                }
-                                                let _e1334 = phi_1925_;
-                                                if (_e1325.y < _e1327.y) {
-                                                    phi_1934_ = _e1325.y;
-                                                } else {
-                                                    phi_1934_ = _e1327.y;
-                                                }
-                                                let _e1341 = phi_1934_;
-                                                if (_e1325.z < _e1327.z) {
-                                                    phi_1943_ = _e1325.z;
-                                                } else {
-                                                    phi_1943_ = _e1327.z;
-                                                }
-                                                let _e1348 = phi_1943_;
-                                                let _e1350 = triangles.member[(0u + _e1027)].v2_;
-                                                if (_e1334 < _e1350.x) {
-                                                    phi_1952_ = _e1334;
-                                                } else {
-                                                    phi_1952_ = _e1350.x;
-                                                }
-                                                let _e1355 = phi_1952_;
-                                                if (_e1341 < _e1350.y) {
-                                                    phi_1959_ = _e1341;
-                                                } else {
-                                                    phi_1959_ = _e1350.y;
-                                                }
-                                                let _e1360 = phi_1959_;
-                                                if (_e1348 < _e1350.z) {
-                                                    phi_1966_ = _e1348;
-                                                } else {
-                                                    phi_1966_ = _e1350.z;
-                                                }
-                                                let _e1365 = phi_1966_;
-                                                let _e1367 = triangles.member[(0u + _e1027)].v0_;
-                                                let _e1369 = triangles.member[(0u + _e1027)].v1_;
-                                                if (_e1367.x > _e1369.x) {
-                                                    phi_1979_ = _e1367.x;
-                                                } else {
-                                                    phi_1979_ = _e1369.x;
-                                                }
-                                                let _e1376 = phi_1979_;
-                                                if (_e1367.y > _e1369.y) {
-                                                    phi_1988_ = _e1367.y;
-                                                } else {
-                                                    phi_1988_ = _e1369.y;
-                                                }
-                                                let _e1383 = phi_1988_;
-                                                if (_e1367.z > _e1369.z) {
-                                                    phi_1997_ = _e1367.z;
-                                                } else {
-                                                    phi_1997_ = _e1369.z;
-                                                }
-                                                let _e1390 = phi_1997_;
-                                                let _e1392 = triangles.member[(0u + _e1027)].v2_;
-                                                if (_e1376 > _e1392.x) {
-                                                    phi_2006_ = _e1376;
-                                                } else {
-                                                    phi_2006_ = _e1392.x;
-                                                }
-                                                let _e1397 = phi_2006_;
-                                                if (_e1383 > _e1392.y) {
-                                                    phi_2013_ = _e1383;
-                                                } else {
-                                                    phi_2013_ = _e1392.y;
-                                                }
-                                                let _e1402 = phi_2013_;
-                                                if (_e1390 > _e1392.z) {
-                                                    phi_2020_ = _e1390;
-                                                } else {
-                                                    phi_2020_ = _e1392.z;
-                                                }
-                                                let _e1407 = phi_2020_;
-                                                let _e1414 = ((_e1355 - _e158.origin.x) * _e312);
-                                                let _e1415 = ((_e1360 - _e158.origin.y) * _e324);
-                                                let _e1416 = ((_e1365 - _e158.origin.z) * _e336);
-                                                let _e1423 = ((_e1397 - _e158.origin.x) * _e312);
-                                                let _e1424 = ((_e1402 - _e158.origin.y) * _e324);
-                                                let _e1425 = ((_e1407 - _e158.origin.z) * _e336);
-                                                if (_e1414 < _e1423) {
-                                                    phi_2043_ = _e1414;
-                                                } else {
-                                                    phi_2043_ = _e1423;
-                                                }
-                                                let _e1428 = phi_2043_;
-                                                if (_e1415 < _e1424) {
-                                                    phi_2048_ = _e1415;
-                                                } else {
-                                                    phi_2048_ = _e1424;
-                                                }
-                                                let _e1431 = phi_2048_;
-                                                if (_e1416 < _e1425) {
-                                                    phi_2053_ = _e1416;
-                                                } else {
-                                                    phi_2053_ = _e1425;
-                                                }
-                                                let _e1434 = phi_2053_;
-                                                if (_e1414 > _e1423) {
-                                                    phi_2061_ = _e1414;
-                                                } else {
-                                                    phi_2061_ = _e1423;
-                                                }
-                                                let _e1440 = phi_2061_;
-                                                if (_e1415 > _e1424) {
-                                                    phi_2066_ = _e1415;
-                                                } else {
-                                                    phi_2066_ = _e1424;
-                                                }
-                                                let _e1443 = phi_2066_;
-                                                if (_e1416 > _e1425) {
-                                                    phi_2071_ = _e1416;
-                                                } else {
-                                                    phi_2071_ = _e1425;
-                                                }
-                                                let _e1446 = phi_2071_;
-                                                let _e1450 = core_intrinsics_maximum_number_nsz_f32_((_e1428 - _e380), (_e1431 - _e381));
-                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_(_e1450, (_e1434 - _e382));
-                                                let _e1452 = core_intrinsics_minimum_number_nsz_f32_((_e1440 + _e380), (_e1443 + _e381));
-                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_(_e1452, (_e1446 + _e382));
-                                                if (_e1451 > -300000000000000000000000000000000000000f) {
-                                                    phi_2083_ = _e1451;
-                                                } else {
-                                                    phi_2083_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1456 = phi_2083_;
-                                                if (_e1453 < 300000000000000000000000000000000000000f) {
-                                                    phi_2088_ = _e1453;
-                                                } else {
-                                                    phi_2088_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1459 = phi_2088_;
-                                                if (_e1319 < _e1456) {
-                                                    phi_2093_ = _e1456;
-                                                } else {
-                                                    phi_2093_ = _e1319;
-                                                }
-                                                let _e1462 = phi_2093_;
-                                                if (_e1462 > _e1459) {
-                                                    phi_2098_ = _e1459;
-                                                } else {
-                                                    phi_2098_ = _e1462;
-                                                }
-                                                let _e1465 = phi_2098_;
-                                                phi_2103_ = lt_bvh_triangle_Intersection(_e1465, (_e1158 / _e1217), (_e1179 / _e1217), (_e1456 <= _e1459));
-                                                phi_2104_ = false;
-                                            } else {
-                                                phi_2103_ = lt_bvh_triangle_Intersection();
-                                                phi_2104_ = true;
-                                            }
-                                            let _e1471 = phi_2103_;
-                                            let _e1473 = phi_2104_;
-                                            phi_2105_ = _e1471;
-                                            phi_2106_ = _e1473;
-                                        } else {
-                                            phi_2105_ = lt_bvh_triangle_Intersection();
-                                            phi_2106_ = true;
-                                        }
-                                        let _e1475 = phi_2105_;
-                                        let _e1477 = phi_2106_;
-                                        if _e1477 {
-                                        }
-                                        phi_2110_ = _e1475;
-                                        phi_2111_ = _e1477;
+                                        phi_1786_ = _e1203;
                                     }
-                                    let _e1479 = phi_2110_;
-                                    let _e1481 = phi_2111_;
-                                    phi_2112_ = _e1479;
-                                    phi_2113_ = _e1220;
-                                    phi_2114_ = _e1481;
+                                    let _e1205 = phi_1786_;
+                                    phi_1787_ = _e1199;
+                                    phi_1788_ = _e1205;
                                 } else {
-                                    phi_2112_ = lt_bvh_triangle_Intersection();
-                                    phi_2113_ = true;
-                                    phi_2114_ = false;
+                                    phi_1787_ = _e1184;
+                                    phi_1788_ = true;
                                 }
-                                let _e1483 = phi_2112_;
-                                let _e1485 = phi_2113_;
-                                let _e1487 = phi_2114_;
-                                if _e1485 {
-                                    phi_2118_ = true;
-                                } else {
-                                    phi_2118_ = _e1487;
-                                }
-                                let _e1489 = phi_2118_;
-                                if _e1489 {
-                                    phi_2122_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2122_ = _e1483;
-                                }
-                                let _e1491 = phi_2122_;
-                                if _e1491.is_hit {
-                                    if (_e1491.t > _e158.tmin) {
-                                        if (_e1491.t < _e1016.t) {
-                                            phi_2171_ = true;
+                                let _e1207 = phi_1787_;
+                                let _e1209 = phi_1788_;
+                                if _e1209 {
+                                    let _e1210 = (_e1207 == 0f);
+                                    if _e1210 {
+                                        phi_2114_ = lt_bvh_triangle_Intersection();
+                                        phi_2115_ = false;
+                                    } else {
+                                        let _e1212 = triangles.member[(0u + _e1017)].v0_;
+                                        let _e1215 = (_e1212.x - _e158.origin.x);
+                                        let _e1218 = (_e1212.y - _e158.origin.y);
+                                        let _e1221 = (_e1212.z - _e158.origin.z);
+                                        if (_e392 == 0u) {
+                                            phi_1819_ = vec3<f32>(_e1218, _e1221, _e1215);
                                         } else {
-                                            if (_e1491.t == _e1016.t) {
-                                                if (_e1016.triangle != 4294967295u) {
-                                                    if (_e1027 < _e1016.triangle) {
-                                                        phi_2162_ = true;
+                                            if (_e392 == 1u) {
+                                                phi_1818_ = vec3<f32>(_e1221, _e1215, _e1218);
+                                            } else {
+                                                phi_1818_ = (_e1212 - _e158.origin);
+                                            }
+                                            let _e1228 = phi_1818_;
+                                            phi_1819_ = _e1228;
+                                        }
+                                        let _e1230 = phi_1819_;
+                                        let _e1232 = triangles.member[(0u + _e1017)].v1_;
+                                        let _e1234 = triangles.member[(0u + _e1017)].v0_;
+                                        let _e1237 = (_e1232.x - _e1234.x);
+                                        let _e1240 = (_e1232.y - _e1234.y);
+                                        let _e1243 = (_e1232.z - _e1234.z);
+                                        if (_e392 == 0u) {
+                                            phi_1845_ = vec3<f32>(_e1240, _e1243, _e1237);
+                                        } else {
+                                            if (_e392 == 1u) {
+                                                phi_1844_ = vec3<f32>(_e1243, _e1237, _e1240);
+                                            } else {
+                                                phi_1844_ = (_e1232 - _e1234);
+                                            }
+                                            let _e1250 = phi_1844_;
+                                            phi_1845_ = _e1250;
+                                        }
+                                        let _e1252 = phi_1845_;
+                                        let _e1254 = triangles.member[(0u + _e1017)].v2_;
+                                        let _e1256 = triangles.member[(0u + _e1017)].v0_;
+                                        let _e1259 = (_e1254.x - _e1256.x);
+                                        let _e1262 = (_e1254.y - _e1256.y);
+                                        let _e1265 = (_e1254.z - _e1256.z);
+                                        if (_e392 == 0u) {
+                                            phi_1871_ = vec3<f32>(_e1262, _e1265, _e1259);
+                                        } else {
+                                            if (_e392 == 1u) {
+                                                phi_1870_ = vec3<f32>(_e1265, _e1259, _e1262);
+                                            } else {
+                                                phi_1870_ = (_e1254 - _e1256);
+                                            }
+                                            let _e1272 = phi_1870_;
+                                            phi_1871_ = _e1272;
+                                        }
+                                        let _e1274 = phi_1871_;
+                                        let _e1281 = ((_e1252.y * _e1274.z) - (_e1252.z * _e1274.y));
+                                        let _e1288 = ((_e1252.z * _e1274.x) - (_e1252.x * _e1274.z));
+                                        let _e1295 = ((_e1252.x * _e1274.y) - (_e1252.y * _e1274.x));
+                                        let _e1309 = (((1f / _e406.z) * (((_e1281 * _e1230.x) + (_e1288 * _e1230.y)) + (_e1295 * _e1230.z))) / (((_e1281 * _e409) + (_e1288 * _e412)) + _e1295));
+                                        if (_e1309 > _e158.tmin) {
+                                            if (_e1309 < _e158.tmax) {
+                                                let _e1315 = triangles.member[(0u + _e1017)].v0_;
+                                                let _e1317 = triangles.member[(0u + _e1017)].v1_;
+                                                if (_e1315.x < _e1317.x) {
+                                                    phi_1929_ = _e1315.x;
+                                                } else {
+                                                    phi_1929_ = _e1317.x;
+                                                }
+                                                let _e1324 = phi_1929_;
+                                                if (_e1315.y < _e1317.y) {
+                                                    phi_1938_ = _e1315.y;
+                                                } else {
+                                                    phi_1938_ = _e1317.y;
+                                                }
+                                                let _e1331 = phi_1938_;
+                                                if (_e1315.z < _e1317.z) {
+                                                    phi_1947_ = _e1315.z;
+                                                } else {
+                                                    phi_1947_ = _e1317.z;
+                                                }
+                                                let _e1338 = phi_1947_;
+                                                let _e1340 = triangles.member[(0u + _e1017)].v2_;
+                                                if (_e1324 < _e1340.x) {
+                                                    phi_1956_ = _e1324;
+                                                } else {
+                                                    phi_1956_ = _e1340.x;
+                                                }
+                                                let _e1345 = phi_1956_;
+                                                if (_e1331 < _e1340.y) {
+                                                    phi_1963_ = _e1331;
+                                                } else {
+                                                    phi_1963_ = _e1340.y;
+                                                }
+                                                let _e1350 = phi_1963_;
+                                                if (_e1338 < _e1340.z) {
+                                                    phi_1970_ = _e1338;
+                                                } else {
+                                                    phi_1970_ = _e1340.z;
+                                                }
+                                                let _e1355 = phi_1970_;
+                                                let _e1357 = triangles.member[(0u + _e1017)].v0_;
+                                                let _e1359 = triangles.member[(0u + _e1017)].v1_;
+                                                if (_e1357.x > _e1359.x) {
+                                                    phi_1983_ = _e1357.x;
+                                                } else {
+                                                    phi_1983_ = _e1359.x;
+                                                }
+                                                let _e1366 = phi_1983_;
+                                                if (_e1357.y > _e1359.y) {
+                                                    phi_1992_ = _e1357.y;
+                                                } else {
+                                                    phi_1992_ = _e1359.y;
+                                                }
+                                                let _e1373 = phi_1992_;
+                                                if (_e1357.z > _e1359.z) {
+                                                    phi_2001_ = _e1357.z;
+                                                } else {
+                                                    phi_2001_ = _e1359.z;
+                                                }
+                                                let _e1380 = phi_2001_;
+                                                let _e1382 = triangles.member[(0u + _e1017)].v2_;
+                                                if (_e1366 > _e1382.x) {
+                                                    phi_2010_ = _e1366;
+                                                } else {
+                                                    phi_2010_ = _e1382.x;
+                                                }
+                                                let _e1387 = phi_2010_;
+                                                if (_e1373 > _e1382.y) {
+                                                    phi_2017_ = _e1373;
+                                                } else {
+                                                    phi_2017_ = _e1382.y;
+                                                }
+                                                let _e1392 = phi_2017_;
+                                                if (_e1380 > _e1382.z) {
+                                                    phi_2024_ = _e1380;
+                                                } else {
+                                                    phi_2024_ = _e1382.z;
+                                                }
+                                                let _e1397 = phi_2024_;
+                                                let _e1404 = ((_e1345 - _e158.origin.x) * _e304);
+                                                let _e1405 = ((_e1350 - _e158.origin.y) * _e315);
+                                                let _e1406 = ((_e1355 - _e158.origin.z) * _e326);
+                                                let _e1413 = ((_e1387 - _e158.origin.x) * _e304);
+                                                let _e1414 = ((_e1392 - _e158.origin.y) * _e315);
+                                                let _e1415 = ((_e1397 - _e158.origin.z) * _e326);
+                                                if (_e1404 < _e1413) {
+                                                    phi_2047_ = _e1404;
+                                                } else {
+                                                    phi_2047_ = _e1413;
+                                                }
+                                                let _e1418 = phi_2047_;
+                                                if (_e1405 < _e1414) {
+                                                    phi_2052_ = _e1405;
+                                                } else {
+                                                    phi_2052_ = _e1414;
+                                                }
+                                                let _e1421 = phi_2052_;
+                                                if (_e1406 < _e1415) {
+                                                    phi_2057_ = _e1406;
+                                                } else {
+                                                    phi_2057_ = _e1415;
+                                                }
+                                                let _e1424 = phi_2057_;
+                                                if (_e1404 > _e1413) {
+                                                    phi_2065_ = _e1404;
+                                                } else {
+                                                    phi_2065_ = _e1413;
+                                                }
+                                                let _e1430 = phi_2065_;
+                                                if (_e1405 > _e1414) {
+                                                    phi_2070_ = _e1405;
+                                                } else {
+                                                    phi_2070_ = _e1414;
+                                                }
+                                                let _e1433 = phi_2070_;
+                                                if (_e1406 > _e1415) {
+                                                    phi_2075_ = _e1406;
+                                                } else {
+                                                    phi_2075_ = _e1415;
+                                                }
+                                                let _e1436 = phi_2075_;
+                                                let _e1440 = core_intrinsics_maximum_number_nsz_f32_((_e1418 - _e371), (_e1421 - _e372));
+                                                let _e1441 = core_intrinsics_maximum_number_nsz_f32_(_e1440, (_e1424 - _e373));
+                                                let _e1442 = core_intrinsics_minimum_number_nsz_f32_((_e1430 + _e371), (_e1433 + _e372));
+                                                let _e1443 = core_intrinsics_minimum_number_nsz_f32_(_e1442, (_e1436 + _e373));
+                                                if (_e1441 > -300000000000000000000000000000000000000f) {
+                                                    phi_2087_ = _e1441;
+                                                } else {
+                                                    phi_2087_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1446 = phi_2087_;
+                                                if (_e1443 < 300000000000000000000000000000000000000f) {
+                                                    phi_2092_ = _e1443;
+                                                } else {
+                                                    phi_2092_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1449 = phi_2092_;
+                                                if (_e1309 < _e1446) {
+                                                    phi_2097_ = _e1446;
+                                                } else {
+                                                    phi_2097_ = _e1309;
+                                                }
+                                                let _e1452 = phi_2097_;
+                                                if (_e1452 > _e1449) {
+                                                    phi_2102_ = _e1449;
+                                                } else {
+                                                    phi_2102_ = _e1452;
+                                                }
+                                                let _e1455 = phi_2102_;
+                                                phi_2107_ = lt_bvh_triangle_Intersection(_e1455, (_e1148 / _e1207), (_e1169 / _e1207), (_e1446 <= _e1449));
+                                                phi_2108_ = false;
+                                            } else {
+                                                phi_2107_ = lt_bvh_triangle_Intersection();
+                                                phi_2108_ = true;
+                                            }
+                                            let _e1461 = phi_2107_;
+                                            let _e1463 = phi_2108_;
+                                            phi_2109_ = _e1461;
+                                            phi_2110_ = _e1463;
+                                        } else {
+                                            phi_2109_ = lt_bvh_triangle_Intersection();
+                                            phi_2110_ = true;
+                                        }
+                                        let _e1465 = phi_2109_;
+                                        let _e1467 = phi_2110_;
+                                        if _e1467 {
+                                        }
+                                        phi_2114_ = _e1465;
+                                        phi_2115_ = _e1467;
+                                    }
+                                    let _e1469 = phi_2114_;
+                                    let _e1471 = phi_2115_;
+                                    phi_2116_ = _e1469;
+                                    phi_2117_ = _e1210;
+                                    phi_2118_ = _e1471;
+                                } else {
+                                    phi_2116_ = lt_bvh_triangle_Intersection();
+                                    phi_2117_ = true;
+                                    phi_2118_ = false;
+                                }
+                                let _e1473 = phi_2116_;
+                                let _e1475 = phi_2117_;
+                                let _e1477 = phi_2118_;
+                                if _e1475 {
+                                    phi_2122_ = true;
+                                } else {
+                                    phi_2122_ = _e1477;
+                                }
+                                let _e1479 = phi_2122_;
+                                if _e1479 {
+                                    phi_2126_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2126_ = _e1473;
+                                }
+                                let _e1481 = phi_2126_;
+                                if _e1481.is_hit {
+                                    if (_e1481.t > _e158.tmin) {
+                                        if (_e1481.t < _e1006.t) {
+                                            phi_2175_ = true;
+                                        } else {
+                                            if (_e1481.t == _e1006.t) {
+                                                if (_e1006.triangle != 4294967295u) {
+                                                    if (_e1017 < _e1006.triangle) {
+                                                        phi_2166_ = true;
                                                     } else {
-                                                        if (_e1027 == _e1016.triangle) {
-                                                            phi_2161_ = (4294967295u < _e1016.instance);
+                                                        if (_e1017 == _e1006.triangle) {
+                                                            phi_2165_ = (4294967295u < _e1006.instance);
                                                         } else {
-                                                            phi_2161_ = false;
+                                                            phi_2165_ = false;
                                                         }
-                                                        let _e1510 = phi_2161_;
-                                                        phi_2162_ = _e1510;
+                                                        let _e1500 = phi_2165_;
+                                                        phi_2166_ = _e1500;
                                                     }
-                                                    let _e1512 = phi_2162_;
-                                                    phi_2163_ = _e1512;
-                                                    phi_2164_ = false;
+                                                    let _e1502 = phi_2166_;
+                                                    phi_2167_ = _e1502;
+                                                    phi_2168_ = false;
                                                 } else {
-                                                    phi_2163_ = bool();
-                                                    phi_2164_ = true;
+                                                    phi_2167_ = bool();
+                                                    phi_2168_ = true;
                                                 }
-                                                let _e1514 = phi_2163_;
-                                                let _e1516 = phi_2164_;
-                                                phi_2165_ = _e1514;
-                                                phi_2166_ = _e1516;
+                                                let _e1504 = phi_2167_;
+                                                let _e1506 = phi_2168_;
+                                                phi_2169_ = _e1504;
+                                                phi_2170_ = _e1506;
                                             } else {
-                                                phi_2165_ = bool();
-                                                phi_2166_ = true;
+                                                phi_2169_ = bool();
+                                                phi_2170_ = true;
                                             }
-                                            let _e1518 = phi_2165_;
-                                            let _e1520 = phi_2166_;
-                                            if _e1520 {
-                                                phi_2170_ = false;
+                                            let _e1508 = phi_2169_;
+                                            let _e1510 = phi_2170_;
+                                            if _e1510 {
+                                                phi_2174_ = false;
                                             } else {
-                                                phi_2170_ = _e1518;
+                                                phi_2174_ = _e1508;
                                             }
-                                            let _e1522 = phi_2170_;
-                                            phi_2171_ = _e1522;
+                                            let _e1512 = phi_2174_;
+                                            phi_2175_ = _e1512;
                                         }
-                                        let _e1524 = phi_2171_;
-                                        if _e1524 {
-                                            let _e1526 = triangles.member[(0u + _e1027)].i0_;
-                                            if ((_e1526 & 2147483648u) == 0u) {
-                                                phi_2185_ = true;
+                                        let _e1514 = phi_2175_;
+                                        if _e1514 {
+                                            let _e1516 = triangles.member[(0u + _e1017)].i0_;
+                                            if ((_e1516 & 2147483648u) == 0u) {
+                                                phi_2189_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_2185_ = true;
+                                                phi_2189_ = true;
                                             }
-                                            let _e1530 = phi_2185_;
-                                            if _e1530 {
-                                                phi_2193_ = lt_bvh_Hit(_e1491.t, _e1491.u, _e1491.v, _e1027, 4294967295u);
+                                            let _e1520 = phi_2189_;
+                                            if _e1520 {
+                                                phi_2197_ = lt_bvh_Hit(_e1481.t, _e1481.u, _e1481.v, _e1017, 4294967295u);
                                             } else {
-                                                phi_2193_ = _e1016;
+                                                phi_2197_ = _e1006;
                                             }
-                                            let _e1536 = phi_2193_;
-                                            phi_2194_ = _e1536;
+                                            let _e1526 = phi_2197_;
+                                            phi_2198_ = _e1526;
                                         } else {
-                                            phi_2194_ = _e1016;
+                                            phi_2198_ = _e1006;
                                         }
-                                        let _e1538 = phi_2194_;
-                                        phi_2195_ = _e1538;
+                                        let _e1528 = phi_2198_;
+                                        phi_2199_ = _e1528;
                                     } else {
-                                        phi_2195_ = _e1016;
+                                        phi_2199_ = _e1006;
                                     }
-                                    let _e1540 = phi_2195_;
-                                    phi_2196_ = _e1540;
+                                    let _e1530 = phi_2199_;
+                                    phi_2200_ = _e1530;
                                 } else {
-                                    phi_2196_ = _e1016;
+                                    phi_2200_ = _e1006;
                                 }
-                                let _e1542 = phi_2196_;
-                                phi_1536_ = _e1542;
-                                phi_1539_ = (_e1018 & (_e1018 - 1u));
-                                phi_2197_ = true;
+                                let _e1532 = phi_2200_;
+                                phi_1540_ = _e1532;
+                                phi_1543_ = (_e1008 & (_e1008 - 1u));
+                                phi_2201_ = true;
                             }
-                            let _e1544 = phi_1536_;
-                            let _e1546 = phi_1539_;
-                            let _e1548 = phi_2197_;
+                            let _e1534 = phi_1540_;
+                            let _e1536 = phi_1543_;
+                            let _e1538 = phi_2201_;
                             continue;
                             continuing {
-                                phi_1535_ = _e1544;
-                                phi_1538_ = _e1546;
-                                break if !(_e1548);
+                                phi_1539_ = _e1534;
+                                phi_1542_ = _e1536;
+                                break if !(_e1538);
                             }
                         }
-                        let _e1551 = local_1.group_mask;
-                        if ((_e1551 & 4278190080u) == 0u) {
-                            let _e1555 = local_1.len;
-                            if (_e1555 == 0u) {
-                                phi_2236_ = false;
+                        let _e1541 = local_1.group_mask;
+                        if ((_e1541 & 4278190080u) == 0u) {
+                            let _e1545 = local_1.len;
+                            if (_e1545 == 0u) {
+                                phi_2240_ = false;
                             } else {
-                                let _e1559 = local_1.len;
-                                local_1.len = (_e1559 - 1u);
-                                let _e1562 = local_1.len;
-                                if (_e1562 < 32u) {
+                                let _e1549 = local_1.len;
+                                local_1.len = (_e1549 - 1u);
+                                let _e1552 = local_1.len;
+                                if (_e1552 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1567 = local_1.first[(0u + _e1562)];
-                                local_1.group = _e1567;
-                                let _e1570 = local_1.len;
-                                if (_e1570 < 32u) {
+                                let _e1557 = local_1.first[(0u + _e1552)];
+                                local_1.group = _e1557;
+                                let _e1560 = local_1.len;
+                                if (_e1560 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1575 = local_1.mask[(0u + _e1570)];
-                                local_1.group_mask = _e1575;
-                                phi_2236_ = true;
+                                let _e1565 = local_1.mask[(0u + _e1560)];
+                                local_1.group_mask = _e1565;
+                                phi_2240_ = true;
                             }
-                            let _e1578 = phi_2236_;
-                            phi_2237_ = _e1578;
+                            let _e1568 = phi_2240_;
+                            phi_2241_ = _e1568;
                         } else {
-                            phi_2237_ = true;
+                            phi_2241_ = true;
                         }
-                        let _e1580 = phi_2237_;
-                        if _e1580 {
+                        let _e1570 = phi_2241_;
+                        if _e1570 {
+                            let _e1572 = local_1.group_mask;
+                            let _e1578 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1572)), 32u, (_e1572 == 0u)));
                             let _e1582 = local_1.group_mask;
-                            let _e1588 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1582)), 32u, (_e1582 == 0u)));
-                            let _e1592 = local_1.group_mask;
-                            let _e1606 = local_1.group_mask;
-                            local_1.group_mask = (_e1606 & ~((1u << bitcast<u32>((_e1588 & 31u)))));
-                            let _e1609 = local_1.group;
-                            phi_2268_ = (_e1609 + countOneBits(((_e1592 & ~((4294967295u << bitcast<u32>((((_e1588 - 24u) ^ _e435) & 31u))))) & 255u)));
+                            let _e1596 = local_1.group_mask;
+                            local_1.group_mask = (_e1596 & ~((1u << bitcast<u32>((_e1578 & 31u)))));
+                            let _e1599 = local_1.group;
+                            phi_2272_ = (_e1599 + countOneBits(((_e1582 & ~((4294967295u << bitcast<u32>((((_e1578 - 24u) ^ _e425) & 31u))))) & 255u)));
                         } else {
-                            phi_2268_ = 4294967295u;
+                            phi_2272_ = 4294967295u;
                         }
-                        let _e1612 = phi_2268_;
-                        let _e2532 = local_5;
-                        phi_1199_ = _e2532;
-                        phi_1202_ = _e1612;
+                        let _e1602 = phi_2272_;
+                        let _e2520 = local_5;
+                        phi_1203_ = _e2520;
+                        phi_1206_ = _e1602;
                     } else {
-                        phi_1199_ = lt_bvh_Hit();
-                        phi_1202_ = u32();
+                        phi_1203_ = lt_bvh_Hit();
+                        phi_1206_ = u32();
                     }
-                    let _e1614 = phi_1199_;
-                    let _e1616 = phi_1202_;
+                    let _e1604 = phi_1203_;
+                    let _e1606 = phi_1206_;
                     continue;
                     continuing {
-                        phi_1198_ = _e1614;
-                        phi_1201_ = _e1616;
-                        break if !(_e576);
+                        phi_1202_ = _e1604;
+                        phi_1205_ = _e1606;
+                        break if !(_e566);
                     }
                 }
-                let _e2536 = local_6;
-                phi_2269_ = _e2536;
+                let _e2524 = local_6;
+                phi_2273_ = _e2524;
             }
-            let _e1619 = phi_2269_;
-            phi_2270_ = _e1619;
-            phi_2271_ = _e230;
+            let _e1609 = phi_2273_;
+            phi_2274_ = _e1609;
+            phi_2275_ = _e222;
         } else {
-            phi_2270_ = lt_bvh_Hit();
-            phi_2271_ = true;
+            phi_2274_ = lt_bvh_Hit();
+            phi_2275_ = true;
         }
-        let _e1621 = phi_2270_;
-        let _e1623 = phi_2271_;
-        if _e1623 {
-            phi_2275_ = _e160;
+        let _e1611 = phi_2274_;
+        let _e1613 = phi_2275_;
+        if _e1613 {
+            phi_2279_ = _e160;
         } else {
-            phi_2275_ = _e1621;
+            phi_2279_ = _e1611;
         }
-        let _e1625 = phi_2275_;
-        if (_e1625.triangle != 4294967295u) {
-            let _e1631 = ((1f - _e1625.u) - _e1625.v);
-            if (_e1625.triangle < _e79) {
+        let _e1615 = phi_2279_;
+        if (_e1615.triangle != 4294967295u) {
+            let _e1621 = ((1f - _e1615.u) - _e1615.v);
+            if (_e1615.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1636 = triangles.member[(0u + _e1625.triangle)];
-            let _e1661 = (((_e1636.v0_.x * _e1631) + (_e1636.v1_.x * _e1625.u)) + (_e1636.v2_.x * _e1625.v));
-            let _e1662 = (((_e1636.v0_.y * _e1631) + (_e1636.v1_.y * _e1625.u)) + (_e1636.v2_.y * _e1625.v));
-            let _e1663 = (((_e1636.v0_.z * _e1631) + (_e1636.v1_.z * _e1625.u)) + (_e1636.v2_.z * _e1625.v));
-            let _e1666 = abs(_e1636.v0_.x);
-            let _e1668 = abs(_e1636.v0_.y);
-            let _e1670 = abs(_e1636.v0_.z);
-            let _e1672 = abs(_e1636.v1_.x);
-            let _e1674 = abs(_e1636.v1_.y);
-            let _e1676 = abs(_e1636.v1_.z);
-            if (_e1666 > _e1672) {
-                phi_2339_ = _e1666;
+            let _e1626 = triangles.member[(0u + _e1615.triangle)];
+            let _e1651 = (((_e1626.v0_.x * _e1621) + (_e1626.v1_.x * _e1615.u)) + (_e1626.v2_.x * _e1615.v));
+            let _e1652 = (((_e1626.v0_.y * _e1621) + (_e1626.v1_.y * _e1615.u)) + (_e1626.v2_.y * _e1615.v));
+            let _e1653 = (((_e1626.v0_.z * _e1621) + (_e1626.v1_.z * _e1615.u)) + (_e1626.v2_.z * _e1615.v));
+            let _e1656 = abs(_e1626.v0_.x);
+            let _e1658 = abs(_e1626.v0_.y);
+            let _e1660 = abs(_e1626.v0_.z);
+            let _e1662 = abs(_e1626.v1_.x);
+            let _e1664 = abs(_e1626.v1_.y);
+            let _e1666 = abs(_e1626.v1_.z);
+            if (_e1656 > _e1662) {
+                phi_2343_ = _e1656;
             } else {
-                phi_2339_ = _e1672;
+                phi_2343_ = _e1662;
             }
-            let _e1679 = phi_2339_;
-            if (_e1668 > _e1674) {
-                phi_2344_ = _e1668;
+            let _e1669 = phi_2343_;
+            if (_e1658 > _e1664) {
+                phi_2348_ = _e1658;
             } else {
-                phi_2344_ = _e1674;
+                phi_2348_ = _e1664;
             }
-            let _e1682 = phi_2344_;
-            if (_e1670 > _e1676) {
-                phi_2349_ = _e1670;
+            let _e1672 = phi_2348_;
+            if (_e1660 > _e1666) {
+                phi_2353_ = _e1660;
             } else {
-                phi_2349_ = _e1676;
+                phi_2353_ = _e1666;
             }
-            let _e1685 = phi_2349_;
-            let _e1687 = abs(_e1636.v2_.x);
-            let _e1689 = abs(_e1636.v2_.y);
-            let _e1691 = abs(_e1636.v2_.z);
-            if (_e1679 > _e1687) {
-                phi_2360_ = _e1679;
+            let _e1675 = phi_2353_;
+            let _e1677 = abs(_e1626.v2_.x);
+            let _e1679 = abs(_e1626.v2_.y);
+            let _e1681 = abs(_e1626.v2_.z);
+            if (_e1669 > _e1677) {
+                phi_2364_ = _e1669;
             } else {
-                phi_2360_ = _e1687;
+                phi_2364_ = _e1677;
             }
-            let _e1694 = phi_2360_;
-            if (_e1682 > _e1689) {
-                phi_2365_ = _e1682;
+            let _e1684 = phi_2364_;
+            if (_e1672 > _e1679) {
+                phi_2369_ = _e1672;
             } else {
-                phi_2365_ = _e1689;
+                phi_2369_ = _e1679;
             }
-            let _e1697 = phi_2365_;
-            if (_e1685 > _e1691) {
-                phi_2370_ = _e1685;
+            let _e1687 = phi_2369_;
+            if (_e1675 > _e1681) {
+                phi_2374_ = _e1675;
             } else {
-                phi_2370_ = _e1691;
+                phi_2374_ = _e1681;
             }
-            let _e1700 = phi_2370_;
-            let _e1703 = (_e1636.v1_.x - _e1636.v0_.x);
-            let _e1706 = (_e1636.v1_.y - _e1636.v0_.y);
-            let _e1709 = (_e1636.v1_.z - _e1636.v0_.z);
-            let _e1712 = (_e1636.v2_.x - _e1636.v0_.x);
-            let _e1715 = (_e1636.v2_.y - _e1636.v0_.y);
-            let _e1718 = (_e1636.v2_.z - _e1636.v0_.z);
-            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1706), abs(_e1709));
-            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1703), _e1722);
-            let _e1724 = (_e1703 / _e1723);
-            let _e1725 = (_e1706 / _e1723);
-            let _e1726 = (_e1709 / _e1723);
-            let _e1730 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1715), abs(_e1718));
-            let _e1731 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1712), _e1730);
-            let _e1732 = (_e1712 / _e1731);
-            let _e1733 = (_e1715 / _e1731);
-            let _e1734 = (_e1718 / _e1731);
-            let _e1737 = ((_e1725 * _e1734) - (_e1733 * _e1726));
-            let _e1740 = ((_e1726 * _e1732) - (_e1734 * _e1724));
-            let _e1743 = ((_e1724 * _e1733) - (_e1732 * _e1725));
-            let _e1745 = p.member.eye;
-            let _e1758 = (1f / sqrt((((_e1737 * _e1737) + (_e1740 * _e1740)) + (_e1743 * _e1743))));
-            let _e1759 = (_e1737 * _e1758);
-            let _e1760 = (_e1740 * _e1758);
-            let _e1761 = (_e1743 * _e1758);
-            if ((((_e1759 * (_e1745.x - _e1661)) + (_e1760 * (_e1745.y - _e1662))) + (_e1761 * (_e1745.z - _e1663))) < 0f) {
-                phi_2446_ = vec3<f32>(-(_e1759), -(_e1760), -(_e1761));
+            let _e1690 = phi_2374_;
+            let _e1693 = (_e1626.v1_.x - _e1626.v0_.x);
+            let _e1696 = (_e1626.v1_.y - _e1626.v0_.y);
+            let _e1699 = (_e1626.v1_.z - _e1626.v0_.z);
+            let _e1702 = (_e1626.v2_.x - _e1626.v0_.x);
+            let _e1705 = (_e1626.v2_.y - _e1626.v0_.y);
+            let _e1708 = (_e1626.v2_.z - _e1626.v0_.z);
+            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1696), abs(_e1699));
+            let _e1713 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1693), _e1712);
+            let _e1714 = (_e1693 / _e1713);
+            let _e1715 = (_e1696 / _e1713);
+            let _e1716 = (_e1699 / _e1713);
+            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1705), abs(_e1708));
+            let _e1721 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1702), _e1720);
+            let _e1722 = (_e1702 / _e1721);
+            let _e1723 = (_e1705 / _e1721);
+            let _e1724 = (_e1708 / _e1721);
+            let _e1727 = ((_e1715 * _e1724) - (_e1723 * _e1716));
+            let _e1730 = ((_e1716 * _e1722) - (_e1724 * _e1714));
+            let _e1733 = ((_e1714 * _e1723) - (_e1722 * _e1715));
+            let _e1735 = p.member.eye;
+            let _e1748 = (1f / sqrt((((_e1727 * _e1727) + (_e1730 * _e1730)) + (_e1733 * _e1733))));
+            let _e1749 = (_e1727 * _e1748);
+            let _e1750 = (_e1730 * _e1748);
+            let _e1751 = (_e1733 * _e1748);
+            if ((((_e1749 * (_e1735.x - _e1651)) + (_e1750 * (_e1735.y - _e1652))) + (_e1751 * (_e1735.z - _e1653))) < 0f) {
+                phi_2450_ = vec3<f32>(-(_e1749), -(_e1750), -(_e1751));
             } else {
-                phi_2446_ = vec3<f32>(_e1759, _e1760, _e1761);
+                phi_2450_ = vec3<f32>(_e1749, _e1750, _e1751);
             }
-            let _e1774 = phi_2446_;
-            if (_e1625.triangle < _e79) {
+            let _e1764 = phi_2450_;
+            if (_e1615.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1779 = triangles.member[(0u + _e1625.triangle)];
-            let _e1781 = (_e1779.i0_ & 2147483647u);
-            if (_e1781 < _e82) {
+            let _e1769 = triangles.member[(0u + _e1615.triangle)];
+            let _e1771 = (_e1769.i0_ & 2147483647u);
+            if (_e1771 < _e82) {
             } else {
                 return;
             }
-            let _e1787 = vertices.member[(0u + _e1781)];
-            if (_e1779.i1_ < _e82) {
+            let _e1777 = vertices.member[(0u + _e1771)];
+            if (_e1769.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e1791 = vertices.member[(0u + _e1779.i1_)];
-            if (_e1779.i2_ < _e82) {
+            let _e1781 = vertices.member[(0u + _e1769.i1_)];
+            if (_e1769.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e1795 = vertices.member[(0u + _e1779.i2_)];
-            let _e1796 = array<abi_Vertex, 3>(_e1787, _e1791, _e1795);
-            if (_e1796[0].material < arrayLength((&materials.member))) {
+            let _e1785 = vertices.member[(0u + _e1769.i2_)];
+            let _e1786 = array<abi_Vertex, 3>(_e1777, _e1781, _e1785);
+            if (_e1786[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1802 = materials.member[(0u + _e1796[0].material)];
-            let _e1819 = (1f / 255f);
-            let _e1838 = (1f / 255f);
-            let _e1860 = (1f / 255f);
-            if (_e1802.color_size == 0u) {
-                phi_2689_ = vec3<f32>(1f, 1f, 1f);
+            let _e1792 = materials.member[(0u + _e1786[0].material)];
+            let _e1809 = (1f / 255f);
+            let _e1828 = (1f / 255f);
+            let _e1850 = (1f / 255f);
+            if (_e1792.color_size == 0u) {
+                phi_2693_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1802.color_offset;
-                local.size = _e1802.color_size;
-                local.flags = _e1802.flags;
-                let _e1903 = _lt_shaders_texture_TextureView_quad((&local), (((_e1796[0].u * _e1631) + (_e1796[1].u * _e1625.u)) + (_e1796[2].u * _e1625.v)), (((_e1796[0].v * _e1631) + (_e1796[1].v * _e1625.u)) + (_e1796[2].v * _e1625.v)));
-                if (_e1903.indices[0] < _e91) {
+                local.offset = _e1792.color_offset;
+                local.size = _e1792.color_size;
+                local.flags = _e1792.flags;
+                let _e1893 = _lt_shaders_texture_TextureView_quad((&local), (((_e1786[0].u * _e1621) + (_e1786[1].u * _e1615.u)) + (_e1786[2].u * _e1615.v)), (((_e1786[0].v * _e1621) + (_e1786[1].v * _e1615.u)) + (_e1786[2].v * _e1615.v)));
+                if (_e1893.indices[0] < _e91) {
                 } else {
                     return;
                 }
-                let _e1909 = color_texels.member[(0u + _e1903.indices[0])];
-                let _e1920 = (1f / 255f);
-                if (_e1903.indices[1] < _e91) {
+                let _e1899 = color_texels.member[(0u + _e1893.indices[0])];
+                let _e1910 = (1f / 255f);
+                if (_e1893.indices[1] < _e91) {
                 } else {
                     return;
                 }
-                let _e1934 = color_texels.member[(0u + _e1903.indices[1])];
-                let _e1945 = (1f / 255f);
-                if (_e1903.indices[2] < _e91) {
+                let _e1924 = color_texels.member[(0u + _e1893.indices[1])];
+                let _e1935 = (1f / 255f);
+                if (_e1893.indices[2] < _e91) {
                 } else {
                     return;
                 }
-                let _e1962 = color_texels.member[(0u + _e1903.indices[2])];
-                let _e1973 = (1f / 255f);
-                if (_e1903.indices[3] < _e91) {
+                let _e1952 = color_texels.member[(0u + _e1893.indices[2])];
+                let _e1963 = (1f / 255f);
+                if (_e1893.indices[3] < _e91) {
                 } else {
                     return;
                 }
-                let _e1990 = color_texels.member[(0u + _e1903.indices[3])];
-                let _e2001 = (1f / 255f);
-                let _e2010 = (((((f32((_e1909 & 255u)) * _e1920) * _e1903.weights.x) + ((f32((_e1934 & 255u)) * _e1945) * _e1903.weights.y)) + ((f32((_e1962 & 255u)) * _e1973) * _e1903.weights.z)) + ((f32((_e1990 & 255u)) * _e2001) * _e1903.weights.w));
-                let _e2011 = (((((f32(((_e1909 >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(8i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(8i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1903.weights.w));
-                let _e2012 = (((((f32(((_e1909 >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(16i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(16i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1903.weights.w));
-                phi_2689_ = vec3<f32>((_e2010 * _e2010), (_e2011 * _e2011), (_e2012 * _e2012));
+                let _e1980 = color_texels.member[(0u + _e1893.indices[3])];
+                let _e1991 = (1f / 255f);
+                let _e2000 = (((((f32((_e1899 & 255u)) * _e1910) * _e1893.weights.x) + ((f32((_e1924 & 255u)) * _e1935) * _e1893.weights.y)) + ((f32((_e1952 & 255u)) * _e1963) * _e1893.weights.z)) + ((f32((_e1980 & 255u)) * _e1991) * _e1893.weights.w));
+                let _e2001 = (((((f32(((_e1899 >> bitcast<u32>(8i)) & 255u)) * _e1910) * _e1893.weights.x) + ((f32(((_e1924 >> bitcast<u32>(8i)) & 255u)) * _e1935) * _e1893.weights.y)) + ((f32(((_e1952 >> bitcast<u32>(8i)) & 255u)) * _e1963) * _e1893.weights.z)) + ((f32(((_e1980 >> bitcast<u32>(8i)) & 255u)) * _e1991) * _e1893.weights.w));
+                let _e2002 = (((((f32(((_e1899 >> bitcast<u32>(16i)) & 255u)) * _e1910) * _e1893.weights.x) + ((f32(((_e1924 >> bitcast<u32>(16i)) & 255u)) * _e1935) * _e1893.weights.y)) + ((f32(((_e1952 >> bitcast<u32>(16i)) & 255u)) * _e1963) * _e1893.weights.z)) + ((f32(((_e1980 >> bitcast<u32>(16i)) & 255u)) * _e1991) * _e1893.weights.w));
+                phi_2693_ = vec3<f32>((_e2000 * _e2000), (_e2001 * _e2001), (_e2002 * _e2002));
             }
-            let _e2018 = phi_2689_;
-            let _e2020 = ((_e1802.base_color.x * ((((f32((_e1796[0].color & 255u)) * _e1819) * _e1631) + ((f32((_e1796[1].color & 255u)) * _e1838) * _e1625.u)) + ((f32((_e1796[2].color & 255u)) * _e1860) * _e1625.v))) * _e2018.x);
-            let _e2022 = ((_e1802.base_color.y * ((((f32(((_e1796[0].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(8i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(8i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.y);
-            let _e2024 = ((_e1802.base_color.z * ((((f32(((_e1796[0].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(16i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(16i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.z);
-            let _e2025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1697, _e1700);
-            let _e2026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1694, _e2025);
-            if ((_e1802.flags & 2u) == 0u) {
-                phi_2704_ = 0u;
+            let _e2008 = phi_2693_;
+            let _e2010 = ((_e1792.base_color.x * ((((f32((_e1786[0].color & 255u)) * _e1809) * _e1621) + ((f32((_e1786[1].color & 255u)) * _e1828) * _e1615.u)) + ((f32((_e1786[2].color & 255u)) * _e1850) * _e1615.v))) * _e2008.x);
+            let _e2012 = ((_e1792.base_color.y * ((((f32(((_e1786[0].color >> bitcast<u32>(8i)) & 255u)) * _e1809) * _e1621) + ((f32(((_e1786[1].color >> bitcast<u32>(8i)) & 255u)) * _e1828) * _e1615.u)) + ((f32(((_e1786[2].color >> bitcast<u32>(8i)) & 255u)) * _e1850) * _e1615.v))) * _e2008.y);
+            let _e2014 = ((_e1792.base_color.z * ((((f32(((_e1786[0].color >> bitcast<u32>(16i)) & 255u)) * _e1809) * _e1621) + ((f32(((_e1786[1].color >> bitcast<u32>(16i)) & 255u)) * _e1828) * _e1615.u)) + ((f32(((_e1786[2].color >> bitcast<u32>(16i)) & 255u)) * _e1850) * _e1615.v))) * _e2008.z);
+            let _e2015 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1687, _e1690);
+            let _e2016 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1684, _e2015);
+            if ((_e1792.flags & 2u) == 0u) {
+                phi_2708_ = 0u;
             } else {
-                phi_2704_ = 1u;
+                phi_2708_ = 1u;
             }
-            let _e2031 = phi_2704_;
-            if (_e1796[0].normal == 2147516416u) {
-                phi_2907_ = _e1774;
+            let _e2021 = phi_2708_;
+            if (_e1786[0].normal == 2147516416u) {
+                phi_2911_ = _e1764;
             } else {
-                let _e2044 = (f32((bitcast<i32>((_e1796[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2050 = (f32((bitcast<i32>(_e1796[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2054 = ((1f - abs(_e2044)) - abs(_e2050));
-                if (_e2054 < 0f) {
-                    phi_2731_ = -(_e2054);
-                } else {
-                    phi_2731_ = 0f;
-                }
-                let _e2058 = phi_2731_;
+                let _e2034 = (f32((bitcast<i32>((_e1786[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2040 = (f32((bitcast<i32>(_e1786[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2044 = ((1f - abs(_e2034)) - abs(_e2040));
                 if (_e2044 < 0f) {
-                    phi_2738_ = (_e2044 + _e2058);
+                    phi_2735_ = -(_e2044);
                 } else {
-                    phi_2738_ = (_e2044 - _e2058);
+                    phi_2735_ = 0f;
                 }
-                let _e2063 = phi_2738_;
-                if (_e2050 < 0f) {
-                    phi_2745_ = (_e2050 + _e2058);
+                let _e2048 = phi_2735_;
+                if (_e2034 < 0f) {
+                    phi_2742_ = (_e2034 + _e2048);
                 } else {
-                    phi_2745_ = (_e2050 - _e2058);
+                    phi_2742_ = (_e2034 - _e2048);
                 }
-                let _e2068 = phi_2745_;
-                let _e2075 = (1f / sqrt((((_e2063 * _e2063) + (_e2068 * _e2068)) + (_e2054 * _e2054))));
-                let _e2091 = (f32((bitcast<i32>((_e1796[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2097 = (f32((bitcast<i32>(_e1796[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2101 = ((1f - abs(_e2091)) - abs(_e2097));
-                if (_e2101 < 0f) {
-                    phi_2780_ = -(_e2101);
+                let _e2053 = phi_2742_;
+                if (_e2040 < 0f) {
+                    phi_2749_ = (_e2040 + _e2048);
                 } else {
-                    phi_2780_ = 0f;
+                    phi_2749_ = (_e2040 - _e2048);
                 }
-                let _e2105 = phi_2780_;
+                let _e2058 = phi_2749_;
+                let _e2065 = (1f / sqrt((((_e2053 * _e2053) + (_e2058 * _e2058)) + (_e2044 * _e2044))));
+                let _e2081 = (f32((bitcast<i32>((_e1786[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2087 = (f32((bitcast<i32>(_e1786[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2091 = ((1f - abs(_e2081)) - abs(_e2087));
                 if (_e2091 < 0f) {
-                    phi_2787_ = (_e2091 + _e2105);
+                    phi_2784_ = -(_e2091);
                 } else {
-                    phi_2787_ = (_e2091 - _e2105);
+                    phi_2784_ = 0f;
                 }
-                let _e2110 = phi_2787_;
-                if (_e2097 < 0f) {
-                    phi_2794_ = (_e2097 + _e2105);
+                let _e2095 = phi_2784_;
+                if (_e2081 < 0f) {
+                    phi_2791_ = (_e2081 + _e2095);
                 } else {
-                    phi_2794_ = (_e2097 - _e2105);
+                    phi_2791_ = (_e2081 - _e2095);
                 }
-                let _e2115 = phi_2794_;
-                let _e2122 = (1f / sqrt((((_e2110 * _e2110) + (_e2115 * _e2115)) + (_e2101 * _e2101))));
-                let _e2141 = (f32((bitcast<i32>((_e1796[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2147 = (f32((bitcast<i32>(_e1796[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2151 = ((1f - abs(_e2141)) - abs(_e2147));
-                if (_e2151 < 0f) {
-                    phi_2832_ = -(_e2151);
+                let _e2100 = phi_2791_;
+                if (_e2087 < 0f) {
+                    phi_2798_ = (_e2087 + _e2095);
                 } else {
-                    phi_2832_ = 0f;
+                    phi_2798_ = (_e2087 - _e2095);
                 }
-                let _e2155 = phi_2832_;
+                let _e2105 = phi_2798_;
+                let _e2112 = (1f / sqrt((((_e2100 * _e2100) + (_e2105 * _e2105)) + (_e2091 * _e2091))));
+                let _e2131 = (f32((bitcast<i32>((_e1786[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2137 = (f32((bitcast<i32>(_e1786[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2141 = ((1f - abs(_e2131)) - abs(_e2137));
                 if (_e2141 < 0f) {
-                    phi_2839_ = (_e2141 + _e2155);
+                    phi_2836_ = -(_e2141);
                 } else {
-                    phi_2839_ = (_e2141 - _e2155);
+                    phi_2836_ = 0f;
                 }
-                let _e2160 = phi_2839_;
-                if (_e2147 < 0f) {
-                    phi_2846_ = (_e2147 + _e2155);
+                let _e2145 = phi_2836_;
+                if (_e2131 < 0f) {
+                    phi_2843_ = (_e2131 + _e2145);
                 } else {
-                    phi_2846_ = (_e2147 - _e2155);
+                    phi_2843_ = (_e2131 - _e2145);
                 }
-                let _e2165 = phi_2846_;
-                let _e2172 = (1f / sqrt((((_e2160 * _e2160) + (_e2165 * _e2165)) + (_e2151 * _e2151))));
-                let _e2183 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2063 * _e2075) * _e1631) + ((_e2110 * _e2122) * _e1625.u)) + ((_e2160 * _e2172) * _e1625.v)), ((((_e2068 * _e2075) * _e1631) + ((_e2115 * _e2122) * _e1625.u)) + ((_e2165 * _e2172) * _e1625.v)), ((((_e2054 * _e2075) * _e1631) + ((_e2101 * _e2122) * _e1625.u)) + ((_e2151 * _e2172) * _e1625.v))));
-                let _e2195 = sqrt((((_e2183.x * _e2183.x) + (_e2183.y * _e2183.y)) + (_e2183.z * _e2183.z)));
-                if (_e2195 > 0f) {
-                    let _e2198 = (_e2183.x / _e2195);
-                    let _e2200 = (_e2183.y / _e2195);
-                    let _e2202 = (_e2183.z / _e2195);
-                    if ((((_e2198 * _e1774.x) + (_e2200 * _e1774.y)) + (_e2202 * _e1774.z)) < 0f) {
-                        phi_2905_ = vec3<f32>(-(_e2198), -(_e2200), -(_e2202));
+                let _e2150 = phi_2843_;
+                if (_e2137 < 0f) {
+                    phi_2850_ = (_e2137 + _e2145);
+                } else {
+                    phi_2850_ = (_e2137 - _e2145);
+                }
+                let _e2155 = phi_2850_;
+                let _e2162 = (1f / sqrt((((_e2150 * _e2150) + (_e2155 * _e2155)) + (_e2141 * _e2141))));
+                let _e2173 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2053 * _e2065) * _e1621) + ((_e2100 * _e2112) * _e1615.u)) + ((_e2150 * _e2162) * _e1615.v)), ((((_e2058 * _e2065) * _e1621) + ((_e2105 * _e2112) * _e1615.u)) + ((_e2155 * _e2162) * _e1615.v)), ((((_e2044 * _e2065) * _e1621) + ((_e2091 * _e2112) * _e1615.u)) + ((_e2141 * _e2162) * _e1615.v))));
+                let _e2185 = sqrt((((_e2173.x * _e2173.x) + (_e2173.y * _e2173.y)) + (_e2173.z * _e2173.z)));
+                if (_e2185 > 0f) {
+                    let _e2188 = (_e2173.x / _e2185);
+                    let _e2190 = (_e2173.y / _e2185);
+                    let _e2192 = (_e2173.z / _e2185);
+                    if ((((_e2188 * _e1764.x) + (_e2190 * _e1764.y)) + (_e2192 * _e1764.z)) < 0f) {
+                        phi_2909_ = vec3<f32>(-(_e2188), -(_e2190), -(_e2192));
                     } else {
-                        phi_2905_ = (_e2183 / vec3(_e2195));
+                        phi_2909_ = (_e2173 / vec3(_e2185));
                     }
-                    let _e2219 = phi_2905_;
-                    phi_2906_ = _e2219;
+                    let _e2209 = phi_2909_;
+                    phi_2910_ = _e2209;
                 } else {
-                    phi_2906_ = _e1774;
+                    phi_2910_ = _e1764;
                 }
-                let _e2221 = phi_2906_;
-                phi_2907_ = _e2221;
+                let _e2211 = phi_2910_;
+                phi_2911_ = _e2211;
             }
-            let _e2223 = phi_2907_;
-            if (_e2020 > 0f) {
-                if (_e2020 < 1f) {
-                    phi_2916_ = _e2020;
+            let _e2213 = phi_2911_;
+            if (_e2010 > 0f) {
+                if (_e2010 < 1f) {
+                    phi_2920_ = _e2010;
                 } else {
-                    phi_2916_ = 1f;
+                    phi_2920_ = 1f;
                 }
-                let _e2227 = phi_2916_;
-                phi_2917_ = _e2227;
+                let _e2217 = phi_2920_;
+                phi_2921_ = _e2217;
             } else {
-                phi_2917_ = 0f;
+                phi_2921_ = 0f;
             }
-            let _e2229 = phi_2917_;
-            if (_e2022 > 0f) {
-                if (_e2022 < 1f) {
-                    phi_2927_ = _e2022;
+            let _e2219 = phi_2921_;
+            if (_e2012 > 0f) {
+                if (_e2012 < 1f) {
+                    phi_2931_ = _e2012;
                 } else {
-                    phi_2927_ = 1f;
+                    phi_2931_ = 1f;
                 }
-                let _e2234 = phi_2927_;
-                phi_2928_ = _e2234;
+                let _e2224 = phi_2931_;
+                phi_2932_ = _e2224;
             } else {
-                phi_2928_ = 0f;
+                phi_2932_ = 0f;
             }
-            let _e2236 = phi_2928_;
-            if (_e2024 > 0f) {
-                if (_e2024 < 1f) {
-                    phi_2938_ = _e2024;
+            let _e2226 = phi_2932_;
+            if (_e2014 > 0f) {
+                if (_e2014 < 1f) {
+                    phi_2942_ = _e2014;
                 } else {
-                    phi_2938_ = 1f;
+                    phi_2942_ = 1f;
                 }
-                let _e2241 = phi_2938_;
-                phi_2939_ = _e2241;
+                let _e2231 = phi_2942_;
+                phi_2943_ = _e2231;
             } else {
-                phi_2939_ = 0f;
+                phi_2943_ = 0f;
             }
-            let _e2243 = phi_2939_;
-            let _e2246 = ((sqrt(_e2229) * 255f) + 0.5f);
-            let _e2255 = ((sqrt(_e2236) * 255f) + 0.5f);
-            let _e2267 = ((sqrt(_e2243) * 255f) + 0.5f);
-            phi_2974_ = abi_Sample(vec3<f32>(_e1661, _e1662, _e1663), _e2026, _e1774, _e2031, _e2223, ((select(select(u32(_e2246), 0u, (_e2246 < bitcast<f32>(0u))), 4294967295u, (_e2246 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2255), 0u, (_e2255 < bitcast<f32>(0u))), 4294967295u, (_e2255 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2267), 0u, (_e2267 < bitcast<f32>(0u))), 4294967295u, (_e2267 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2233 = phi_2943_;
+            let _e2236 = ((sqrt(_e2219) * 255f) + 0.5f);
+            let _e2245 = ((sqrt(_e2226) * 255f) + 0.5f);
+            let _e2257 = ((sqrt(_e2233) * 255f) + 0.5f);
+            phi_2978_ = abi_Sample(vec3<f32>(_e1651, _e1652, _e1653), _e2016, _e1764, _e2021, _e2213, ((select(select(u32(_e2236), 0u, (_e2236 < bitcast<f32>(0u))), 4294967295u, (_e2236 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2245), 0u, (_e2245 < bitcast<f32>(0u))), 4294967295u, (_e2245 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2257), 0u, (_e2257 < bitcast<f32>(0u))), 4294967295u, (_e2257 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2974_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2978_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2281 = phi_2974_;
-        if (_e103.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e103.first_primitive)] = _e2281;
-        if (_e1625.triangle != 4294967295u) {
-            let _e2290 = ((1f - _e1625.u) - _e1625.v);
-            if (_e1625.triangle < _e79) {
-            } else {
-                return;
-            }
-            let _e2295 = triangles.member[(0u + _e1625.triangle)];
-            let _e2297 = (_e2295.i0_ & 2147483647u);
-            if (_e2297 < _e94) {
-            } else {
-                return;
-            }
-            let _e2303 = before.member[(0u + _e2297)];
-            if (_e2295.i1_ < _e94) {
-            } else {
-                return;
-            }
-            let _e2307 = before.member[(0u + _e2295.i1_)];
-            if (_e2295.i2_ < _e94) {
-            } else {
-                return;
-            }
-            let _e2311 = before.member[(0u + _e2295.i2_)];
-            let _e2316 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2303.x, _e2303.y, _e2303.z));
-            let _e2327 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2307.x, _e2307.y, _e2307.z));
-            let _e2341 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2311.x, _e2311.y, _e2311.z));
-            phi_3065_ = vec3<f32>((((_e2316.x * _e2290) + (_e2327.x * _e1625.u)) + (_e2341.x * _e1625.v)), (((_e2316.y * _e2290) + (_e2327.y * _e1625.u)) + (_e2341.y * _e1625.v)), (((_e2316.z * _e2290) + (_e2327.z * _e1625.u)) + (_e2341.z * _e1625.v)));
-        } else {
-            phi_3065_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2353 = phi_3065_;
-        if (_e103.first_primitive < arrayLength((&past.member))) {
+        let _e2271 = phi_2978_;
+        if (_e103.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2353.x, _e2353.y, _e2353.z, 1f);
+        samples.member[(0u + _e103.shift)] = _e2271;
+        if (_e1615.triangle != 4294967295u) {
+            let _e2280 = ((1f - _e1615.u) - _e1615.v);
+            if (_e1615.triangle < _e79) {
+            } else {
+                return;
+            }
+            let _e2285 = triangles.member[(0u + _e1615.triangle)];
+            let _e2287 = (_e2285.i0_ & 2147483647u);
+            if (_e2287 < _e94) {
+            } else {
+                return;
+            }
+            let _e2293 = before.member[(0u + _e2287)];
+            if (_e2285.i1_ < _e94) {
+            } else {
+                return;
+            }
+            let _e2297 = before.member[(0u + _e2285.i1_)];
+            if (_e2285.i2_ < _e94) {
+            } else {
+                return;
+            }
+            let _e2301 = before.member[(0u + _e2285.i2_)];
+            let _e2306 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2293.x, _e2293.y, _e2293.z));
+            let _e2317 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2297.x, _e2297.y, _e2297.z));
+            let _e2331 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2301.x, _e2301.y, _e2301.z));
+            phi_3069_ = vec3<f32>((((_e2306.x * _e2280) + (_e2317.x * _e1615.u)) + (_e2331.x * _e1615.v)), (((_e2306.y * _e2280) + (_e2317.y * _e1615.u)) + (_e2331.y * _e1615.v)), (((_e2306.z * _e2280) + (_e2317.z * _e1615.u)) + (_e2331.z * _e1615.v)));
+        } else {
+            phi_3069_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2343 = phi_3069_;
+        if (_e103.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e103.shift)] = vec4<f32>(_e2343.x, _e2343.y, _e2343.z, 1f);
     }
     return;
 }

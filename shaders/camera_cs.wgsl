@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +91,8 @@ struct type_37 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -135,19 +135,19 @@ var<storage> triangles: type_29;
 @group(0) @binding(5) 
 var<storage, read_write> samples: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_184_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_184_: lt_mask_LightPlace;
     var phi_185_: bool;
-    var phi_186_: lt_bvh_traverse_Tree;
+    var phi_186_: lt_mask_LightPlace;
     var phi_187_: bool;
-    var phi_192_: lt_bvh_traverse_Tree;
+    var phi_192_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_184_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_184_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_185_ = false;
         } else {
-            phi_184_ = lt_bvh_traverse_Tree();
+            phi_184_ = lt_mask_LightPlace();
             phi_185_ = true;
         }
         let _e73 = phi_184_;
@@ -155,18 +155,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_186_ = _e73;
         phi_187_ = _e75;
     } else {
-        phi_186_ = lt_bvh_traverse_Tree();
+        phi_186_ = lt_mask_LightPlace();
         phi_187_ = true;
     }
     let _e77 = phi_186_;
     let _e79 = phi_187_;
     if _e79 {
-        phi_192_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_192_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_192_ = _e77;
     }
     let _e84 = phi_192_;
-    return lt_bvh_traverse_Tree(_e84.root, _e84.first_primitive);
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -239,208 +239,206 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_379_: bool;
-    var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_385_: bool;
-    var phi_386_: bool;
-    var phi_387_: bool;
-    var phi_388_: bool;
-    var phi_389_: bool;
-    var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_392_: bool;
-    var phi_393_: bool;
-    var phi_394_: bool;
+    var phi_355_: bool;
+    var phi_356_: bool;
+    var phi_357_: bool;
+    var phi_358_: bool;
+    var phi_362_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_377_: bool;
+    var phi_378_: bool;
+    var phi_382_: bool;
     var phi_395_: bool;
     var phi_396_: bool;
     var phi_397_: bool;
-    var phi_398_: bool;
-    var phi_399_: bool;
-    var phi_400_: bool;
     var phi_401_: bool;
     var phi_402_: bool;
-    var phi_406_: bool;
-    var phi_410_: bool;
+    var phi_403_: bool;
+    var phi_404_: bool;
+    var phi_405_: bool;
+    var phi_409_: bool;
     var phi_485_: f32;
     var phi_492_: f32;
     var phi_500_: f32;
     var phi_507_: f32;
     var phi_515_: f32;
     var phi_522_: f32;
-    var phi_547_: f32;
-    var phi_552_: f32;
-    var phi_557_: f32;
-    var phi_590_: bool;
-    var phi_591_: bool;
-    var phi_599_: u32;
-    var phi_600_: u32;
-    var phi_618_: vec3<f32>;
-    var phi_619_: vec3<f32>;
-    var phi_633_: u32;
-    var phi_638_: u32;
-    var phi_643_: u32;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_789_: u32;
-    var phi_791_: lt_bvh_Hit;
-    var phi_794_: u32;
-    var phi_879_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_906_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_933_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_939_: u32;
-    var phi_942_: u32;
-    var phi_956_: u32;
-    var phi_966_: u32;
-    var phi_976_: u32;
-    var phi_994_: u32;
-    var phi_1004_: u32;
-    var phi_1014_: u32;
-    var phi_1050_: u32;
-    var phi_1063_: u32;
-    var phi_1068_: u32;
-    var phi_1069_: u32;
-    var phi_1070_: u32;
-    var phi_940_: u32;
+    var phi_545_: f32;
+    var phi_550_: f32;
+    var phi_555_: f32;
+    var phi_560_: f32;
+    var phi_565_: f32;
+    var phi_596_: bool;
+    var phi_597_: bool;
+    var phi_605_: u32;
+    var phi_606_: u32;
+    var phi_623_: vec3<f32>;
+    var phi_624_: vec3<f32>;
+    var phi_637_: u32;
+    var phi_642_: u32;
+    var phi_647_: u32;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_793_: u32;
+    var phi_795_: lt_bvh_Hit;
+    var phi_798_: u32;
+    var phi_883_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_910_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_937_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_943_: u32;
+    var phi_946_: u32;
+    var phi_960_: u32;
+    var phi_970_: u32;
+    var phi_980_: u32;
+    var phi_998_: u32;
+    var phi_1008_: u32;
+    var phi_1018_: u32;
+    var phi_1054_: u32;
+    var phi_1067_: u32;
+    var phi_1072_: u32;
+    var phi_1073_: u32;
+    var phi_1074_: u32;
+    var phi_944_: u32;
+    var phi_947_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1128_: lt_bvh_Hit;
-    var phi_1131_: u32;
-    var phi_1177_: vec3<f32>;
-    var phi_1178_: vec3<f32>;
-    var phi_1209_: vec3<f32>;
-    var phi_1210_: vec3<f32>;
-    var phi_1241_: vec3<f32>;
-    var phi_1242_: vec3<f32>;
-    var phi_1260_: bool;
-    var phi_1261_: bool;
-    var phi_1265_: f32;
-    var phi_1266_: f32;
-    var phi_1267_: f32;
-    var phi_1268_: f32;
-    var phi_1276_: f32;
-    var phi_1286_: bool;
-    var phi_1287_: bool;
-    var phi_1291_: f32;
-    var phi_1292_: f32;
-    var phi_1293_: f32;
-    var phi_1294_: f32;
-    var phi_1302_: f32;
-    var phi_1312_: bool;
-    var phi_1313_: bool;
-    var phi_1317_: f32;
-    var phi_1318_: f32;
-    var phi_1319_: f32;
-    var phi_1320_: f32;
-    var phi_1328_: f32;
-    var phi_1343_: f32;
-    var phi_1344_: bool;
-    var phi_1345_: f32;
-    var phi_1346_: bool;
+    var phi_1132_: lt_bvh_Hit;
+    var phi_1135_: u32;
+    var phi_1181_: vec3<f32>;
+    var phi_1182_: vec3<f32>;
+    var phi_1213_: vec3<f32>;
+    var phi_1214_: vec3<f32>;
+    var phi_1245_: vec3<f32>;
+    var phi_1246_: vec3<f32>;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1269_: f32;
+    var phi_1270_: f32;
+    var phi_1271_: f32;
+    var phi_1272_: f32;
+    var phi_1280_: f32;
+    var phi_1290_: bool;
+    var phi_1291_: bool;
+    var phi_1295_: f32;
+    var phi_1296_: f32;
+    var phi_1297_: f32;
+    var phi_1298_: f32;
+    var phi_1306_: f32;
+    var phi_1316_: bool;
+    var phi_1317_: bool;
+    var phi_1321_: f32;
+    var phi_1322_: f32;
+    var phi_1323_: f32;
+    var phi_1324_: f32;
+    var phi_1332_: f32;
     var phi_1347_: f32;
     var phi_1348_: bool;
-    var phi_1366_: f32;
-    var phi_1367_: bool;
-    var phi_1368_: bool;
-    var phi_1369_: f32;
-    var phi_1370_: bool;
+    var phi_1349_: f32;
+    var phi_1350_: bool;
+    var phi_1351_: f32;
+    var phi_1352_: bool;
+    var phi_1370_: f32;
     var phi_1371_: bool;
+    var phi_1372_: bool;
+    var phi_1373_: f32;
+    var phi_1374_: bool;
     var phi_1375_: bool;
-    var phi_1376_: f32;
-    var phi_1377_: bool;
-    var phi_1407_: vec3<f32>;
-    var phi_1408_: vec3<f32>;
-    var phi_1433_: vec3<f32>;
-    var phi_1434_: vec3<f32>;
-    var phi_1459_: vec3<f32>;
-    var phi_1460_: vec3<f32>;
-    var phi_1518_: f32;
-    var phi_1527_: f32;
-    var phi_1536_: f32;
-    var phi_1545_: f32;
-    var phi_1552_: f32;
-    var phi_1559_: f32;
-    var phi_1572_: f32;
-    var phi_1581_: f32;
-    var phi_1590_: f32;
-    var phi_1599_: f32;
-    var phi_1606_: f32;
-    var phi_1613_: f32;
-    var phi_1636_: f32;
-    var phi_1641_: f32;
-    var phi_1646_: f32;
-    var phi_1654_: f32;
-    var phi_1659_: f32;
-    var phi_1664_: f32;
-    var phi_1676_: f32;
-    var phi_1681_: f32;
-    var phi_1686_: f32;
-    var phi_1691_: f32;
-    var phi_1696_: lt_bvh_triangle_Intersection;
-    var phi_1697_: bool;
-    var phi_1698_: lt_bvh_triangle_Intersection;
-    var phi_1699_: bool;
-    var phi_1703_: lt_bvh_triangle_Intersection;
-    var phi_1704_: bool;
-    var phi_1705_: lt_bvh_triangle_Intersection;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
+    var phi_1379_: bool;
+    var phi_1380_: f32;
+    var phi_1381_: bool;
+    var phi_1411_: vec3<f32>;
+    var phi_1412_: vec3<f32>;
+    var phi_1437_: vec3<f32>;
+    var phi_1438_: vec3<f32>;
+    var phi_1463_: vec3<f32>;
+    var phi_1464_: vec3<f32>;
+    var phi_1522_: f32;
+    var phi_1531_: f32;
+    var phi_1540_: f32;
+    var phi_1549_: f32;
+    var phi_1556_: f32;
+    var phi_1563_: f32;
+    var phi_1576_: f32;
+    var phi_1585_: f32;
+    var phi_1594_: f32;
+    var phi_1603_: f32;
+    var phi_1610_: f32;
+    var phi_1617_: f32;
+    var phi_1640_: f32;
+    var phi_1645_: f32;
+    var phi_1650_: f32;
+    var phi_1658_: f32;
+    var phi_1663_: f32;
+    var phi_1668_: f32;
+    var phi_1680_: f32;
+    var phi_1685_: f32;
+    var phi_1690_: f32;
+    var phi_1695_: f32;
+    var phi_1700_: lt_bvh_triangle_Intersection;
+    var phi_1701_: bool;
+    var phi_1702_: lt_bvh_triangle_Intersection;
+    var phi_1703_: bool;
+    var phi_1707_: lt_bvh_triangle_Intersection;
+    var phi_1708_: bool;
+    var phi_1709_: lt_bvh_triangle_Intersection;
+    var phi_1710_: bool;
     var phi_1711_: bool;
-    var phi_1715_: lt_bvh_triangle_Intersection;
-    var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
+    var phi_1715_: bool;
+    var phi_1719_: lt_bvh_triangle_Intersection;
     var phi_1758_: bool;
     var phi_1759_: bool;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
     var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1778_: bool;
-    var phi_1786_: lt_bvh_Hit;
-    var phi_1787_: lt_bvh_Hit;
-    var phi_1788_: lt_bvh_Hit;
-    var phi_1789_: lt_bvh_Hit;
-    var phi_1129_: lt_bvh_Hit;
-    var phi_1132_: u32;
-    var phi_1790_: bool;
-    var phi_1829_: bool;
-    var phi_1830_: bool;
-    var phi_1861_: u32;
-    var phi_792_: lt_bvh_Hit;
-    var phi_795_: u32;
-    var phi_1862_: lt_bvh_Hit;
-    var phi_1863_: lt_bvh_Hit;
-    var phi_1864_: bool;
-    var phi_1868_: lt_bvh_Hit;
-    var phi_1933_: f32;
-    var phi_1938_: f32;
-    var phi_1943_: f32;
-    var phi_1954_: f32;
-    var phi_1959_: f32;
-    var phi_1964_: f32;
-    var phi_2040_: vec3<f32>;
-    var phi_2161_: u32;
-    var phi_2188_: f32;
-    var phi_2195_: f32;
-    var phi_2202_: f32;
-    var phi_2237_: f32;
-    var phi_2244_: f32;
-    var phi_2251_: f32;
-    var phi_2289_: f32;
-    var phi_2296_: f32;
-    var phi_2303_: f32;
-    var phi_2362_: vec3<f32>;
-    var phi_2363_: vec3<f32>;
-    var phi_2364_: vec3<f32>;
-    var phi_2373_: f32;
-    var phi_2374_: f32;
-    var phi_2384_: f32;
-    var phi_2385_: f32;
-    var phi_2395_: f32;
-    var phi_2396_: f32;
-    var phi_2431_: abi_Sample;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1782_: bool;
+    var phi_1790_: lt_bvh_Hit;
+    var phi_1791_: lt_bvh_Hit;
+    var phi_1792_: lt_bvh_Hit;
+    var phi_1793_: lt_bvh_Hit;
+    var phi_1133_: lt_bvh_Hit;
+    var phi_1136_: u32;
+    var phi_1794_: bool;
+    var phi_1833_: bool;
+    var phi_1834_: bool;
+    var phi_1865_: u32;
+    var phi_796_: lt_bvh_Hit;
+    var phi_799_: u32;
+    var phi_1866_: lt_bvh_Hit;
+    var phi_1867_: lt_bvh_Hit;
+    var phi_1868_: bool;
+    var phi_1872_: lt_bvh_Hit;
+    var phi_1937_: f32;
+    var phi_1942_: f32;
+    var phi_1947_: f32;
+    var phi_1958_: f32;
+    var phi_1963_: f32;
+    var phi_1968_: f32;
+    var phi_2044_: vec3<f32>;
+    var phi_2165_: u32;
+    var phi_2192_: f32;
+    var phi_2199_: f32;
+    var phi_2206_: f32;
+    var phi_2241_: f32;
+    var phi_2248_: f32;
+    var phi_2255_: f32;
+    var phi_2293_: f32;
+    var phi_2300_: f32;
+    var phi_2307_: f32;
+    var phi_2366_: vec3<f32>;
+    var phi_2367_: vec3<f32>;
+    var phi_2368_: vec3<f32>;
+    var phi_2377_: f32;
+    var phi_2378_: f32;
+    var phi_2388_: f32;
+    var phi_2389_: f32;
+    var phi_2399_: f32;
+    var phi_2400_: f32;
+    var phi_2435_: abi_Sample;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
@@ -451,7 +449,7 @@ fn function_() {
     let _e80 = p.member.size[0u];
     let _e82 = p.member.size[1u];
     let _e83 = lt_shaders_entry_pixel_index(_e61, _e80, _e82);
-    if (bitcast<i32>(_e83.root) != 0i) {
+    if (bitcast<i32>(_e83.word) != 0i) {
         let _e91 = p.member.eye;
         let _e96 = p.member.size[0u];
         let _e100 = ((((f32(_e61.x) + 0.5f) / f32(_e96)) * 2f) - 1f);
@@ -462,1428 +460,1429 @@ fn function_() {
         let _e127 = p.member.up;
         let _e138 = _lt_bvh_ray_Ray_new(_e91, vec3<f32>(((_e111.x + (_e113.x * _e100)) + (_e127.x * _e109)), ((_e111.y + (_e113.y * _e100)) + (_e127.y * _e109)), ((_e111.z + (_e113.z * _e100)) + (_e127.z * _e109))));
         let _e140 = lt_bvh_Hit(_e138.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e150 = abs(_e138.direction.x);
-        let _e152 = abs(_e138.direction.y);
-        let _e154 = abs(_e138.direction.z);
+        let _e143 = abs(_e138.direction.x);
+        let _e145 = abs(_e138.direction.y);
+        let _e147 = abs(_e138.direction.z);
         if (abs(_e138.origin.x) < 1000000000000000f) {
             if (abs(_e138.origin.y) < 1000000000000000f) {
-                if (abs(_e138.origin.z) < 1000000000000000f) {
-                    if (_e150 < 1000000000000000f) {
-                        if (_e152 < 1000000000000000f) {
-                            if (_e154 < 1000000000000000f) {
-                                if (_e150 > 0f) {
-                                    phi_380_ = bool();
-                                    phi_381_ = true;
-                                } else {
-                                    let _e162 = (_e152 > 0f);
-                                    if _e162 {
-                                        phi_379_ = bool();
-                                    } else {
-                                        phi_379_ = (_e154 > 0f);
-                                    }
-                                    let _e165 = phi_379_;
-                                    phi_380_ = _e165;
-                                    phi_381_ = _e162;
-                                }
-                                let _e167 = phi_380_;
-                                let _e169 = phi_381_;
-                                if _e169 {
-                                    phi_385_ = true;
-                                } else {
-                                    phi_385_ = _e167;
-                                }
-                                let _e171 = phi_385_;
-                                phi_386_ = _e171;
-                                phi_387_ = false;
-                            } else {
-                                phi_386_ = bool();
-                                phi_387_ = true;
-                            }
-                            let _e173 = phi_386_;
-                            let _e175 = phi_387_;
-                            phi_388_ = _e173;
-                            phi_389_ = false;
-                            phi_390_ = _e175;
-                        } else {
-                            phi_388_ = bool();
-                            phi_389_ = true;
-                            phi_390_ = false;
-                        }
-                        let _e177 = phi_388_;
-                        let _e179 = phi_389_;
-                        let _e181 = phi_390_;
-                        phi_391_ = _e177;
-                        phi_392_ = _e179;
-                        phi_393_ = _e181;
-                    } else {
-                        phi_391_ = bool();
-                        phi_392_ = true;
-                        phi_393_ = false;
-                    }
-                    let _e183 = phi_391_;
-                    let _e185 = phi_392_;
-                    let _e187 = phi_393_;
-                    phi_394_ = _e183;
-                    phi_395_ = _e185;
-                    phi_396_ = _e187;
-                } else {
-                    phi_394_ = bool();
-                    phi_395_ = true;
-                    phi_396_ = false;
-                }
-                let _e189 = phi_394_;
-                let _e191 = phi_395_;
-                let _e193 = phi_396_;
-                phi_397_ = _e189;
-                phi_398_ = _e191;
-                phi_399_ = _e193;
+                phi_355_ = (abs(_e138.origin.z) < 1000000000000000f);
+                phi_356_ = false;
             } else {
-                phi_397_ = bool();
-                phi_398_ = true;
-                phi_399_ = false;
+                phi_355_ = bool();
+                phi_356_ = true;
             }
-            let _e195 = phi_397_;
-            let _e197 = phi_398_;
-            let _e199 = phi_399_;
-            phi_400_ = _e195;
-            phi_401_ = _e197;
-            phi_402_ = _e199;
+            let _e159 = phi_355_;
+            let _e161 = phi_356_;
+            phi_357_ = _e159;
+            phi_358_ = _e161;
         } else {
-            phi_400_ = bool();
-            phi_401_ = true;
-            phi_402_ = false;
+            phi_357_ = bool();
+            phi_358_ = true;
         }
-        let _e201 = phi_400_;
-        let _e203 = phi_401_;
-        let _e205 = phi_402_;
-        if _e203 {
-            phi_406_ = true;
+        let _e163 = phi_357_;
+        let _e165 = phi_358_;
+        if _e165 {
+            phi_362_ = false;
         } else {
-            phi_406_ = _e205;
+            phi_362_ = _e163;
         }
-        let _e207 = phi_406_;
-        if _e207 {
-            phi_410_ = false;
+        let _e167 = phi_362_;
+        if _e167 {
+            if (_e143 < 1000000000000000f) {
+                if (_e145 < 1000000000000000f) {
+                    phi_375_ = (_e147 < 1000000000000000f);
+                    phi_376_ = false;
+                } else {
+                    phi_375_ = bool();
+                    phi_376_ = true;
+                }
+                let _e172 = phi_375_;
+                let _e174 = phi_376_;
+                phi_377_ = _e172;
+                phi_378_ = _e174;
+            } else {
+                phi_377_ = bool();
+                phi_378_ = true;
+            }
+            let _e176 = phi_377_;
+            let _e178 = phi_378_;
+            if _e178 {
+                phi_382_ = false;
+            } else {
+                phi_382_ = _e176;
+            }
+            let _e180 = phi_382_;
+            if _e180 {
+                if (_e143 > 0f) {
+                    phi_396_ = bool();
+                    phi_397_ = true;
+                } else {
+                    let _e182 = (_e145 > 0f);
+                    if _e182 {
+                        phi_395_ = bool();
+                    } else {
+                        phi_395_ = (_e147 > 0f);
+                    }
+                    let _e185 = phi_395_;
+                    phi_396_ = _e185;
+                    phi_397_ = _e182;
+                }
+                let _e187 = phi_396_;
+                let _e189 = phi_397_;
+                if _e189 {
+                    phi_401_ = true;
+                } else {
+                    phi_401_ = _e187;
+                }
+                let _e191 = phi_401_;
+                phi_402_ = _e191;
+                phi_403_ = false;
+            } else {
+                phi_402_ = bool();
+                phi_403_ = true;
+            }
+            let _e193 = phi_402_;
+            let _e195 = phi_403_;
+            phi_404_ = _e193;
+            phi_405_ = _e195;
         } else {
-            phi_410_ = _e201;
+            phi_404_ = bool();
+            phi_405_ = true;
         }
-        let _e209 = phi_410_;
-        if _e209 {
-            let _e210 = (0u >= _e65);
-            if _e210 {
-                phi_1862_ = lt_bvh_Hit();
+        let _e197 = phi_404_;
+        let _e199 = phi_405_;
+        if _e199 {
+            phi_409_ = false;
+        } else {
+            phi_409_ = _e197;
+        }
+        let _e201 = phi_409_;
+        if _e201 {
+            let _e202 = (0u >= _e65);
+            if _e202 {
+                phi_1866_ = lt_bvh_Hit();
             } else {
                 if (0u < _e65) {
                 } else {
                     return;
                 }
-                let _e216 = nodes.member[(0u + 0u)].frame[0u];
-                let _e220 = nodes.member[(0u + 0u)].frame[1u];
-                let _e224 = nodes.member[(0u + 0u)].frame[2u];
-                let _e228 = nodes.member[(0u + 0u)].frame[0u];
-                let _e232 = nodes.member[(0u + 0u)].frame[1u];
-                let _e236 = nodes.member[(0u + 0u)].frame[2u];
-                let _e240 = nodes.member[(0u + 0u)].frame[3u];
-                let _e278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e138.direction.x), abs(_e138.direction.y));
-                let _e279 = core_intrinsics_maximum_number_nsz_f32_(_e278, abs(_e138.direction.z));
-                let _e280 = (_e279 * 0.0000000000009094947f);
-                if (abs(_e138.direction.x) < _e280) {
-                    phi_485_ = _e280;
+                let _e208 = nodes.member[(0u + 0u)].frame[0u];
+                let _e212 = nodes.member[(0u + 0u)].frame[1u];
+                let _e216 = nodes.member[(0u + 0u)].frame[2u];
+                let _e220 = nodes.member[(0u + 0u)].frame[0u];
+                let _e224 = nodes.member[(0u + 0u)].frame[1u];
+                let _e228 = nodes.member[(0u + 0u)].frame[2u];
+                let _e232 = nodes.member[(0u + 0u)].frame[3u];
+                let _e271 = core_intrinsics_maximum_number_nsz_f32_(abs(_e138.direction.x), abs(_e138.direction.y));
+                let _e272 = core_intrinsics_maximum_number_nsz_f32_(_e271, abs(_e138.direction.z));
+                let _e273 = (_e272 * 0.0000000000009094947f);
+                if (abs(_e138.direction.x) < _e273) {
+                    phi_485_ = _e273;
                 } else {
                     phi_485_ = abs(_e138.direction.x);
                 }
-                let _e287 = phi_485_;
+                let _e279 = phi_485_;
                 if (_e138.direction.x < 0f) {
-                    phi_492_ = (-1f / _e287);
+                    phi_492_ = (-1f / _e279);
                 } else {
-                    phi_492_ = (1f / _e287);
+                    phi_492_ = (1f / _e279);
                 }
-                let _e292 = phi_492_;
-                if (abs(_e138.direction.y) < _e280) {
-                    phi_500_ = _e280;
+                let _e284 = phi_492_;
+                if (abs(_e138.direction.y) < _e273) {
+                    phi_500_ = _e273;
                 } else {
                     phi_500_ = abs(_e138.direction.y);
                 }
-                let _e299 = phi_500_;
+                let _e290 = phi_500_;
                 if (_e138.direction.y < 0f) {
-                    phi_507_ = (-1f / _e299);
+                    phi_507_ = (-1f / _e290);
                 } else {
-                    phi_507_ = (1f / _e299);
+                    phi_507_ = (1f / _e290);
                 }
-                let _e304 = phi_507_;
-                if (abs(_e138.direction.z) < _e280) {
-                    phi_515_ = _e280;
+                let _e295 = phi_507_;
+                if (abs(_e138.direction.z) < _e273) {
+                    phi_515_ = _e273;
                 } else {
                     phi_515_ = abs(_e138.direction.z);
                 }
-                let _e311 = phi_515_;
+                let _e301 = phi_515_;
                 if (_e138.direction.z < 0f) {
-                    phi_522_ = (-1f / _e311);
+                    phi_522_ = (-1f / _e301);
                 } else {
-                    phi_522_ = (1f / _e311);
+                    phi_522_ = (1f / _e301);
                 }
-                let _e316 = phi_522_;
-                let _e324 = abs((bitcast<f32>(_e216) - _e138.origin.x));
-                let _e325 = abs((bitcast<f32>(_e220) - _e138.origin.y));
-                let _e326 = abs((bitcast<f32>(_e224) - _e138.origin.z));
-                let _e334 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e240 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.x));
-                let _e335 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e240 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.y));
-                let _e336 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e240 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.z));
-                if (_e324 > _e334) {
-                    phi_547_ = _e324;
+                let _e306 = phi_522_;
+                let _e313 = abs((bitcast<f32>(_e208) - _e138.origin.x));
+                let _e314 = abs((bitcast<f32>(_e212) - _e138.origin.y));
+                let _e315 = abs((bitcast<f32>(_e216) - _e138.origin.z));
+                let _e322 = abs(((bitcast<f32>(_e220) + (bitcast<f32>((((_e232 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.x));
+                let _e323 = abs(((bitcast<f32>(_e224) + (bitcast<f32>((((_e232 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.y));
+                let _e324 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e232 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.z));
+                if (_e313 > _e322) {
+                    phi_545_ = _e313;
                 } else {
-                    phi_547_ = _e334;
+                    phi_545_ = _e322;
                 }
-                let _e339 = phi_547_;
-                if (_e325 > _e335) {
-                    phi_552_ = _e325;
+                let _e327 = phi_545_;
+                if (_e314 > _e323) {
+                    phi_550_ = _e314;
                 } else {
-                    phi_552_ = _e335;
+                    phi_550_ = _e323;
                 }
-                let _e342 = phi_552_;
-                if (_e326 > _e336) {
-                    phi_557_ = _e326;
+                let _e330 = phi_550_;
+                if (_e315 > _e324) {
+                    phi_555_ = _e315;
                 } else {
-                    phi_557_ = _e336;
+                    phi_555_ = _e324;
                 }
-                let _e345 = phi_557_;
-                let _e346 = core_intrinsics_maximum_number_nsz_f32_(_e339, _e342);
-                let _e347 = core_intrinsics_maximum_number_nsz_f32_(_e346, _e345);
-                let _e352 = (_e347 * 0.0000019073486f);
-                let _e353 = (abs(_e292) * _e352);
-                let _e354 = (abs(_e304) * _e352);
-                let _e355 = (abs(_e316) * _e352);
-                let _e359 = (_e347 * 0.0000009536743f);
-                let _e360 = (abs(_e292) * _e359);
-                let _e361 = (abs(_e304) * _e359);
-                let _e362 = (abs(_e316) * _e359);
-                let _e365 = abs(_e138.direction.x);
-                let _e367 = abs(_e138.direction.y);
-                let _e369 = abs(_e138.direction.z);
-                if (_e365 >= _e367) {
-                    if (_e365 >= _e369) {
-                        phi_590_ = false;
+                let _e333 = phi_555_;
+                if (_e327 > _e330) {
+                    phi_560_ = _e327;
+                } else {
+                    phi_560_ = _e330;
+                }
+                let _e336 = phi_560_;
+                if (_e336 > _e333) {
+                    phi_565_ = _e336;
+                } else {
+                    phi_565_ = _e333;
+                }
+                let _e339 = phi_565_;
+                let _e343 = (_e339 * 0.0000019073486f);
+                let _e344 = (abs(_e284) * _e343);
+                let _e345 = (abs(_e295) * _e343);
+                let _e346 = (abs(_e306) * _e343);
+                let _e350 = (_e339 * 0.0000009536743f);
+                let _e351 = (abs(_e284) * _e350);
+                let _e352 = (abs(_e295) * _e350);
+                let _e353 = (abs(_e306) * _e350);
+                let _e357 = abs(_e138.direction.x);
+                let _e359 = abs(_e138.direction.y);
+                let _e361 = abs(_e138.direction.z);
+                if (_e357 >= _e359) {
+                    if (_e357 >= _e361) {
+                        phi_596_ = false;
                     } else {
-                        phi_590_ = true;
+                        phi_596_ = true;
                     }
-                    let _e373 = phi_590_;
-                    phi_591_ = _e373;
+                    let _e365 = phi_596_;
+                    phi_597_ = _e365;
                 } else {
-                    phi_591_ = true;
+                    phi_597_ = true;
                 }
-                let _e375 = phi_591_;
-                if _e375 {
-                    if (_e367 >= _e369) {
-                        phi_599_ = 1u;
+                let _e367 = phi_597_;
+                if _e367 {
+                    if (_e359 >= _e361) {
+                        phi_605_ = 1u;
                     } else {
-                        phi_599_ = 2u;
+                        phi_605_ = 2u;
                     }
-                    let _e378 = phi_599_;
-                    phi_600_ = _e378;
+                    let _e370 = phi_605_;
+                    phi_606_ = _e370;
                 } else {
-                    phi_600_ = 0u;
+                    phi_606_ = 0u;
                 }
-                let _e380 = phi_600_;
-                if (_e380 == 0u) {
-                    phi_619_ = vec3<f32>(_e138.direction.y, _e138.direction.z, _e138.direction.x);
+                let _e372 = phi_606_;
+                if (_e372 == 0u) {
+                    phi_624_ = vec3<f32>(_e138.direction.y, _e138.direction.z, _e138.direction.x);
                 } else {
-                    if (_e380 == 1u) {
-                        phi_618_ = vec3<f32>(_e138.direction.z, _e138.direction.x, _e138.direction.y);
+                    if (_e372 == 1u) {
+                        phi_623_ = vec3<f32>(_e138.direction.z, _e138.direction.x, _e138.direction.y);
                     } else {
-                        phi_618_ = _e138.direction;
+                        phi_623_ = _e138.direction;
                     }
-                    let _e393 = phi_618_;
-                    phi_619_ = _e393;
+                    let _e384 = phi_623_;
+                    phi_624_ = _e384;
                 }
-                let _e395 = phi_619_;
-                let _e399 = (_e395.x / _e395.z);
-                let _e402 = (_e395.y / _e395.z);
-                if (_e292 < 0f) {
-                    phi_633_ = 0u;
+                let _e386 = phi_624_;
+                let _e389 = (_e386.x / _e386.z);
+                let _e392 = (_e386.y / _e386.z);
+                if (_e284 < 0f) {
+                    phi_637_ = 0u;
                 } else {
-                    phi_633_ = 1u;
+                    phi_637_ = 1u;
                 }
-                let _e407 = phi_633_;
-                if (_e304 < 0f) {
-                    phi_638_ = 0u;
+                let _e397 = phi_637_;
+                if (_e295 < 0f) {
+                    phi_642_ = 0u;
                 } else {
-                    phi_638_ = 2u;
+                    phi_642_ = 2u;
                 }
-                let _e410 = phi_638_;
-                if (_e316 < 0f) {
-                    phi_643_ = 0u;
+                let _e400 = phi_642_;
+                if (_e306 < 0f) {
+                    phi_647_ = 0u;
                 } else {
-                    phi_643_ = 4u;
+                    phi_647_ = 4u;
                 }
-                let _e413 = phi_643_;
-                let _e415 = ((_e407 | _e410) | _e413);
-                let _e416 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e416.first[0], _e416.first[1], _e416.first[2], _e416.first[3], _e416.first[4], _e416.first[5], _e416.first[6], _e416.first[7], _e416.first[8], _e416.first[9], _e416.first[10], _e416.first[11], _e416.first[12], _e416.first[13], _e416.first[14], _e416.first[15], _e416.first[16], _e416.first[17], _e416.first[18], _e416.first[19], _e416.first[20], _e416.first[21], _e416.first[22], _e416.first[23], _e416.first[24], _e416.first[25], _e416.first[26], _e416.first[27], _e416.first[28], _e416.first[29], _e416.first[30], _e416.first[31]), array<u32, 32>(_e416.mask[0], _e416.mask[1], _e416.mask[2], _e416.mask[3], _e416.mask[4], _e416.mask[5], _e416.mask[6], _e416.mask[7], _e416.mask[8], _e416.mask[9], _e416.mask[10], _e416.mask[11], _e416.mask[12], _e416.mask[13], _e416.mask[14], _e416.mask[15], _e416.mask[16], _e416.mask[17], _e416.mask[18], _e416.mask[19], _e416.mask[20], _e416.mask[21], _e416.mask[22], _e416.mask[23], _e416.mask[24], _e416.mask[25], _e416.mask[26], _e416.mask[27], _e416.mask[28], _e416.mask[29], _e416.mask[30], _e416.mask[31]), _e416.len, _e416.group, _e416.group_mask);
-                let _e490 = local.group_mask;
-                if ((_e490 & 4278190080u) == 0u) {
-                    let _e494 = local.len;
-                    if (_e494 == 0u) {
-                        phi_757_ = false;
+                let _e403 = phi_647_;
+                let _e405 = ((_e397 | _e400) | _e403);
+                let _e406 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e406.first[0], _e406.first[1], _e406.first[2], _e406.first[3], _e406.first[4], _e406.first[5], _e406.first[6], _e406.first[7], _e406.first[8], _e406.first[9], _e406.first[10], _e406.first[11], _e406.first[12], _e406.first[13], _e406.first[14], _e406.first[15], _e406.first[16], _e406.first[17], _e406.first[18], _e406.first[19], _e406.first[20], _e406.first[21], _e406.first[22], _e406.first[23], _e406.first[24], _e406.first[25], _e406.first[26], _e406.first[27], _e406.first[28], _e406.first[29], _e406.first[30], _e406.first[31]), array<u32, 32>(_e406.mask[0], _e406.mask[1], _e406.mask[2], _e406.mask[3], _e406.mask[4], _e406.mask[5], _e406.mask[6], _e406.mask[7], _e406.mask[8], _e406.mask[9], _e406.mask[10], _e406.mask[11], _e406.mask[12], _e406.mask[13], _e406.mask[14], _e406.mask[15], _e406.mask[16], _e406.mask[17], _e406.mask[18], _e406.mask[19], _e406.mask[20], _e406.mask[21], _e406.mask[22], _e406.mask[23], _e406.mask[24], _e406.mask[25], _e406.mask[26], _e406.mask[27], _e406.mask[28], _e406.mask[29], _e406.mask[30], _e406.mask[31]), _e406.len, _e406.group, _e406.group_mask);
+                let _e480 = local.group_mask;
+                if ((_e480 & 4278190080u) == 0u) {
+                    let _e484 = local.len;
+                    if (_e484 == 0u) {
+                        phi_761_ = false;
                     } else {
-                        let _e498 = local.len;
-                        local.len = (_e498 - 1u);
-                        let _e501 = local.len;
-                        if (_e501 < 32u) {
+                        let _e488 = local.len;
+                        local.len = (_e488 - 1u);
+                        let _e491 = local.len;
+                        if (_e491 < 32u) {
                         } else {
                             return;
                         }
-                        let _e506 = local.first[(0u + _e501)];
-                        local.group = _e506;
-                        let _e509 = local.len;
-                        if (_e509 < 32u) {
+                        let _e496 = local.first[(0u + _e491)];
+                        local.group = _e496;
+                        let _e499 = local.len;
+                        if (_e499 < 32u) {
                         } else {
                             return;
                         }
-                        let _e514 = local.mask[(0u + _e509)];
-                        local.group_mask = _e514;
-                        phi_757_ = true;
+                        let _e504 = local.mask[(0u + _e499)];
+                        local.group_mask = _e504;
+                        phi_761_ = true;
                     }
-                    let _e517 = phi_757_;
-                    phi_758_ = _e517;
+                    let _e507 = phi_761_;
+                    phi_762_ = _e507;
                 } else {
-                    phi_758_ = true;
+                    phi_762_ = true;
                 }
-                let _e519 = phi_758_;
-                if _e519 {
+                let _e509 = phi_762_;
+                if _e509 {
+                    let _e511 = local.group_mask;
+                    let _e517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e511)), 32u, (_e511 == 0u)));
                     let _e521 = local.group_mask;
-                    let _e527 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e521)), 32u, (_e521 == 0u)));
-                    let _e531 = local.group_mask;
-                    let _e545 = local.group_mask;
-                    local.group_mask = (_e545 & ~((1u << bitcast<u32>((_e527 & 31u)))));
-                    let _e548 = local.group;
-                    phi_789_ = (_e548 + countOneBits(((_e531 & ~((4294967295u << bitcast<u32>((((_e527 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e535 = local.group_mask;
+                    local.group_mask = (_e535 & ~((1u << bitcast<u32>((_e517 & 31u)))));
+                    let _e538 = local.group;
+                    phi_793_ = (_e538 + countOneBits(((_e521 & ~((4294967295u << bitcast<u32>((((_e517 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_789_ = 4294967295u;
+                    phi_793_ = 4294967295u;
                 }
-                let _e551 = phi_789_;
-                phi_791_ = _e140;
-                phi_794_ = _e551;
+                let _e541 = phi_793_;
+                phi_795_ = _e140;
+                phi_798_ = _e541;
                 loop {
-                    let _e553 = phi_791_;
-                    let _e555 = phi_794_;
-                    local_5 = _e553;
-                    let _e556 = (_e555 != 4294967295u);
-                    if _e556 {
-                        if (_e555 < _e65) {
+                    let _e543 = phi_795_;
+                    let _e545 = phi_798_;
+                    local_5 = _e543;
+                    let _e546 = (_e545 != 4294967295u);
+                    if _e546 {
+                        if (_e545 < _e65) {
                         } else {
                             return;
                         }
-                        let _e564 = nodes.member[(0u + _e555)].frame[3u];
-                        let _e589 = (bitcast<f32>((((_e564 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
-                        let _e590 = (bitcast<f32>((((_e564 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e591 = (bitcast<f32>((((_e564 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
-                        let _e594 = nodes.member[(0u + _e555)].frame[0u];
-                        let _e598 = nodes.member[(0u + _e555)].frame[1u];
-                        let _e602 = nodes.member[(0u + _e555)].frame[2u];
-                        let _e610 = ((bitcast<f32>(_e594) - _e138.origin.x) * _e292);
-                        let _e611 = ((bitcast<f32>(_e598) - _e138.origin.y) * _e304);
-                        let _e612 = ((bitcast<f32>(_e602) - _e138.origin.z) * _e316);
-                        let _e620 = nodes.member[(0u + _e555)].x;
-                        if (_e292 < 0f) {
-                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e620.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.unnamed.root, _e620.w), _e631.unnamed_1);
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_bvh_traverse_Tree(_e620.x, _e637.unnamed_1.first_primitive));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_bvh_traverse_Tree(_e643.unnamed_1.root, _e620.y));
+                        let _e554 = nodes.member[(0u + _e545)].frame[3u];
+                        let _e579 = (bitcast<f32>((((_e554 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
+                        let _e580 = (bitcast<f32>((((_e554 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
+                        let _e581 = (bitcast<f32>((((_e554 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e306);
+                        let _e584 = nodes.member[(0u + _e545)].frame[0u];
+                        let _e588 = nodes.member[(0u + _e545)].frame[1u];
+                        let _e592 = nodes.member[(0u + _e545)].frame[2u];
+                        let _e600 = ((bitcast<f32>(_e584) - _e138.origin.x) * _e284);
+                        let _e601 = ((bitcast<f32>(_e588) - _e138.origin.y) * _e295);
+                        let _e602 = ((bitcast<f32>(_e592) - _e138.origin.z) * _e306);
+                        let _e610 = nodes.member[(0u + _e545)].x;
+                        if (_e284 < 0f) {
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.unnamed.word, _e610.w), _e621.unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e610.x, _e627.unnamed_1.shift));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e633.unnamed_1.word, _e610.y));
                         } else {
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e620.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.unnamed.root, _e620.y), _e659.unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_bvh_traverse_Tree(_e620.z, _e665.unnamed_1.first_primitive));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e671.unnamed_1.root, _e620.w));
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e610.y), _e649.unnamed_1);
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e610.z, _e655.unnamed_1.shift));
+                            phi_883_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e610.w));
                         }
-                        let _e679 = phi_879_;
-                        let _e689 = nodes.member[(0u + _e555)].y;
-                        if (_e304 < 0f) {
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e689.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.unnamed.root, _e689.w), _e700.unnamed_1);
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_bvh_traverse_Tree(_e689.x, _e706.unnamed_1.first_primitive));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e712.unnamed_1.root, _e689.y));
+                        let _e669 = phi_883_;
+                        let _e679 = nodes.member[(0u + _e545)].y;
+                        if (_e295 < 0f) {
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.unnamed.word, _e679.w), _e690.unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e679.x, _e696.unnamed_1.shift));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e702.unnamed_1.word, _e679.y));
                         } else {
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e689.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.unnamed.root, _e689.y), _e728.unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_bvh_traverse_Tree(_e689.z, _e734.unnamed_1.first_primitive));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e740.unnamed_1.root, _e689.w));
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e679.y), _e718.unnamed_1);
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e679.z, _e724.unnamed_1.shift));
+                            phi_910_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e679.w));
                         }
-                        let _e748 = phi_906_;
-                        let _e758 = nodes.member[(0u + _e555)].z;
-                        if (_e316 < 0f) {
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e758.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e769.unnamed.root, _e758.w), _e769.unnamed_1);
-                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_bvh_traverse_Tree(_e758.x, _e775.unnamed_1.first_primitive));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_bvh_traverse_Tree(_e781.unnamed_1.root, _e758.y));
+                        let _e738 = phi_910_;
+                        let _e748 = nodes.member[(0u + _e545)].z;
+                        if (_e306 < 0f) {
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.unnamed.word, _e748.w), _e759.unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e748.x, _e765.unnamed_1.shift));
+                            phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e771.unnamed_1.word, _e748.y));
                         } else {
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e758.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e797.unnamed.root, _e758.y), _e797.unnamed_1);
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_bvh_traverse_Tree(_e758.z, _e803.unnamed_1.first_primitive));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_bvh_traverse_Tree(_e809.unnamed_1.root, _e758.w));
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e748.y), _e787.unnamed_1);
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e748.z, _e793.unnamed_1.shift));
+                            phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e748.w));
                         }
-                        let _e817 = phi_933_;
-                        phi_939_ = 0u;
-                        phi_942_ = 0u;
+                        let _e807 = phi_937_;
+                        phi_943_ = 0u;
+                        phi_946_ = 0u;
                         loop {
-                            let _e827 = phi_939_;
-                            let _e829 = phi_942_;
-                            local_1 = _e829;
-                            local_2 = _e829;
-                            local_3 = _e829;
-                            let _e830 = (_e827 < 8u);
-                            if _e830 {
-                                let _e832 = (_e827 >> bitcast<u32>(2i));
-                                let _e833 = (_e827 & 3u);
-                                if (_e832 == 0u) {
-                                    phi_956_ = _e679.unnamed.root;
+                            let _e817 = phi_943_;
+                            let _e819 = phi_946_;
+                            local_1 = _e819;
+                            local_2 = _e819;
+                            local_3 = _e819;
+                            let _e820 = (_e817 < 8u);
+                            if _e820 {
+                                let _e822 = (_e817 >> bitcast<u32>(2i));
+                                let _e823 = (_e817 & 3u);
+                                if (_e822 == 0u) {
+                                    phi_960_ = _e669.unnamed.word;
                                 } else {
-                                    phi_956_ = _e679.unnamed.first_primitive;
+                                    phi_960_ = _e669.unnamed.shift;
                                 }
-                                let _e836 = phi_956_;
-                                if (_e832 == 0u) {
-                                    phi_966_ = _e748.unnamed.root;
+                                let _e826 = phi_960_;
+                                if (_e822 == 0u) {
+                                    phi_970_ = _e738.unnamed.word;
                                 } else {
-                                    phi_966_ = _e748.unnamed.first_primitive;
+                                    phi_970_ = _e738.unnamed.shift;
                                 }
-                                let _e845 = phi_966_;
-                                if (_e832 == 0u) {
-                                    phi_976_ = _e817.unnamed.root;
+                                let _e835 = phi_970_;
+                                if (_e822 == 0u) {
+                                    phi_980_ = _e807.unnamed.word;
                                 } else {
-                                    phi_976_ = _e817.unnamed.first_primitive;
+                                    phi_980_ = _e807.unnamed.shift;
                                 }
-                                let _e854 = phi_976_;
-                                let _e867 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e589) + (_e610 - _e353)), ((f32(((_e845 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e590) + (_e611 - _e354)));
-                                let _e868 = core_intrinsics_maximum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e591) + (_e612 - _e355)));
-                                if (_e832 == 0u) {
-                                    phi_994_ = _e679.unnamed_1.root;
+                                let _e844 = phi_980_;
+                                let _e857 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e826 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 - _e344)), ((f32(((_e835 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e345)));
+                                let _e858 = core_intrinsics_maximum_number_nsz_f32_(_e857, ((f32(((_e844 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e346)));
+                                if (_e822 == 0u) {
+                                    phi_998_ = _e669.unnamed_1.word;
                                 } else {
-                                    phi_994_ = _e679.unnamed_1.first_primitive;
+                                    phi_998_ = _e669.unnamed_1.shift;
                                 }
-                                let _e871 = phi_994_;
-                                if (_e832 == 0u) {
-                                    phi_1004_ = _e748.unnamed_1.root;
+                                let _e861 = phi_998_;
+                                if (_e822 == 0u) {
+                                    phi_1008_ = _e738.unnamed_1.word;
                                 } else {
-                                    phi_1004_ = _e748.unnamed_1.first_primitive;
+                                    phi_1008_ = _e738.unnamed_1.shift;
                                 }
-                                let _e880 = phi_1004_;
-                                if (_e832 == 0u) {
-                                    phi_1014_ = _e817.unnamed_1.root;
+                                let _e870 = phi_1008_;
+                                if (_e822 == 0u) {
+                                    phi_1018_ = _e807.unnamed_1.word;
                                 } else {
-                                    phi_1014_ = _e817.unnamed_1.first_primitive;
+                                    phi_1018_ = _e807.unnamed_1.shift;
                                 }
-                                let _e889 = phi_1014_;
-                                let _e902 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e871 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e589) + (_e610 + _e353)), ((f32(((_e880 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e590) + (_e611 + _e354)));
-                                let _e903 = core_intrinsics_minimum_number_nsz_f32_(_e902, ((f32(((_e889 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e591) + (_e612 + _e355)));
-                                if (_e868 <= _e903) {
-                                    if (_e868 <= _e553.t) {
-                                        if (_e903 >= _e138.tmin) {
-                                            if (_e832 == 0u) {
-                                                let _e910 = nodes.member[(0u + _e555)].links[2u];
-                                                phi_1050_ = _e910;
+                                let _e879 = phi_1018_;
+                                let _e892 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e861 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 + _e344)), ((f32(((_e870 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e345)));
+                                let _e893 = core_intrinsics_minimum_number_nsz_f32_(_e892, ((f32(((_e879 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 + _e346)));
+                                if (_e858 <= _e893) {
+                                    if (_e858 <= _e543.t) {
+                                        if (_e893 >= _e138.tmin) {
+                                            if (_e822 == 0u) {
+                                                let _e900 = nodes.member[(0u + _e545)].links[2u];
+                                                phi_1054_ = _e900;
                                             } else {
-                                                let _e913 = nodes.member[(0u + _e555)].links[3u];
-                                                phi_1050_ = _e913;
+                                                let _e903 = nodes.member[(0u + _e545)].links[3u];
+                                                phi_1054_ = _e903;
                                             }
-                                            let _e915 = phi_1050_;
-                                            let _e920 = ((_e915 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u);
-                                            let _e921 = (_e920 & 31u);
-                                            if (_e921 >= 24u) {
-                                                phi_1063_ = (24u + ((_e921 - 24u) ^ _e415));
+                                            let _e905 = phi_1054_;
+                                            let _e910 = ((_e905 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u);
+                                            let _e911 = (_e910 & 31u);
+                                            if (_e911 >= 24u) {
+                                                phi_1067_ = (24u + ((_e911 - 24u) ^ _e405));
                                             } else {
-                                                phi_1063_ = _e921;
+                                                phi_1067_ = _e911;
                                             }
-                                            let _e927 = phi_1063_;
-                                            phi_1068_ = (_e829 | ((_e920 >> bitcast<u32>(5i)) << bitcast<u32>((_e927 & 31u))));
+                                            let _e917 = phi_1067_;
+                                            phi_1072_ = (_e819 | ((_e910 >> bitcast<u32>(5i)) << bitcast<u32>((_e917 & 31u))));
                                         } else {
-                                            phi_1068_ = _e829;
+                                            phi_1072_ = _e819;
                                         }
-                                        let _e935 = phi_1068_;
-                                        phi_1069_ = _e935;
+                                        let _e925 = phi_1072_;
+                                        phi_1073_ = _e925;
                                     } else {
-                                        phi_1069_ = _e829;
+                                        phi_1073_ = _e819;
                                     }
-                                    let _e937 = phi_1069_;
-                                    phi_1070_ = _e937;
+                                    let _e927 = phi_1073_;
+                                    phi_1074_ = _e927;
                                 } else {
-                                    phi_1070_ = _e829;
+                                    phi_1074_ = _e819;
                                 }
-                                let _e939 = phi_1070_;
-                                phi_940_ = (_e827 + 1u);
-                                phi_943_ = _e939;
+                                let _e929 = phi_1074_;
+                                phi_944_ = (_e817 + 1u);
+                                phi_947_ = _e929;
                             } else {
-                                phi_940_ = u32();
-                                phi_943_ = u32();
+                                phi_944_ = u32();
+                                phi_947_ = u32();
                             }
-                            let _e942 = phi_940_;
-                            let _e944 = phi_943_;
+                            let _e932 = phi_944_;
+                            let _e934 = phi_947_;
                             continue;
                             continuing {
-                                phi_939_ = _e942;
-                                phi_942_ = _e944;
-                                break if !(_e830);
+                                phi_943_ = _e932;
+                                phi_946_ = _e934;
+                                break if !(_e820);
                             }
                         }
-                        let _e948 = nodes.member[(0u + _e555)].links[0u];
-                        let _e952 = nodes.member[(0u + _e555)].frame[3u];
-                        let _e956 = local_1;
-                        if ((_e956 & 4278190080u) == 0u) {
+                        let _e938 = nodes.member[(0u + _e545)].links[0u];
+                        let _e942 = nodes.member[(0u + _e545)].frame[3u];
+                        let _e946 = local_1;
+                        if ((_e946 & 4278190080u) == 0u) {
                         } else {
-                            let _e960 = local.group_mask;
-                            if ((_e960 & 4278190080u) == 0u) {
+                            let _e950 = local.group_mask;
+                            if ((_e950 & 4278190080u) == 0u) {
                             } else {
-                                let _e964 = local.len;
-                                if (_e964 < 32u) {
-                                    let _e967 = local.group;
-                                    let _e969 = local.len;
-                                    if (_e969 < 32u) {
+                                let _e954 = local.len;
+                                if (_e954 < 32u) {
+                                    let _e957 = local.group;
+                                    let _e959 = local.len;
+                                    if (_e959 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e969)] = _e967;
-                                    let _e975 = local.group_mask;
-                                    let _e977 = local.len;
-                                    if (_e977 < 32u) {
+                                    local.first[(0u + _e959)] = _e957;
+                                    let _e965 = local.group_mask;
+                                    let _e967 = local.len;
+                                    if (_e967 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e977)] = _e975;
-                                    let _e984 = local.len;
-                                    local.len = (_e984 + 1u);
+                                    local.mask[(0u + _e967)] = _e965;
+                                    let _e974 = local.len;
+                                    local.len = (_e974 + 1u);
                                 }
                             }
-                            local.group = (0u + _e948);
-                            let _e988 = local_2;
-                            local.group_mask = ((_e988 & 4278190080u) | (_e952 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e938);
+                            let _e978 = local_2;
+                            local.group_mask = ((_e978 & 4278190080u) | (_e942 >> bitcast<u32>(24i)));
                         }
-                        let _e993 = local_3;
-                        phi_1128_ = _e553;
-                        phi_1131_ = (_e993 & 16777215u);
+                        let _e983 = local_3;
+                        phi_1132_ = _e543;
+                        phi_1135_ = (_e983 & 16777215u);
                         loop {
-                            let _e996 = phi_1128_;
-                            let _e998 = phi_1131_;
-                            local_4 = _e996;
-                            if (_e998 == 0u) {
-                                phi_1129_ = lt_bvh_Hit();
-                                phi_1132_ = u32();
-                                phi_1790_ = false;
+                            let _e986 = phi_1132_;
+                            let _e988 = phi_1135_;
+                            local_4 = _e986;
+                            if (_e988 == 0u) {
+                                phi_1133_ = lt_bvh_Hit();
+                                phi_1136_ = u32();
+                                phi_1794_ = false;
                             } else {
-                                let _e1002 = nodes.member[(0u + _e555)].links[1u];
-                                let _e1007 = ((0u + _e1002) + select(firstTrailingBit(_e998), 32u, (_e998 == 0u)));
-                                if (_e1007 < _e68) {
+                                let _e992 = nodes.member[(0u + _e545)].links[1u];
+                                let _e997 = ((0u + _e992) + select(firstTrailingBit(_e988), 32u, (_e988 == 0u)));
+                                if (_e997 < _e68) {
                                 } else {
                                     return;
                                 }
-                                let _e1014 = triangles.member[(0u + _e1007)].v0_;
-                                let _e1017 = (_e1014.x - _e138.origin.x);
-                                let _e1020 = (_e1014.y - _e138.origin.y);
-                                let _e1023 = (_e1014.z - _e138.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1178_ = vec3<f32>(_e1020, _e1023, _e1017);
+                                let _e1004 = triangles.member[(0u + _e997)].v0_;
+                                let _e1007 = (_e1004.x - _e138.origin.x);
+                                let _e1010 = (_e1004.y - _e138.origin.y);
+                                let _e1013 = (_e1004.z - _e138.origin.z);
+                                if (_e372 == 0u) {
+                                    phi_1182_ = vec3<f32>(_e1010, _e1013, _e1007);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1177_ = vec3<f32>(_e1023, _e1017, _e1020);
+                                    if (_e372 == 1u) {
+                                        phi_1181_ = vec3<f32>(_e1013, _e1007, _e1010);
                                     } else {
-                                        phi_1177_ = (_e1014 - _e138.origin);
+                                        phi_1181_ = (_e1004 - _e138.origin);
                                     }
-                                    let _e1030 = phi_1177_;
-                                    phi_1178_ = _e1030;
+                                    let _e1020 = phi_1181_;
+                                    phi_1182_ = _e1020;
                                 }
-                                let _e1032 = phi_1178_;
-                                let _e1036 = (_e1032.x - (_e399 * _e1032.z));
-                                let _e1040 = (_e1032.y - (_e402 * _e1032.z));
-                                let _e1042 = triangles.member[(0u + _e1007)].v1_;
-                                let _e1045 = (_e1042.x - _e138.origin.x);
-                                let _e1048 = (_e1042.y - _e138.origin.y);
-                                let _e1051 = (_e1042.z - _e138.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1210_ = vec3<f32>(_e1048, _e1051, _e1045);
+                                let _e1022 = phi_1182_;
+                                let _e1026 = (_e1022.x - (_e389 * _e1022.z));
+                                let _e1030 = (_e1022.y - (_e392 * _e1022.z));
+                                let _e1032 = triangles.member[(0u + _e997)].v1_;
+                                let _e1035 = (_e1032.x - _e138.origin.x);
+                                let _e1038 = (_e1032.y - _e138.origin.y);
+                                let _e1041 = (_e1032.z - _e138.origin.z);
+                                if (_e372 == 0u) {
+                                    phi_1214_ = vec3<f32>(_e1038, _e1041, _e1035);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1209_ = vec3<f32>(_e1051, _e1045, _e1048);
+                                    if (_e372 == 1u) {
+                                        phi_1213_ = vec3<f32>(_e1041, _e1035, _e1038);
                                     } else {
-                                        phi_1209_ = (_e1042 - _e138.origin);
+                                        phi_1213_ = (_e1032 - _e138.origin);
                                     }
-                                    let _e1058 = phi_1209_;
-                                    phi_1210_ = _e1058;
+                                    let _e1048 = phi_1213_;
+                                    phi_1214_ = _e1048;
                                 }
-                                let _e1060 = phi_1210_;
-                                let _e1064 = (_e1060.x - (_e399 * _e1060.z));
-                                let _e1068 = (_e1060.y - (_e402 * _e1060.z));
-                                let _e1070 = triangles.member[(0u + _e1007)].v2_;
-                                let _e1073 = (_e1070.x - _e138.origin.x);
-                                let _e1076 = (_e1070.y - _e138.origin.y);
-                                let _e1079 = (_e1070.z - _e138.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1242_ = vec3<f32>(_e1076, _e1079, _e1073);
+                                let _e1050 = phi_1214_;
+                                let _e1054 = (_e1050.x - (_e389 * _e1050.z));
+                                let _e1058 = (_e1050.y - (_e392 * _e1050.z));
+                                let _e1060 = triangles.member[(0u + _e997)].v2_;
+                                let _e1063 = (_e1060.x - _e138.origin.x);
+                                let _e1066 = (_e1060.y - _e138.origin.y);
+                                let _e1069 = (_e1060.z - _e138.origin.z);
+                                if (_e372 == 0u) {
+                                    phi_1246_ = vec3<f32>(_e1066, _e1069, _e1063);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1241_ = vec3<f32>(_e1079, _e1073, _e1076);
+                                    if (_e372 == 1u) {
+                                        phi_1245_ = vec3<f32>(_e1069, _e1063, _e1066);
                                     } else {
-                                        phi_1241_ = (_e1070 - _e138.origin);
+                                        phi_1245_ = (_e1060 - _e138.origin);
                                     }
-                                    let _e1086 = phi_1241_;
-                                    phi_1242_ = _e1086;
+                                    let _e1076 = phi_1245_;
+                                    phi_1246_ = _e1076;
                                 }
-                                let _e1088 = phi_1242_;
-                                let _e1092 = (_e1088.x - (_e399 * _e1088.z));
-                                let _e1096 = (_e1088.y - (_e402 * _e1088.z));
-                                if (_e1064 < _e1092) {
-                                    phi_1261_ = true;
+                                let _e1078 = phi_1246_;
+                                let _e1082 = (_e1078.x - (_e389 * _e1078.z));
+                                let _e1086 = (_e1078.y - (_e392 * _e1078.z));
+                                if (_e1054 < _e1082) {
+                                    phi_1265_ = true;
                                 } else {
-                                    if (_e1064 == _e1092) {
-                                        phi_1260_ = (_e1068 < _e1096);
+                                    if (_e1054 == _e1082) {
+                                        phi_1264_ = (_e1058 < _e1086);
                                     } else {
-                                        phi_1260_ = false;
+                                        phi_1264_ = false;
                                     }
-                                    let _e1101 = phi_1260_;
-                                    phi_1261_ = _e1101;
+                                    let _e1091 = phi_1264_;
+                                    phi_1265_ = _e1091;
                                 }
-                                let _e1103 = phi_1261_;
-                                if _e1103 {
-                                    phi_1265_ = _e1096;
-                                    phi_1266_ = _e1092;
-                                    phi_1267_ = _e1068;
-                                    phi_1268_ = _e1064;
+                                let _e1093 = phi_1265_;
+                                if _e1093 {
+                                    phi_1269_ = _e1086;
+                                    phi_1270_ = _e1082;
+                                    phi_1271_ = _e1058;
+                                    phi_1272_ = _e1054;
                                 } else {
-                                    phi_1265_ = _e1068;
-                                    phi_1266_ = _e1064;
-                                    phi_1267_ = _e1096;
-                                    phi_1268_ = _e1092;
+                                    phi_1269_ = _e1058;
+                                    phi_1270_ = _e1054;
+                                    phi_1271_ = _e1086;
+                                    phi_1272_ = _e1082;
                                 }
-                                let _e1105 = phi_1265_;
-                                let _e1107 = phi_1266_;
-                                let _e1109 = phi_1267_;
-                                let _e1111 = phi_1268_;
-                                let _e1114 = ((_e1111 * _e1105) - (_e1109 * _e1107));
-                                if _e1103 {
-                                    phi_1276_ = -(_e1114);
+                                let _e1095 = phi_1269_;
+                                let _e1097 = phi_1270_;
+                                let _e1099 = phi_1271_;
+                                let _e1101 = phi_1272_;
+                                let _e1104 = ((_e1101 * _e1095) - (_e1099 * _e1097));
+                                if _e1093 {
+                                    phi_1280_ = -(_e1104);
                                 } else {
-                                    phi_1276_ = _e1114;
+                                    phi_1280_ = _e1104;
                                 }
-                                let _e1117 = phi_1276_;
-                                if (_e1092 < _e1036) {
-                                    phi_1287_ = true;
+                                let _e1107 = phi_1280_;
+                                if (_e1082 < _e1026) {
+                                    phi_1291_ = true;
                                 } else {
-                                    if (_e1092 == _e1036) {
-                                        phi_1286_ = (_e1096 < _e1040);
+                                    if (_e1082 == _e1026) {
+                                        phi_1290_ = (_e1086 < _e1030);
                                     } else {
-                                        phi_1286_ = false;
+                                        phi_1290_ = false;
                                     }
-                                    let _e1122 = phi_1286_;
-                                    phi_1287_ = _e1122;
+                                    let _e1112 = phi_1290_;
+                                    phi_1291_ = _e1112;
                                 }
-                                let _e1124 = phi_1287_;
-                                if _e1124 {
-                                    phi_1291_ = _e1040;
-                                    phi_1292_ = _e1036;
-                                    phi_1293_ = _e1096;
-                                    phi_1294_ = _e1092;
+                                let _e1114 = phi_1291_;
+                                if _e1114 {
+                                    phi_1295_ = _e1030;
+                                    phi_1296_ = _e1026;
+                                    phi_1297_ = _e1086;
+                                    phi_1298_ = _e1082;
                                 } else {
-                                    phi_1291_ = _e1096;
-                                    phi_1292_ = _e1092;
-                                    phi_1293_ = _e1040;
-                                    phi_1294_ = _e1036;
+                                    phi_1295_ = _e1086;
+                                    phi_1296_ = _e1082;
+                                    phi_1297_ = _e1030;
+                                    phi_1298_ = _e1026;
                                 }
-                                let _e1126 = phi_1291_;
-                                let _e1128 = phi_1292_;
-                                let _e1130 = phi_1293_;
-                                let _e1132 = phi_1294_;
-                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
-                                if _e1124 {
-                                    phi_1302_ = -(_e1135);
+                                let _e1116 = phi_1295_;
+                                let _e1118 = phi_1296_;
+                                let _e1120 = phi_1297_;
+                                let _e1122 = phi_1298_;
+                                let _e1125 = ((_e1122 * _e1116) - (_e1120 * _e1118));
+                                if _e1114 {
+                                    phi_1306_ = -(_e1125);
                                 } else {
-                                    phi_1302_ = _e1135;
+                                    phi_1306_ = _e1125;
                                 }
-                                let _e1138 = phi_1302_;
-                                if (_e1036 < _e1064) {
-                                    phi_1313_ = true;
+                                let _e1128 = phi_1306_;
+                                if (_e1026 < _e1054) {
+                                    phi_1317_ = true;
                                 } else {
-                                    if (_e1036 == _e1064) {
-                                        phi_1312_ = (_e1040 < _e1068);
+                                    if (_e1026 == _e1054) {
+                                        phi_1316_ = (_e1030 < _e1058);
                                     } else {
-                                        phi_1312_ = false;
+                                        phi_1316_ = false;
                                     }
-                                    let _e1143 = phi_1312_;
-                                    phi_1313_ = _e1143;
+                                    let _e1133 = phi_1316_;
+                                    phi_1317_ = _e1133;
                                 }
-                                let _e1145 = phi_1313_;
-                                if _e1145 {
-                                    phi_1317_ = _e1068;
-                                    phi_1318_ = _e1064;
-                                    phi_1319_ = _e1040;
-                                    phi_1320_ = _e1036;
+                                let _e1135 = phi_1317_;
+                                if _e1135 {
+                                    phi_1321_ = _e1058;
+                                    phi_1322_ = _e1054;
+                                    phi_1323_ = _e1030;
+                                    phi_1324_ = _e1026;
                                 } else {
-                                    phi_1317_ = _e1040;
-                                    phi_1318_ = _e1036;
-                                    phi_1319_ = _e1068;
-                                    phi_1320_ = _e1064;
+                                    phi_1321_ = _e1030;
+                                    phi_1322_ = _e1026;
+                                    phi_1323_ = _e1058;
+                                    phi_1324_ = _e1054;
                                 }
-                                let _e1147 = phi_1317_;
-                                let _e1149 = phi_1318_;
-                                let _e1151 = phi_1319_;
-                                let _e1153 = phi_1320_;
-                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
-                                if _e1145 {
-                                    phi_1328_ = -(_e1156);
+                                let _e1137 = phi_1321_;
+                                let _e1139 = phi_1322_;
+                                let _e1141 = phi_1323_;
+                                let _e1143 = phi_1324_;
+                                let _e1146 = ((_e1143 * _e1137) - (_e1141 * _e1139));
+                                if _e1135 {
+                                    phi_1332_ = -(_e1146);
                                 } else {
-                                    phi_1328_ = _e1156;
+                                    phi_1332_ = _e1146;
                                 }
-                                let _e1159 = phi_1328_;
-                                if (_e1117 >= 0f) {
-                                    if (_e1138 >= 0f) {
-                                        if (_e1159 >= 0f) {
-                                            phi_1343_ = ((_e1117 + _e1138) + _e1159);
-                                            phi_1344_ = false;
+                                let _e1149 = phi_1332_;
+                                if (_e1107 >= 0f) {
+                                    if (_e1128 >= 0f) {
+                                        if (_e1149 >= 0f) {
+                                            phi_1347_ = ((_e1107 + _e1128) + _e1149);
+                                            phi_1348_ = false;
                                         } else {
-                                            phi_1343_ = f32();
-                                            phi_1344_ = true;
+                                            phi_1347_ = f32();
+                                            phi_1348_ = true;
                                         }
-                                        let _e1166 = phi_1343_;
-                                        let _e1168 = phi_1344_;
-                                        phi_1345_ = _e1166;
-                                        phi_1346_ = _e1168;
+                                        let _e1156 = phi_1347_;
+                                        let _e1158 = phi_1348_;
+                                        phi_1349_ = _e1156;
+                                        phi_1350_ = _e1158;
                                     } else {
-                                        phi_1345_ = f32();
-                                        phi_1346_ = true;
+                                        phi_1349_ = f32();
+                                        phi_1350_ = true;
                                     }
-                                    let _e1170 = phi_1345_;
-                                    let _e1172 = phi_1346_;
-                                    phi_1347_ = _e1170;
-                                    phi_1348_ = _e1172;
+                                    let _e1160 = phi_1349_;
+                                    let _e1162 = phi_1350_;
+                                    phi_1351_ = _e1160;
+                                    phi_1352_ = _e1162;
                                 } else {
-                                    phi_1347_ = f32();
-                                    phi_1348_ = true;
+                                    phi_1351_ = f32();
+                                    phi_1352_ = true;
                                 }
-                                let _e1174 = phi_1347_;
-                                let _e1176 = phi_1348_;
-                                if _e1176 {
-                                    if (_e1117 <= 0f) {
-                                        if (_e1138 <= 0f) {
-                                            let _e1179 = (_e1159 <= 0f);
-                                            if _e1179 {
+                                let _e1164 = phi_1351_;
+                                let _e1166 = phi_1352_;
+                                if _e1166 {
+                                    if (_e1107 <= 0f) {
+                                        if (_e1128 <= 0f) {
+                                            let _e1169 = (_e1149 <= 0f);
+                                            if _e1169 {
                                             }
-                                            phi_1366_ = ((_e1117 + _e1138) + _e1159);
-                                            phi_1367_ = false;
-                                            phi_1368_ = _e1179;
+                                            phi_1370_ = ((_e1107 + _e1128) + _e1149);
+                                            phi_1371_ = false;
+                                            phi_1372_ = _e1169;
                                         } else {
-                                            phi_1366_ = f32();
-                                            phi_1367_ = true;
-                                            phi_1368_ = false;
+                                            phi_1370_ = f32();
+                                            phi_1371_ = true;
+                                            phi_1372_ = false;
                                         }
-                                        let _e1183 = phi_1366_;
-                                        let _e1185 = phi_1367_;
-                                        let _e1187 = phi_1368_;
-                                        phi_1369_ = _e1183;
-                                        phi_1370_ = _e1185;
-                                        phi_1371_ = _e1187;
+                                        let _e1173 = phi_1370_;
+                                        let _e1175 = phi_1371_;
+                                        let _e1177 = phi_1372_;
+                                        phi_1373_ = _e1173;
+                                        phi_1374_ = _e1175;
+                                        phi_1375_ = _e1177;
                                     } else {
-                                        phi_1369_ = f32();
-                                        phi_1370_ = true;
-                                        phi_1371_ = false;
-                                    }
-                                    let _e1189 = phi_1369_;
-                                    let _e1191 = phi_1370_;
-                                    let _e1193 = phi_1371_;
-                                    if _e1191 {
+                                        phi_1373_ = f32();
+                                        phi_1374_ = true;
                                         phi_1375_ = false;
-                                    } else {
-                                        phi_1375_ = _e1193;
                                     }
-                                    let _e1195 = phi_1375_;
-                                    phi_1376_ = _e1189;
-                                    phi_1377_ = _e1195;
-                                } else {
-                                    phi_1376_ = _e1174;
-                                    phi_1377_ = true;
-                                }
-                                let _e1197 = phi_1376_;
-                                let _e1199 = phi_1377_;
-                                if _e1199 {
-                                    let _e1200 = (_e1197 == 0f);
-                                    if _e1200 {
-                                        phi_1703_ = lt_bvh_triangle_Intersection();
-                                        phi_1704_ = false;
+                                    let _e1179 = phi_1373_;
+                                    let _e1181 = phi_1374_;
+                                    let _e1183 = phi_1375_;
+                                    if _e1181 {
+                                        phi_1379_ = false;
                                     } else {
-                                        let _e1202 = triangles.member[(0u + _e1007)].v0_;
-                                        let _e1205 = (_e1202.x - _e138.origin.x);
-                                        let _e1208 = (_e1202.y - _e138.origin.y);
-                                        let _e1211 = (_e1202.z - _e138.origin.z);
-                                        if (_e380 == 0u) {
-                                            phi_1408_ = vec3<f32>(_e1208, _e1211, _e1205);
-                                        } else {
-                                            if (_e380 == 1u) {
-                                                phi_1407_ = vec3<f32>(_e1211, _e1205, _e1208);
-                                            } else {
-                                                phi_1407_ = (_e1202 - _e138.origin);
-                                            }
-                                            let _e1218 = phi_1407_;
-                                            phi_1408_ = _e1218;
-                                        }
-                                        let _e1220 = phi_1408_;
-                                        let _e1222 = triangles.member[(0u + _e1007)].v1_;
-                                        let _e1224 = triangles.member[(0u + _e1007)].v0_;
-                                        let _e1227 = (_e1222.x - _e1224.x);
-                                        let _e1230 = (_e1222.y - _e1224.y);
-                                        let _e1233 = (_e1222.z - _e1224.z);
-                                        if (_e380 == 0u) {
-                                            phi_1434_ = vec3<f32>(_e1230, _e1233, _e1227);
-                                        } else {
-                                            if (_e380 == 1u) {
-                                                phi_1433_ = vec3<f32>(_e1233, _e1227, _e1230);
-                                            } else {
-                                                phi_1433_ = (_e1222 - _e1224);
-                                            }
-                                            let _e1240 = phi_1433_;
-                                            phi_1434_ = _e1240;
-                                        }
-                                        let _e1242 = phi_1434_;
-                                        let _e1244 = triangles.member[(0u + _e1007)].v2_;
-                                        let _e1246 = triangles.member[(0u + _e1007)].v0_;
-                                        let _e1249 = (_e1244.x - _e1246.x);
-                                        let _e1252 = (_e1244.y - _e1246.y);
-                                        let _e1255 = (_e1244.z - _e1246.z);
-                                        if (_e380 == 0u) {
-                                            phi_1460_ = vec3<f32>(_e1252, _e1255, _e1249);
-                                        } else {
-                                            if (_e380 == 1u) {
-                                                phi_1459_ = vec3<f32>(_e1255, _e1249, _e1252);
-                                            } else {
-                                                phi_1459_ = (_e1244 - _e1246);
-                                            }
-                                            let _e1262 = phi_1459_;
-                                            phi_1460_ = _e1262;
-                                        }
-                                        let _e1264 = phi_1460_;
-                                        let _e1271 = ((_e1242.y * _e1264.z) - (_e1242.z * _e1264.y));
-                                        let _e1278 = ((_e1242.z * _e1264.x) - (_e1242.x * _e1264.z));
-                                        let _e1285 = ((_e1242.x * _e1264.y) - (_e1242.y * _e1264.x));
-                                        let _e1299 = (((1f / _e395.z) * (((_e1271 * _e1220.x) + (_e1278 * _e1220.y)) + (_e1285 * _e1220.z))) / (((_e1271 * _e399) + (_e1278 * _e402)) + _e1285));
-                                        if (_e1299 > _e138.tmin) {
-                                            if (_e1299 < _e138.tmax) {
-                                                let _e1305 = triangles.member[(0u + _e1007)].v0_;
-                                                let _e1307 = triangles.member[(0u + _e1007)].v1_;
-                                                if (_e1305.x < _e1307.x) {
-                                                    phi_1518_ = _e1305.x;
-                                                } else {
-                                                    phi_1518_ = _e1307.x;
-                                                }
-                                                let _e1314 = phi_1518_;
-                                                if (_e1305.y < _e1307.y) {
-                                                    phi_1527_ = _e1305.y;
-                                                } else {
-                                                    phi_1527_ = _e1307.y;
-                                                }
-                                                let _e1321 = phi_1527_;
-                                                if (_e1305.z < _e1307.z) {
-                                                    phi_1536_ = _e1305.z;
-                                                } else {
-                                                    phi_1536_ = _e1307.z;
-                                                }
-                                                let _e1328 = phi_1536_;
-                                                let _e1330 = triangles.member[(0u + _e1007)].v2_;
-                                                if (_e1314 < _e1330.x) {
-                                                    phi_1545_ = _e1314;
-                                                } else {
-                                                    phi_1545_ = _e1330.x;
-                                                }
-                                                let _e1335 = phi_1545_;
-                                                if (_e1321 < _e1330.y) {
-                                                    phi_1552_ = _e1321;
-                                                } else {
-                                                    phi_1552_ = _e1330.y;
-                                                }
-                                                let _e1340 = phi_1552_;
-                                                if (_e1328 < _e1330.z) {
-                                                    phi_1559_ = _e1328;
-                                                } else {
-                                                    phi_1559_ = _e1330.z;
-                                                }
-                                                let _e1345 = phi_1559_;
-                                                let _e1347 = triangles.member[(0u + _e1007)].v0_;
-                                                let _e1349 = triangles.member[(0u + _e1007)].v1_;
-                                                if (_e1347.x > _e1349.x) {
-                                                    phi_1572_ = _e1347.x;
-                                                } else {
-                                                    phi_1572_ = _e1349.x;
-                                                }
-                                                let _e1356 = phi_1572_;
-                                                if (_e1347.y > _e1349.y) {
-                                                    phi_1581_ = _e1347.y;
-                                                } else {
-                                                    phi_1581_ = _e1349.y;
-                                                }
-                                                let _e1363 = phi_1581_;
-                                                if (_e1347.z > _e1349.z) {
-                                                    phi_1590_ = _e1347.z;
-                                                } else {
-                                                    phi_1590_ = _e1349.z;
-                                                }
-                                                let _e1370 = phi_1590_;
-                                                let _e1372 = triangles.member[(0u + _e1007)].v2_;
-                                                if (_e1356 > _e1372.x) {
-                                                    phi_1599_ = _e1356;
-                                                } else {
-                                                    phi_1599_ = _e1372.x;
-                                                }
-                                                let _e1377 = phi_1599_;
-                                                if (_e1363 > _e1372.y) {
-                                                    phi_1606_ = _e1363;
-                                                } else {
-                                                    phi_1606_ = _e1372.y;
-                                                }
-                                                let _e1382 = phi_1606_;
-                                                if (_e1370 > _e1372.z) {
-                                                    phi_1613_ = _e1370;
-                                                } else {
-                                                    phi_1613_ = _e1372.z;
-                                                }
-                                                let _e1387 = phi_1613_;
-                                                let _e1394 = ((_e1335 - _e138.origin.x) * _e292);
-                                                let _e1395 = ((_e1340 - _e138.origin.y) * _e304);
-                                                let _e1396 = ((_e1345 - _e138.origin.z) * _e316);
-                                                let _e1403 = ((_e1377 - _e138.origin.x) * _e292);
-                                                let _e1404 = ((_e1382 - _e138.origin.y) * _e304);
-                                                let _e1405 = ((_e1387 - _e138.origin.z) * _e316);
-                                                if (_e1394 < _e1403) {
-                                                    phi_1636_ = _e1394;
-                                                } else {
-                                                    phi_1636_ = _e1403;
-                                                }
-                                                let _e1408 = phi_1636_;
-                                                if (_e1395 < _e1404) {
-                                                    phi_1641_ = _e1395;
-                                                } else {
-                                                    phi_1641_ = _e1404;
-                                                }
-                                                let _e1411 = phi_1641_;
-                                                if (_e1396 < _e1405) {
-                                                    phi_1646_ = _e1396;
-                                                } else {
-                                                    phi_1646_ = _e1405;
-                                                }
-                                                let _e1414 = phi_1646_;
-                                                if (_e1394 > _e1403) {
-                                                    phi_1654_ = _e1394;
-                                                } else {
-                                                    phi_1654_ = _e1403;
-                                                }
-                                                let _e1420 = phi_1654_;
-                                                if (_e1395 > _e1404) {
-                                                    phi_1659_ = _e1395;
-                                                } else {
-                                                    phi_1659_ = _e1404;
-                                                }
-                                                let _e1423 = phi_1659_;
-                                                if (_e1396 > _e1405) {
-                                                    phi_1664_ = _e1396;
-                                                } else {
-                                                    phi_1664_ = _e1405;
-                                                }
-                                                let _e1426 = phi_1664_;
-                                                let _e1430 = core_intrinsics_maximum_number_nsz_f32_((_e1408 - _e360), (_e1411 - _e361));
-                                                let _e1431 = core_intrinsics_maximum_number_nsz_f32_(_e1430, (_e1414 - _e362));
-                                                let _e1432 = core_intrinsics_minimum_number_nsz_f32_((_e1420 + _e360), (_e1423 + _e361));
-                                                let _e1433 = core_intrinsics_minimum_number_nsz_f32_(_e1432, (_e1426 + _e362));
-                                                if (_e1431 > -300000000000000000000000000000000000000f) {
-                                                    phi_1676_ = _e1431;
-                                                } else {
-                                                    phi_1676_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1436 = phi_1676_;
-                                                if (_e1433 < 300000000000000000000000000000000000000f) {
-                                                    phi_1681_ = _e1433;
-                                                } else {
-                                                    phi_1681_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1439 = phi_1681_;
-                                                if (_e1299 < _e1436) {
-                                                    phi_1686_ = _e1436;
-                                                } else {
-                                                    phi_1686_ = _e1299;
-                                                }
-                                                let _e1442 = phi_1686_;
-                                                if (_e1442 > _e1439) {
-                                                    phi_1691_ = _e1439;
-                                                } else {
-                                                    phi_1691_ = _e1442;
-                                                }
-                                                let _e1445 = phi_1691_;
-                                                phi_1696_ = lt_bvh_triangle_Intersection(_e1445, (_e1138 / _e1197), (_e1159 / _e1197), (_e1436 <= _e1439));
-                                                phi_1697_ = false;
-                                            } else {
-                                                phi_1696_ = lt_bvh_triangle_Intersection();
-                                                phi_1697_ = true;
-                                            }
-                                            let _e1451 = phi_1696_;
-                                            let _e1453 = phi_1697_;
-                                            phi_1698_ = _e1451;
-                                            phi_1699_ = _e1453;
-                                        } else {
-                                            phi_1698_ = lt_bvh_triangle_Intersection();
-                                            phi_1699_ = true;
-                                        }
-                                        let _e1455 = phi_1698_;
-                                        let _e1457 = phi_1699_;
-                                        if _e1457 {
-                                        }
-                                        phi_1703_ = _e1455;
-                                        phi_1704_ = _e1457;
+                                        phi_1379_ = _e1183;
                                     }
-                                    let _e1459 = phi_1703_;
-                                    let _e1461 = phi_1704_;
-                                    phi_1705_ = _e1459;
-                                    phi_1706_ = _e1200;
-                                    phi_1707_ = _e1461;
+                                    let _e1185 = phi_1379_;
+                                    phi_1380_ = _e1179;
+                                    phi_1381_ = _e1185;
                                 } else {
-                                    phi_1705_ = lt_bvh_triangle_Intersection();
-                                    phi_1706_ = true;
-                                    phi_1707_ = false;
+                                    phi_1380_ = _e1164;
+                                    phi_1381_ = true;
                                 }
-                                let _e1463 = phi_1705_;
-                                let _e1465 = phi_1706_;
-                                let _e1467 = phi_1707_;
-                                if _e1465 {
-                                    phi_1711_ = true;
-                                } else {
-                                    phi_1711_ = _e1467;
-                                }
-                                let _e1469 = phi_1711_;
-                                if _e1469 {
-                                    phi_1715_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_1715_ = _e1463;
-                                }
-                                let _e1471 = phi_1715_;
-                                if _e1471.is_hit {
-                                    if (_e1471.t > _e138.tmin) {
-                                        if (_e1471.t < _e996.t) {
-                                            phi_1764_ = true;
+                                let _e1187 = phi_1380_;
+                                let _e1189 = phi_1381_;
+                                if _e1189 {
+                                    let _e1190 = (_e1187 == 0f);
+                                    if _e1190 {
+                                        phi_1707_ = lt_bvh_triangle_Intersection();
+                                        phi_1708_ = false;
+                                    } else {
+                                        let _e1192 = triangles.member[(0u + _e997)].v0_;
+                                        let _e1195 = (_e1192.x - _e138.origin.x);
+                                        let _e1198 = (_e1192.y - _e138.origin.y);
+                                        let _e1201 = (_e1192.z - _e138.origin.z);
+                                        if (_e372 == 0u) {
+                                            phi_1412_ = vec3<f32>(_e1198, _e1201, _e1195);
                                         } else {
-                                            if (_e1471.t == _e996.t) {
-                                                if (_e996.triangle != 4294967295u) {
-                                                    if (_e1007 < _e996.triangle) {
-                                                        phi_1755_ = true;
+                                            if (_e372 == 1u) {
+                                                phi_1411_ = vec3<f32>(_e1201, _e1195, _e1198);
+                                            } else {
+                                                phi_1411_ = (_e1192 - _e138.origin);
+                                            }
+                                            let _e1208 = phi_1411_;
+                                            phi_1412_ = _e1208;
+                                        }
+                                        let _e1210 = phi_1412_;
+                                        let _e1212 = triangles.member[(0u + _e997)].v1_;
+                                        let _e1214 = triangles.member[(0u + _e997)].v0_;
+                                        let _e1217 = (_e1212.x - _e1214.x);
+                                        let _e1220 = (_e1212.y - _e1214.y);
+                                        let _e1223 = (_e1212.z - _e1214.z);
+                                        if (_e372 == 0u) {
+                                            phi_1438_ = vec3<f32>(_e1220, _e1223, _e1217);
+                                        } else {
+                                            if (_e372 == 1u) {
+                                                phi_1437_ = vec3<f32>(_e1223, _e1217, _e1220);
+                                            } else {
+                                                phi_1437_ = (_e1212 - _e1214);
+                                            }
+                                            let _e1230 = phi_1437_;
+                                            phi_1438_ = _e1230;
+                                        }
+                                        let _e1232 = phi_1438_;
+                                        let _e1234 = triangles.member[(0u + _e997)].v2_;
+                                        let _e1236 = triangles.member[(0u + _e997)].v0_;
+                                        let _e1239 = (_e1234.x - _e1236.x);
+                                        let _e1242 = (_e1234.y - _e1236.y);
+                                        let _e1245 = (_e1234.z - _e1236.z);
+                                        if (_e372 == 0u) {
+                                            phi_1464_ = vec3<f32>(_e1242, _e1245, _e1239);
+                                        } else {
+                                            if (_e372 == 1u) {
+                                                phi_1463_ = vec3<f32>(_e1245, _e1239, _e1242);
+                                            } else {
+                                                phi_1463_ = (_e1234 - _e1236);
+                                            }
+                                            let _e1252 = phi_1463_;
+                                            phi_1464_ = _e1252;
+                                        }
+                                        let _e1254 = phi_1464_;
+                                        let _e1261 = ((_e1232.y * _e1254.z) - (_e1232.z * _e1254.y));
+                                        let _e1268 = ((_e1232.z * _e1254.x) - (_e1232.x * _e1254.z));
+                                        let _e1275 = ((_e1232.x * _e1254.y) - (_e1232.y * _e1254.x));
+                                        let _e1289 = (((1f / _e386.z) * (((_e1261 * _e1210.x) + (_e1268 * _e1210.y)) + (_e1275 * _e1210.z))) / (((_e1261 * _e389) + (_e1268 * _e392)) + _e1275));
+                                        if (_e1289 > _e138.tmin) {
+                                            if (_e1289 < _e138.tmax) {
+                                                let _e1295 = triangles.member[(0u + _e997)].v0_;
+                                                let _e1297 = triangles.member[(0u + _e997)].v1_;
+                                                if (_e1295.x < _e1297.x) {
+                                                    phi_1522_ = _e1295.x;
+                                                } else {
+                                                    phi_1522_ = _e1297.x;
+                                                }
+                                                let _e1304 = phi_1522_;
+                                                if (_e1295.y < _e1297.y) {
+                                                    phi_1531_ = _e1295.y;
+                                                } else {
+                                                    phi_1531_ = _e1297.y;
+                                                }
+                                                let _e1311 = phi_1531_;
+                                                if (_e1295.z < _e1297.z) {
+                                                    phi_1540_ = _e1295.z;
+                                                } else {
+                                                    phi_1540_ = _e1297.z;
+                                                }
+                                                let _e1318 = phi_1540_;
+                                                let _e1320 = triangles.member[(0u + _e997)].v2_;
+                                                if (_e1304 < _e1320.x) {
+                                                    phi_1549_ = _e1304;
+                                                } else {
+                                                    phi_1549_ = _e1320.x;
+                                                }
+                                                let _e1325 = phi_1549_;
+                                                if (_e1311 < _e1320.y) {
+                                                    phi_1556_ = _e1311;
+                                                } else {
+                                                    phi_1556_ = _e1320.y;
+                                                }
+                                                let _e1330 = phi_1556_;
+                                                if (_e1318 < _e1320.z) {
+                                                    phi_1563_ = _e1318;
+                                                } else {
+                                                    phi_1563_ = _e1320.z;
+                                                }
+                                                let _e1335 = phi_1563_;
+                                                let _e1337 = triangles.member[(0u + _e997)].v0_;
+                                                let _e1339 = triangles.member[(0u + _e997)].v1_;
+                                                if (_e1337.x > _e1339.x) {
+                                                    phi_1576_ = _e1337.x;
+                                                } else {
+                                                    phi_1576_ = _e1339.x;
+                                                }
+                                                let _e1346 = phi_1576_;
+                                                if (_e1337.y > _e1339.y) {
+                                                    phi_1585_ = _e1337.y;
+                                                } else {
+                                                    phi_1585_ = _e1339.y;
+                                                }
+                                                let _e1353 = phi_1585_;
+                                                if (_e1337.z > _e1339.z) {
+                                                    phi_1594_ = _e1337.z;
+                                                } else {
+                                                    phi_1594_ = _e1339.z;
+                                                }
+                                                let _e1360 = phi_1594_;
+                                                let _e1362 = triangles.member[(0u + _e997)].v2_;
+                                                if (_e1346 > _e1362.x) {
+                                                    phi_1603_ = _e1346;
+                                                } else {
+                                                    phi_1603_ = _e1362.x;
+                                                }
+                                                let _e1367 = phi_1603_;
+                                                if (_e1353 > _e1362.y) {
+                                                    phi_1610_ = _e1353;
+                                                } else {
+                                                    phi_1610_ = _e1362.y;
+                                                }
+                                                let _e1372 = phi_1610_;
+                                                if (_e1360 > _e1362.z) {
+                                                    phi_1617_ = _e1360;
+                                                } else {
+                                                    phi_1617_ = _e1362.z;
+                                                }
+                                                let _e1377 = phi_1617_;
+                                                let _e1384 = ((_e1325 - _e138.origin.x) * _e284);
+                                                let _e1385 = ((_e1330 - _e138.origin.y) * _e295);
+                                                let _e1386 = ((_e1335 - _e138.origin.z) * _e306);
+                                                let _e1393 = ((_e1367 - _e138.origin.x) * _e284);
+                                                let _e1394 = ((_e1372 - _e138.origin.y) * _e295);
+                                                let _e1395 = ((_e1377 - _e138.origin.z) * _e306);
+                                                if (_e1384 < _e1393) {
+                                                    phi_1640_ = _e1384;
+                                                } else {
+                                                    phi_1640_ = _e1393;
+                                                }
+                                                let _e1398 = phi_1640_;
+                                                if (_e1385 < _e1394) {
+                                                    phi_1645_ = _e1385;
+                                                } else {
+                                                    phi_1645_ = _e1394;
+                                                }
+                                                let _e1401 = phi_1645_;
+                                                if (_e1386 < _e1395) {
+                                                    phi_1650_ = _e1386;
+                                                } else {
+                                                    phi_1650_ = _e1395;
+                                                }
+                                                let _e1404 = phi_1650_;
+                                                if (_e1384 > _e1393) {
+                                                    phi_1658_ = _e1384;
+                                                } else {
+                                                    phi_1658_ = _e1393;
+                                                }
+                                                let _e1410 = phi_1658_;
+                                                if (_e1385 > _e1394) {
+                                                    phi_1663_ = _e1385;
+                                                } else {
+                                                    phi_1663_ = _e1394;
+                                                }
+                                                let _e1413 = phi_1663_;
+                                                if (_e1386 > _e1395) {
+                                                    phi_1668_ = _e1386;
+                                                } else {
+                                                    phi_1668_ = _e1395;
+                                                }
+                                                let _e1416 = phi_1668_;
+                                                let _e1420 = core_intrinsics_maximum_number_nsz_f32_((_e1398 - _e351), (_e1401 - _e352));
+                                                let _e1421 = core_intrinsics_maximum_number_nsz_f32_(_e1420, (_e1404 - _e353));
+                                                let _e1422 = core_intrinsics_minimum_number_nsz_f32_((_e1410 + _e351), (_e1413 + _e352));
+                                                let _e1423 = core_intrinsics_minimum_number_nsz_f32_(_e1422, (_e1416 + _e353));
+                                                if (_e1421 > -300000000000000000000000000000000000000f) {
+                                                    phi_1680_ = _e1421;
+                                                } else {
+                                                    phi_1680_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1426 = phi_1680_;
+                                                if (_e1423 < 300000000000000000000000000000000000000f) {
+                                                    phi_1685_ = _e1423;
+                                                } else {
+                                                    phi_1685_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1429 = phi_1685_;
+                                                if (_e1289 < _e1426) {
+                                                    phi_1690_ = _e1426;
+                                                } else {
+                                                    phi_1690_ = _e1289;
+                                                }
+                                                let _e1432 = phi_1690_;
+                                                if (_e1432 > _e1429) {
+                                                    phi_1695_ = _e1429;
+                                                } else {
+                                                    phi_1695_ = _e1432;
+                                                }
+                                                let _e1435 = phi_1695_;
+                                                phi_1700_ = lt_bvh_triangle_Intersection(_e1435, (_e1128 / _e1187), (_e1149 / _e1187), (_e1426 <= _e1429));
+                                                phi_1701_ = false;
+                                            } else {
+                                                phi_1700_ = lt_bvh_triangle_Intersection();
+                                                phi_1701_ = true;
+                                            }
+                                            let _e1441 = phi_1700_;
+                                            let _e1443 = phi_1701_;
+                                            phi_1702_ = _e1441;
+                                            phi_1703_ = _e1443;
+                                        } else {
+                                            phi_1702_ = lt_bvh_triangle_Intersection();
+                                            phi_1703_ = true;
+                                        }
+                                        let _e1445 = phi_1702_;
+                                        let _e1447 = phi_1703_;
+                                        if _e1447 {
+                                        }
+                                        phi_1707_ = _e1445;
+                                        phi_1708_ = _e1447;
+                                    }
+                                    let _e1449 = phi_1707_;
+                                    let _e1451 = phi_1708_;
+                                    phi_1709_ = _e1449;
+                                    phi_1710_ = _e1190;
+                                    phi_1711_ = _e1451;
+                                } else {
+                                    phi_1709_ = lt_bvh_triangle_Intersection();
+                                    phi_1710_ = true;
+                                    phi_1711_ = false;
+                                }
+                                let _e1453 = phi_1709_;
+                                let _e1455 = phi_1710_;
+                                let _e1457 = phi_1711_;
+                                if _e1455 {
+                                    phi_1715_ = true;
+                                } else {
+                                    phi_1715_ = _e1457;
+                                }
+                                let _e1459 = phi_1715_;
+                                if _e1459 {
+                                    phi_1719_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1719_ = _e1453;
+                                }
+                                let _e1461 = phi_1719_;
+                                if _e1461.is_hit {
+                                    if (_e1461.t > _e138.tmin) {
+                                        if (_e1461.t < _e986.t) {
+                                            phi_1768_ = true;
+                                        } else {
+                                            if (_e1461.t == _e986.t) {
+                                                if (_e986.triangle != 4294967295u) {
+                                                    if (_e997 < _e986.triangle) {
+                                                        phi_1759_ = true;
                                                     } else {
-                                                        if (_e1007 == _e996.triangle) {
-                                                            phi_1754_ = (4294967295u < _e996.instance);
+                                                        if (_e997 == _e986.triangle) {
+                                                            phi_1758_ = (4294967295u < _e986.instance);
                                                         } else {
-                                                            phi_1754_ = false;
+                                                            phi_1758_ = false;
                                                         }
-                                                        let _e1490 = phi_1754_;
-                                                        phi_1755_ = _e1490;
+                                                        let _e1480 = phi_1758_;
+                                                        phi_1759_ = _e1480;
                                                     }
-                                                    let _e1492 = phi_1755_;
-                                                    phi_1756_ = _e1492;
-                                                    phi_1757_ = false;
+                                                    let _e1482 = phi_1759_;
+                                                    phi_1760_ = _e1482;
+                                                    phi_1761_ = false;
                                                 } else {
-                                                    phi_1756_ = bool();
-                                                    phi_1757_ = true;
+                                                    phi_1760_ = bool();
+                                                    phi_1761_ = true;
                                                 }
-                                                let _e1494 = phi_1756_;
-                                                let _e1496 = phi_1757_;
-                                                phi_1758_ = _e1494;
-                                                phi_1759_ = _e1496;
+                                                let _e1484 = phi_1760_;
+                                                let _e1486 = phi_1761_;
+                                                phi_1762_ = _e1484;
+                                                phi_1763_ = _e1486;
                                             } else {
-                                                phi_1758_ = bool();
-                                                phi_1759_ = true;
+                                                phi_1762_ = bool();
+                                                phi_1763_ = true;
                                             }
-                                            let _e1498 = phi_1758_;
-                                            let _e1500 = phi_1759_;
-                                            if _e1500 {
-                                                phi_1763_ = false;
+                                            let _e1488 = phi_1762_;
+                                            let _e1490 = phi_1763_;
+                                            if _e1490 {
+                                                phi_1767_ = false;
                                             } else {
-                                                phi_1763_ = _e1498;
+                                                phi_1767_ = _e1488;
                                             }
-                                            let _e1502 = phi_1763_;
-                                            phi_1764_ = _e1502;
+                                            let _e1492 = phi_1767_;
+                                            phi_1768_ = _e1492;
                                         }
-                                        let _e1504 = phi_1764_;
-                                        if _e1504 {
-                                            let _e1506 = triangles.member[(0u + _e1007)].i0_;
-                                            if ((_e1506 & 2147483648u) == 0u) {
-                                                phi_1778_ = true;
+                                        let _e1494 = phi_1768_;
+                                        if _e1494 {
+                                            let _e1496 = triangles.member[(0u + _e997)].i0_;
+                                            if ((_e1496 & 2147483648u) == 0u) {
+                                                phi_1782_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_1778_ = true;
+                                                phi_1782_ = true;
                                             }
-                                            let _e1510 = phi_1778_;
-                                            if _e1510 {
-                                                phi_1786_ = lt_bvh_Hit(_e1471.t, _e1471.u, _e1471.v, _e1007, 4294967295u);
+                                            let _e1500 = phi_1782_;
+                                            if _e1500 {
+                                                phi_1790_ = lt_bvh_Hit(_e1461.t, _e1461.u, _e1461.v, _e997, 4294967295u);
                                             } else {
-                                                phi_1786_ = _e996;
+                                                phi_1790_ = _e986;
                                             }
-                                            let _e1516 = phi_1786_;
-                                            phi_1787_ = _e1516;
+                                            let _e1506 = phi_1790_;
+                                            phi_1791_ = _e1506;
                                         } else {
-                                            phi_1787_ = _e996;
+                                            phi_1791_ = _e986;
                                         }
-                                        let _e1518 = phi_1787_;
-                                        phi_1788_ = _e1518;
+                                        let _e1508 = phi_1791_;
+                                        phi_1792_ = _e1508;
                                     } else {
-                                        phi_1788_ = _e996;
+                                        phi_1792_ = _e986;
                                     }
-                                    let _e1520 = phi_1788_;
-                                    phi_1789_ = _e1520;
+                                    let _e1510 = phi_1792_;
+                                    phi_1793_ = _e1510;
                                 } else {
-                                    phi_1789_ = _e996;
+                                    phi_1793_ = _e986;
                                 }
-                                let _e1522 = phi_1789_;
-                                phi_1129_ = _e1522;
-                                phi_1132_ = (_e998 & (_e998 - 1u));
-                                phi_1790_ = true;
+                                let _e1512 = phi_1793_;
+                                phi_1133_ = _e1512;
+                                phi_1136_ = (_e988 & (_e988 - 1u));
+                                phi_1794_ = true;
                             }
-                            let _e1524 = phi_1129_;
-                            let _e1526 = phi_1132_;
-                            let _e1528 = phi_1790_;
+                            let _e1514 = phi_1133_;
+                            let _e1516 = phi_1136_;
+                            let _e1518 = phi_1794_;
                             continue;
                             continuing {
-                                phi_1128_ = _e1524;
-                                phi_1131_ = _e1526;
-                                break if !(_e1528);
+                                phi_1132_ = _e1514;
+                                phi_1135_ = _e1516;
+                                break if !(_e1518);
                             }
                         }
-                        let _e1531 = local.group_mask;
-                        if ((_e1531 & 4278190080u) == 0u) {
-                            let _e1535 = local.len;
-                            if (_e1535 == 0u) {
-                                phi_1829_ = false;
+                        let _e1521 = local.group_mask;
+                        if ((_e1521 & 4278190080u) == 0u) {
+                            let _e1525 = local.len;
+                            if (_e1525 == 0u) {
+                                phi_1833_ = false;
                             } else {
-                                let _e1539 = local.len;
-                                local.len = (_e1539 - 1u);
-                                let _e1542 = local.len;
-                                if (_e1542 < 32u) {
+                                let _e1529 = local.len;
+                                local.len = (_e1529 - 1u);
+                                let _e1532 = local.len;
+                                if (_e1532 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1547 = local.first[(0u + _e1542)];
-                                local.group = _e1547;
-                                let _e1550 = local.len;
-                                if (_e1550 < 32u) {
+                                let _e1537 = local.first[(0u + _e1532)];
+                                local.group = _e1537;
+                                let _e1540 = local.len;
+                                if (_e1540 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1555 = local.mask[(0u + _e1550)];
-                                local.group_mask = _e1555;
-                                phi_1829_ = true;
+                                let _e1545 = local.mask[(0u + _e1540)];
+                                local.group_mask = _e1545;
+                                phi_1833_ = true;
                             }
-                            let _e1558 = phi_1829_;
-                            phi_1830_ = _e1558;
+                            let _e1548 = phi_1833_;
+                            phi_1834_ = _e1548;
                         } else {
-                            phi_1830_ = true;
+                            phi_1834_ = true;
                         }
-                        let _e1560 = phi_1830_;
-                        if _e1560 {
+                        let _e1550 = phi_1834_;
+                        if _e1550 {
+                            let _e1552 = local.group_mask;
+                            let _e1558 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1552)), 32u, (_e1552 == 0u)));
                             let _e1562 = local.group_mask;
-                            let _e1568 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1562)), 32u, (_e1562 == 0u)));
-                            let _e1572 = local.group_mask;
-                            let _e1586 = local.group_mask;
-                            local.group_mask = (_e1586 & ~((1u << bitcast<u32>((_e1568 & 31u)))));
-                            let _e1589 = local.group;
-                            phi_1861_ = (_e1589 + countOneBits(((_e1572 & ~((4294967295u << bitcast<u32>((((_e1568 - 24u) ^ _e415) & 31u))))) & 255u)));
+                            let _e1576 = local.group_mask;
+                            local.group_mask = (_e1576 & ~((1u << bitcast<u32>((_e1558 & 31u)))));
+                            let _e1579 = local.group;
+                            phi_1865_ = (_e1579 + countOneBits(((_e1562 & ~((4294967295u << bitcast<u32>((((_e1558 - 24u) ^ _e405) & 31u))))) & 255u)));
                         } else {
-                            phi_1861_ = 4294967295u;
+                            phi_1865_ = 4294967295u;
                         }
-                        let _e1592 = phi_1861_;
-                        let _e2292 = local_4;
-                        phi_792_ = _e2292;
-                        phi_795_ = _e1592;
+                        let _e1582 = phi_1865_;
+                        let _e2280 = local_4;
+                        phi_796_ = _e2280;
+                        phi_799_ = _e1582;
                     } else {
-                        phi_792_ = lt_bvh_Hit();
-                        phi_795_ = u32();
+                        phi_796_ = lt_bvh_Hit();
+                        phi_799_ = u32();
                     }
-                    let _e1594 = phi_792_;
-                    let _e1596 = phi_795_;
+                    let _e1584 = phi_796_;
+                    let _e1586 = phi_799_;
                     continue;
                     continuing {
-                        phi_791_ = _e1594;
-                        phi_794_ = _e1596;
-                        break if !(_e556);
+                        phi_795_ = _e1584;
+                        phi_798_ = _e1586;
+                        break if !(_e546);
                     }
                 }
-                let _e2296 = local_5;
-                phi_1862_ = _e2296;
+                let _e2284 = local_5;
+                phi_1866_ = _e2284;
             }
-            let _e1599 = phi_1862_;
-            phi_1863_ = _e1599;
-            phi_1864_ = _e210;
+            let _e1589 = phi_1866_;
+            phi_1867_ = _e1589;
+            phi_1868_ = _e202;
         } else {
-            phi_1863_ = lt_bvh_Hit();
-            phi_1864_ = true;
+            phi_1867_ = lt_bvh_Hit();
+            phi_1868_ = true;
         }
-        let _e1601 = phi_1863_;
-        let _e1603 = phi_1864_;
-        if _e1603 {
-            phi_1868_ = _e140;
+        let _e1591 = phi_1867_;
+        let _e1593 = phi_1868_;
+        if _e1593 {
+            phi_1872_ = _e140;
         } else {
-            phi_1868_ = _e1601;
+            phi_1872_ = _e1591;
         }
-        let _e1605 = phi_1868_;
-        if (_e1605.triangle != 4294967295u) {
-            let _e1611 = ((1f - _e1605.u) - _e1605.v);
-            if (_e1605.triangle < _e68) {
+        let _e1595 = phi_1872_;
+        if (_e1595.triangle != 4294967295u) {
+            let _e1601 = ((1f - _e1595.u) - _e1595.v);
+            if (_e1595.triangle < _e68) {
             } else {
                 return;
             }
-            let _e1617 = triangles.member[(0u + _e1605.triangle)];
-            let _e1642 = (((_e1617.v0_.x * _e1611) + (_e1617.v1_.x * _e1605.u)) + (_e1617.v2_.x * _e1605.v));
-            let _e1643 = (((_e1617.v0_.y * _e1611) + (_e1617.v1_.y * _e1605.u)) + (_e1617.v2_.y * _e1605.v));
-            let _e1644 = (((_e1617.v0_.z * _e1611) + (_e1617.v1_.z * _e1605.u)) + (_e1617.v2_.z * _e1605.v));
-            let _e1647 = abs(_e1617.v0_.x);
-            let _e1649 = abs(_e1617.v0_.y);
-            let _e1651 = abs(_e1617.v0_.z);
-            let _e1653 = abs(_e1617.v1_.x);
-            let _e1655 = abs(_e1617.v1_.y);
-            let _e1657 = abs(_e1617.v1_.z);
-            if (_e1647 > _e1653) {
-                phi_1933_ = _e1647;
+            let _e1607 = triangles.member[(0u + _e1595.triangle)];
+            let _e1632 = (((_e1607.v0_.x * _e1601) + (_e1607.v1_.x * _e1595.u)) + (_e1607.v2_.x * _e1595.v));
+            let _e1633 = (((_e1607.v0_.y * _e1601) + (_e1607.v1_.y * _e1595.u)) + (_e1607.v2_.y * _e1595.v));
+            let _e1634 = (((_e1607.v0_.z * _e1601) + (_e1607.v1_.z * _e1595.u)) + (_e1607.v2_.z * _e1595.v));
+            let _e1637 = abs(_e1607.v0_.x);
+            let _e1639 = abs(_e1607.v0_.y);
+            let _e1641 = abs(_e1607.v0_.z);
+            let _e1643 = abs(_e1607.v1_.x);
+            let _e1645 = abs(_e1607.v1_.y);
+            let _e1647 = abs(_e1607.v1_.z);
+            if (_e1637 > _e1643) {
+                phi_1937_ = _e1637;
             } else {
-                phi_1933_ = _e1653;
+                phi_1937_ = _e1643;
             }
-            let _e1660 = phi_1933_;
-            if (_e1649 > _e1655) {
-                phi_1938_ = _e1649;
+            let _e1650 = phi_1937_;
+            if (_e1639 > _e1645) {
+                phi_1942_ = _e1639;
             } else {
-                phi_1938_ = _e1655;
+                phi_1942_ = _e1645;
             }
-            let _e1663 = phi_1938_;
-            if (_e1651 > _e1657) {
-                phi_1943_ = _e1651;
+            let _e1653 = phi_1942_;
+            if (_e1641 > _e1647) {
+                phi_1947_ = _e1641;
             } else {
-                phi_1943_ = _e1657;
+                phi_1947_ = _e1647;
             }
-            let _e1666 = phi_1943_;
-            let _e1668 = abs(_e1617.v2_.x);
-            let _e1670 = abs(_e1617.v2_.y);
-            let _e1672 = abs(_e1617.v2_.z);
-            if (_e1660 > _e1668) {
-                phi_1954_ = _e1660;
+            let _e1656 = phi_1947_;
+            let _e1658 = abs(_e1607.v2_.x);
+            let _e1660 = abs(_e1607.v2_.y);
+            let _e1662 = abs(_e1607.v2_.z);
+            if (_e1650 > _e1658) {
+                phi_1958_ = _e1650;
             } else {
-                phi_1954_ = _e1668;
+                phi_1958_ = _e1658;
             }
-            let _e1675 = phi_1954_;
-            if (_e1663 > _e1670) {
-                phi_1959_ = _e1663;
+            let _e1665 = phi_1958_;
+            if (_e1653 > _e1660) {
+                phi_1963_ = _e1653;
             } else {
-                phi_1959_ = _e1670;
+                phi_1963_ = _e1660;
             }
-            let _e1678 = phi_1959_;
-            if (_e1666 > _e1672) {
-                phi_1964_ = _e1666;
+            let _e1668 = phi_1963_;
+            if (_e1656 > _e1662) {
+                phi_1968_ = _e1656;
             } else {
-                phi_1964_ = _e1672;
+                phi_1968_ = _e1662;
             }
-            let _e1681 = phi_1964_;
-            let _e1684 = (_e1617.v1_.x - _e1617.v0_.x);
-            let _e1687 = (_e1617.v1_.y - _e1617.v0_.y);
-            let _e1690 = (_e1617.v1_.z - _e1617.v0_.z);
-            let _e1693 = (_e1617.v2_.x - _e1617.v0_.x);
-            let _e1696 = (_e1617.v2_.y - _e1617.v0_.y);
-            let _e1699 = (_e1617.v2_.z - _e1617.v0_.z);
-            let _e1703 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1687), abs(_e1690));
-            let _e1704 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1684), _e1703);
-            let _e1705 = (_e1684 / _e1704);
-            let _e1706 = (_e1687 / _e1704);
-            let _e1707 = (_e1690 / _e1704);
-            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1696), abs(_e1699));
-            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1693), _e1711);
-            let _e1713 = (_e1693 / _e1712);
-            let _e1714 = (_e1696 / _e1712);
-            let _e1715 = (_e1699 / _e1712);
-            let _e1718 = ((_e1706 * _e1715) - (_e1714 * _e1707));
-            let _e1721 = ((_e1707 * _e1713) - (_e1715 * _e1705));
-            let _e1724 = ((_e1705 * _e1714) - (_e1713 * _e1706));
-            let _e1726 = p.member.eye;
-            let _e1739 = (1f / sqrt((((_e1718 * _e1718) + (_e1721 * _e1721)) + (_e1724 * _e1724))));
-            let _e1740 = (_e1718 * _e1739);
-            let _e1741 = (_e1721 * _e1739);
-            let _e1742 = (_e1724 * _e1739);
-            if ((((_e1740 * (_e1726.x - _e1642)) + (_e1741 * (_e1726.y - _e1643))) + (_e1742 * (_e1726.z - _e1644))) < 0f) {
-                phi_2040_ = vec3<f32>(-(_e1740), -(_e1741), -(_e1742));
+            let _e1671 = phi_1968_;
+            let _e1674 = (_e1607.v1_.x - _e1607.v0_.x);
+            let _e1677 = (_e1607.v1_.y - _e1607.v0_.y);
+            let _e1680 = (_e1607.v1_.z - _e1607.v0_.z);
+            let _e1683 = (_e1607.v2_.x - _e1607.v0_.x);
+            let _e1686 = (_e1607.v2_.y - _e1607.v0_.y);
+            let _e1689 = (_e1607.v2_.z - _e1607.v0_.z);
+            let _e1693 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1677), abs(_e1680));
+            let _e1694 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1674), _e1693);
+            let _e1695 = (_e1674 / _e1694);
+            let _e1696 = (_e1677 / _e1694);
+            let _e1697 = (_e1680 / _e1694);
+            let _e1701 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1686), abs(_e1689));
+            let _e1702 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1683), _e1701);
+            let _e1703 = (_e1683 / _e1702);
+            let _e1704 = (_e1686 / _e1702);
+            let _e1705 = (_e1689 / _e1702);
+            let _e1708 = ((_e1696 * _e1705) - (_e1704 * _e1697));
+            let _e1711 = ((_e1697 * _e1703) - (_e1705 * _e1695));
+            let _e1714 = ((_e1695 * _e1704) - (_e1703 * _e1696));
+            let _e1716 = p.member.eye;
+            let _e1729 = (1f / sqrt((((_e1708 * _e1708) + (_e1711 * _e1711)) + (_e1714 * _e1714))));
+            let _e1730 = (_e1708 * _e1729);
+            let _e1731 = (_e1711 * _e1729);
+            let _e1732 = (_e1714 * _e1729);
+            if ((((_e1730 * (_e1716.x - _e1632)) + (_e1731 * (_e1716.y - _e1633))) + (_e1732 * (_e1716.z - _e1634))) < 0f) {
+                phi_2044_ = vec3<f32>(-(_e1730), -(_e1731), -(_e1732));
             } else {
-                phi_2040_ = vec3<f32>(_e1740, _e1741, _e1742);
+                phi_2044_ = vec3<f32>(_e1730, _e1731, _e1732);
             }
-            let _e1755 = phi_2040_;
-            if (_e1605.triangle < _e68) {
+            let _e1745 = phi_2044_;
+            if (_e1595.triangle < _e68) {
             } else {
                 return;
             }
-            let _e1760 = triangles.member[(0u + _e1605.triangle)];
-            let _e1762 = (_e1760.i0_ & 2147483647u);
-            if (_e1762 < _e71) {
+            let _e1750 = triangles.member[(0u + _e1595.triangle)];
+            let _e1752 = (_e1750.i0_ & 2147483647u);
+            if (_e1752 < _e71) {
             } else {
                 return;
             }
-            let _e1768 = vertices.member[(0u + _e1762)];
-            if (_e1760.i1_ < _e71) {
+            let _e1758 = vertices.member[(0u + _e1752)];
+            if (_e1750.i1_ < _e71) {
             } else {
                 return;
             }
-            let _e1772 = vertices.member[(0u + _e1760.i1_)];
-            if (_e1760.i2_ < _e71) {
+            let _e1762 = vertices.member[(0u + _e1750.i1_)];
+            if (_e1750.i2_ < _e71) {
             } else {
                 return;
             }
-            let _e1776 = vertices.member[(0u + _e1760.i2_)];
-            let _e1777 = array<abi_Vertex, 3>(_e1768, _e1772, _e1776);
-            if (_e1777[0].material < arrayLength((&materials.member))) {
+            let _e1766 = vertices.member[(0u + _e1750.i2_)];
+            let _e1767 = array<abi_Vertex, 3>(_e1758, _e1762, _e1766);
+            if (_e1767[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1783 = materials.member[(0u + _e1777[0].material)];
-            let _e1800 = (1f / 255f);
-            let _e1819 = (1f / 255f);
-            let _e1841 = (1f / 255f);
-            let _e1854 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1611, _e1605.u, _e1605.v));
-            let _e1856 = ((_e1783.base_color.x * ((((f32((_e1777[0].color & 255u)) * _e1800) * _e1611) + ((f32((_e1777[1].color & 255u)) * _e1819) * _e1605.u)) + ((f32((_e1777[2].color & 255u)) * _e1841) * _e1605.v))) * _e1854.x);
-            let _e1858 = ((_e1783.base_color.y * ((((f32(((_e1777[0].color >> bitcast<u32>(8i)) & 255u)) * _e1800) * _e1611) + ((f32(((_e1777[1].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1605.u)) + ((f32(((_e1777[2].color >> bitcast<u32>(8i)) & 255u)) * _e1841) * _e1605.v))) * _e1854.y);
-            let _e1860 = ((_e1783.base_color.z * ((((f32(((_e1777[0].color >> bitcast<u32>(16i)) & 255u)) * _e1800) * _e1611) + ((f32(((_e1777[1].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1605.u)) + ((f32(((_e1777[2].color >> bitcast<u32>(16i)) & 255u)) * _e1841) * _e1605.v))) * _e1854.z);
-            let _e1861 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1678, _e1681);
-            let _e1862 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1675, _e1861);
-            if ((_e1783.flags & 2u) == 0u) {
-                phi_2161_ = 0u;
+            let _e1773 = materials.member[(0u + _e1767[0].material)];
+            let _e1790 = (1f / 255f);
+            let _e1809 = (1f / 255f);
+            let _e1831 = (1f / 255f);
+            let _e1844 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1601, _e1595.u, _e1595.v));
+            let _e1846 = ((_e1773.base_color.x * ((((f32((_e1767[0].color & 255u)) * _e1790) * _e1601) + ((f32((_e1767[1].color & 255u)) * _e1809) * _e1595.u)) + ((f32((_e1767[2].color & 255u)) * _e1831) * _e1595.v))) * _e1844.x);
+            let _e1848 = ((_e1773.base_color.y * ((((f32(((_e1767[0].color >> bitcast<u32>(8i)) & 255u)) * _e1790) * _e1601) + ((f32(((_e1767[1].color >> bitcast<u32>(8i)) & 255u)) * _e1809) * _e1595.u)) + ((f32(((_e1767[2].color >> bitcast<u32>(8i)) & 255u)) * _e1831) * _e1595.v))) * _e1844.y);
+            let _e1850 = ((_e1773.base_color.z * ((((f32(((_e1767[0].color >> bitcast<u32>(16i)) & 255u)) * _e1790) * _e1601) + ((f32(((_e1767[1].color >> bitcast<u32>(16i)) & 255u)) * _e1809) * _e1595.u)) + ((f32(((_e1767[2].color >> bitcast<u32>(16i)) & 255u)) * _e1831) * _e1595.v))) * _e1844.z);
+            let _e1851 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1668, _e1671);
+            let _e1852 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1665, _e1851);
+            if ((_e1773.flags & 2u) == 0u) {
+                phi_2165_ = 0u;
             } else {
-                phi_2161_ = 1u;
+                phi_2165_ = 1u;
             }
-            let _e1867 = phi_2161_;
-            if (_e1777[0].normal == 2147516416u) {
-                phi_2364_ = _e1755;
+            let _e1857 = phi_2165_;
+            if (_e1767[0].normal == 2147516416u) {
+                phi_2368_ = _e1745;
             } else {
-                let _e1880 = (f32((bitcast<i32>((_e1777[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1886 = (f32((bitcast<i32>(_e1777[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1890 = ((1f - abs(_e1880)) - abs(_e1886));
-                if (_e1890 < 0f) {
-                    phi_2188_ = -(_e1890);
-                } else {
-                    phi_2188_ = 0f;
-                }
-                let _e1894 = phi_2188_;
+                let _e1870 = (f32((bitcast<i32>((_e1767[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1876 = (f32((bitcast<i32>(_e1767[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1880 = ((1f - abs(_e1870)) - abs(_e1876));
                 if (_e1880 < 0f) {
-                    phi_2195_ = (_e1880 + _e1894);
+                    phi_2192_ = -(_e1880);
                 } else {
-                    phi_2195_ = (_e1880 - _e1894);
+                    phi_2192_ = 0f;
                 }
-                let _e1899 = phi_2195_;
-                if (_e1886 < 0f) {
-                    phi_2202_ = (_e1886 + _e1894);
+                let _e1884 = phi_2192_;
+                if (_e1870 < 0f) {
+                    phi_2199_ = (_e1870 + _e1884);
                 } else {
-                    phi_2202_ = (_e1886 - _e1894);
+                    phi_2199_ = (_e1870 - _e1884);
                 }
-                let _e1904 = phi_2202_;
-                let _e1911 = (1f / sqrt((((_e1899 * _e1899) + (_e1904 * _e1904)) + (_e1890 * _e1890))));
-                let _e1927 = (f32((bitcast<i32>((_e1777[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1933 = (f32((bitcast<i32>(_e1777[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1937 = ((1f - abs(_e1927)) - abs(_e1933));
-                if (_e1937 < 0f) {
-                    phi_2237_ = -(_e1937);
+                let _e1889 = phi_2199_;
+                if (_e1876 < 0f) {
+                    phi_2206_ = (_e1876 + _e1884);
                 } else {
-                    phi_2237_ = 0f;
+                    phi_2206_ = (_e1876 - _e1884);
                 }
-                let _e1941 = phi_2237_;
+                let _e1894 = phi_2206_;
+                let _e1901 = (1f / sqrt((((_e1889 * _e1889) + (_e1894 * _e1894)) + (_e1880 * _e1880))));
+                let _e1917 = (f32((bitcast<i32>((_e1767[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1923 = (f32((bitcast<i32>(_e1767[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1927 = ((1f - abs(_e1917)) - abs(_e1923));
                 if (_e1927 < 0f) {
-                    phi_2244_ = (_e1927 + _e1941);
+                    phi_2241_ = -(_e1927);
                 } else {
-                    phi_2244_ = (_e1927 - _e1941);
+                    phi_2241_ = 0f;
                 }
-                let _e1946 = phi_2244_;
-                if (_e1933 < 0f) {
-                    phi_2251_ = (_e1933 + _e1941);
+                let _e1931 = phi_2241_;
+                if (_e1917 < 0f) {
+                    phi_2248_ = (_e1917 + _e1931);
                 } else {
-                    phi_2251_ = (_e1933 - _e1941);
+                    phi_2248_ = (_e1917 - _e1931);
                 }
-                let _e1951 = phi_2251_;
-                let _e1958 = (1f / sqrt((((_e1946 * _e1946) + (_e1951 * _e1951)) + (_e1937 * _e1937))));
-                let _e1977 = (f32((bitcast<i32>((_e1777[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1983 = (f32((bitcast<i32>(_e1777[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1987 = ((1f - abs(_e1977)) - abs(_e1983));
-                if (_e1987 < 0f) {
-                    phi_2289_ = -(_e1987);
+                let _e1936 = phi_2248_;
+                if (_e1923 < 0f) {
+                    phi_2255_ = (_e1923 + _e1931);
                 } else {
-                    phi_2289_ = 0f;
+                    phi_2255_ = (_e1923 - _e1931);
                 }
-                let _e1991 = phi_2289_;
+                let _e1941 = phi_2255_;
+                let _e1948 = (1f / sqrt((((_e1936 * _e1936) + (_e1941 * _e1941)) + (_e1927 * _e1927))));
+                let _e1967 = (f32((bitcast<i32>((_e1767[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1973 = (f32((bitcast<i32>(_e1767[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1977 = ((1f - abs(_e1967)) - abs(_e1973));
                 if (_e1977 < 0f) {
-                    phi_2296_ = (_e1977 + _e1991);
+                    phi_2293_ = -(_e1977);
                 } else {
-                    phi_2296_ = (_e1977 - _e1991);
+                    phi_2293_ = 0f;
                 }
-                let _e1996 = phi_2296_;
-                if (_e1983 < 0f) {
-                    phi_2303_ = (_e1983 + _e1991);
+                let _e1981 = phi_2293_;
+                if (_e1967 < 0f) {
+                    phi_2300_ = (_e1967 + _e1981);
                 } else {
-                    phi_2303_ = (_e1983 - _e1991);
+                    phi_2300_ = (_e1967 - _e1981);
                 }
-                let _e2001 = phi_2303_;
-                let _e2008 = (1f / sqrt((((_e1996 * _e1996) + (_e2001 * _e2001)) + (_e1987 * _e1987))));
-                let _e2019 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1899 * _e1911) * _e1611) + ((_e1946 * _e1958) * _e1605.u)) + ((_e1996 * _e2008) * _e1605.v)), ((((_e1904 * _e1911) * _e1611) + ((_e1951 * _e1958) * _e1605.u)) + ((_e2001 * _e2008) * _e1605.v)), ((((_e1890 * _e1911) * _e1611) + ((_e1937 * _e1958) * _e1605.u)) + ((_e1987 * _e2008) * _e1605.v))));
-                let _e2031 = sqrt((((_e2019.x * _e2019.x) + (_e2019.y * _e2019.y)) + (_e2019.z * _e2019.z)));
-                if (_e2031 > 0f) {
-                    let _e2034 = (_e2019.x / _e2031);
-                    let _e2036 = (_e2019.y / _e2031);
-                    let _e2038 = (_e2019.z / _e2031);
-                    if ((((_e2034 * _e1755.x) + (_e2036 * _e1755.y)) + (_e2038 * _e1755.z)) < 0f) {
-                        phi_2362_ = vec3<f32>(-(_e2034), -(_e2036), -(_e2038));
+                let _e1986 = phi_2300_;
+                if (_e1973 < 0f) {
+                    phi_2307_ = (_e1973 + _e1981);
+                } else {
+                    phi_2307_ = (_e1973 - _e1981);
+                }
+                let _e1991 = phi_2307_;
+                let _e1998 = (1f / sqrt((((_e1986 * _e1986) + (_e1991 * _e1991)) + (_e1977 * _e1977))));
+                let _e2009 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1889 * _e1901) * _e1601) + ((_e1936 * _e1948) * _e1595.u)) + ((_e1986 * _e1998) * _e1595.v)), ((((_e1894 * _e1901) * _e1601) + ((_e1941 * _e1948) * _e1595.u)) + ((_e1991 * _e1998) * _e1595.v)), ((((_e1880 * _e1901) * _e1601) + ((_e1927 * _e1948) * _e1595.u)) + ((_e1977 * _e1998) * _e1595.v))));
+                let _e2021 = sqrt((((_e2009.x * _e2009.x) + (_e2009.y * _e2009.y)) + (_e2009.z * _e2009.z)));
+                if (_e2021 > 0f) {
+                    let _e2024 = (_e2009.x / _e2021);
+                    let _e2026 = (_e2009.y / _e2021);
+                    let _e2028 = (_e2009.z / _e2021);
+                    if ((((_e2024 * _e1745.x) + (_e2026 * _e1745.y)) + (_e2028 * _e1745.z)) < 0f) {
+                        phi_2366_ = vec3<f32>(-(_e2024), -(_e2026), -(_e2028));
                     } else {
-                        phi_2362_ = (_e2019 / vec3(_e2031));
+                        phi_2366_ = (_e2009 / vec3(_e2021));
                     }
-                    let _e2055 = phi_2362_;
-                    phi_2363_ = _e2055;
+                    let _e2045 = phi_2366_;
+                    phi_2367_ = _e2045;
                 } else {
-                    phi_2363_ = _e1755;
+                    phi_2367_ = _e1745;
                 }
-                let _e2057 = phi_2363_;
-                phi_2364_ = _e2057;
+                let _e2047 = phi_2367_;
+                phi_2368_ = _e2047;
             }
-            let _e2059 = phi_2364_;
-            if (_e1856 > 0f) {
-                if (_e1856 < 1f) {
-                    phi_2373_ = _e1856;
+            let _e2049 = phi_2368_;
+            if (_e1846 > 0f) {
+                if (_e1846 < 1f) {
+                    phi_2377_ = _e1846;
                 } else {
-                    phi_2373_ = 1f;
+                    phi_2377_ = 1f;
                 }
-                let _e2063 = phi_2373_;
-                phi_2374_ = _e2063;
+                let _e2053 = phi_2377_;
+                phi_2378_ = _e2053;
             } else {
-                phi_2374_ = 0f;
+                phi_2378_ = 0f;
             }
-            let _e2065 = phi_2374_;
-            if (_e1858 > 0f) {
-                if (_e1858 < 1f) {
-                    phi_2384_ = _e1858;
+            let _e2055 = phi_2378_;
+            if (_e1848 > 0f) {
+                if (_e1848 < 1f) {
+                    phi_2388_ = _e1848;
                 } else {
-                    phi_2384_ = 1f;
+                    phi_2388_ = 1f;
                 }
-                let _e2070 = phi_2384_;
-                phi_2385_ = _e2070;
+                let _e2060 = phi_2388_;
+                phi_2389_ = _e2060;
             } else {
-                phi_2385_ = 0f;
+                phi_2389_ = 0f;
             }
-            let _e2072 = phi_2385_;
-            if (_e1860 > 0f) {
-                if (_e1860 < 1f) {
-                    phi_2395_ = _e1860;
+            let _e2062 = phi_2389_;
+            if (_e1850 > 0f) {
+                if (_e1850 < 1f) {
+                    phi_2399_ = _e1850;
                 } else {
-                    phi_2395_ = 1f;
+                    phi_2399_ = 1f;
                 }
-                let _e2077 = phi_2395_;
-                phi_2396_ = _e2077;
+                let _e2067 = phi_2399_;
+                phi_2400_ = _e2067;
             } else {
-                phi_2396_ = 0f;
+                phi_2400_ = 0f;
             }
-            let _e2079 = phi_2396_;
-            let _e2082 = ((sqrt(_e2065) * 255f) + 0.5f);
-            let _e2091 = ((sqrt(_e2072) * 255f) + 0.5f);
-            let _e2103 = ((sqrt(_e2079) * 255f) + 0.5f);
-            phi_2431_ = abi_Sample(vec3<f32>(_e1642, _e1643, _e1644), _e1862, _e1755, _e1867, _e2059, ((select(select(u32(_e2082), 0u, (_e2082 < bitcast<f32>(0u))), 4294967295u, (_e2082 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2091), 0u, (_e2091 < bitcast<f32>(0u))), 4294967295u, (_e2091 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2103), 0u, (_e2103 < bitcast<f32>(0u))), 4294967295u, (_e2103 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2069 = phi_2400_;
+            let _e2072 = ((sqrt(_e2055) * 255f) + 0.5f);
+            let _e2081 = ((sqrt(_e2062) * 255f) + 0.5f);
+            let _e2093 = ((sqrt(_e2069) * 255f) + 0.5f);
+            phi_2435_ = abi_Sample(vec3<f32>(_e1632, _e1633, _e1634), _e1852, _e1745, _e1857, _e2049, ((select(select(u32(_e2072), 0u, (_e2072 < bitcast<f32>(0u))), 4294967295u, (_e2072 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2081), 0u, (_e2081 < bitcast<f32>(0u))), 4294967295u, (_e2081 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2093), 0u, (_e2093 < bitcast<f32>(0u))), 4294967295u, (_e2093 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2431_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2435_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2117 = phi_2431_;
-        if (_e83.first_primitive < arrayLength((&samples.member))) {
+        let _e2107 = phi_2435_;
+        if (_e83.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e83.first_primitive)] = _e2117;
+        samples.member[(0u + _e83.shift)] = _e2107;
     }
     return;
 }

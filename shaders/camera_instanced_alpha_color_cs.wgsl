@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -177,19 +177,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(8) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_222_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_223_ = false;
         } else {
-            phi_222_ = lt_bvh_traverse_Tree();
+            phi_222_ = lt_mask_LightPlace();
             phi_223_ = true;
         }
         let _e83 = phi_222_;
@@ -197,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_224_ = _e83;
         phi_225_ = _e85;
     } else {
-        phi_224_ = lt_bvh_traverse_Tree();
+        phi_224_ = lt_mask_LightPlace();
         phi_225_ = true;
     }
     let _e87 = phi_224_;
     let _e89 = phi_225_;
     if _e89 {
-        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_230_ = _e87;
     }
     let _e94 = phi_230_;
-    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
+    return lt_mask_LightPlace(_e94.word, _e94.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -625,296 +625,292 @@ fn function_() {
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
     var local_3: lt_bvh_traverse_Stack;
-    var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_792_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_812_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
     var phi_831_: bool;
     var phi_832_: bool;
-    var phi_836_: bool;
-    var phi_840_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_839_: bool;
     var phi_915_: f32;
     var phi_922_: f32;
     var phi_930_: f32;
     var phi_937_: f32;
     var phi_945_: f32;
     var phi_952_: f32;
-    var phi_977_: f32;
-    var phi_982_: f32;
-    var phi_987_: f32;
-    var phi_1009_: u32;
+    var phi_975_: f32;
+    var phi_980_: f32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_995_: f32;
     var phi_1014_: u32;
     var phi_1019_: u32;
-    var phi_1133_: bool;
-    var phi_1134_: bool;
-    var phi_1165_: u32;
-    var phi_1167_: u32;
-    var phi_1170_: lt_bvh_Hit;
-    var phi_1255_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1282_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1309_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1315_: u32;
-    var phi_1318_: u32;
-    var phi_1332_: u32;
-    var phi_1342_: u32;
-    var phi_1352_: u32;
-    var phi_1370_: u32;
-    var phi_1380_: u32;
-    var phi_1390_: u32;
-    var phi_1426_: u32;
-    var phi_1439_: u32;
+    var phi_1024_: u32;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1170_: u32;
+    var phi_1172_: u32;
+    var phi_1175_: lt_bvh_Hit;
+    var phi_1260_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1287_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1314_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1320_: u32;
+    var phi_1323_: u32;
+    var phi_1337_: u32;
+    var phi_1347_: u32;
+    var phi_1357_: u32;
+    var phi_1375_: u32;
+    var phi_1385_: u32;
+    var phi_1395_: u32;
+    var phi_1431_: u32;
     var phi_1444_: u32;
-    var phi_1445_: u32;
-    var phi_1446_: u32;
-    var phi_1316_: u32;
-    var phi_1319_: u32;
+    var phi_1449_: u32;
+    var phi_1450_: u32;
+    var phi_1451_: u32;
+    var phi_1321_: u32;
+    var phi_1324_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1504_: u32;
-    var phi_1507_: lt_bvh_Hit;
-    var phi_1562_: f32;
+    var phi_1509_: u32;
+    var phi_1512_: lt_bvh_Hit;
     var phi_1567_: f32;
     var phi_1572_: f32;
-    var phi_1580_: f32;
+    var phi_1577_: f32;
     var phi_1585_: f32;
     var phi_1590_: f32;
-    var phi_1746_: bool;
+    var phi_1595_: f32;
+    var phi_1727_: bool;
+    var phi_1728_: bool;
+    var phi_1729_: bool;
+    var phi_1730_: bool;
+    var phi_1734_: bool;
     var phi_1747_: bool;
     var phi_1748_: bool;
-    var phi_1752_: bool;
-    var phi_1753_: bool;
+    var phi_1749_: bool;
+    var phi_1750_: bool;
     var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1766_: bool;
     var phi_1767_: bool;
     var phi_1768_: bool;
     var phi_1769_: bool;
     var phi_1773_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
+    var phi_1776_: bool;
     var phi_1777_: bool;
-    var phi_1847_: f32;
-    var phi_1854_: f32;
-    var phi_1861_: f32;
-    var phi_1868_: f32;
-    var phi_1875_: f32;
-    var phi_1882_: f32;
-    var phi_1899_: f32;
-    var phi_1904_: f32;
-    var phi_1909_: f32;
-    var phi_1937_: bool;
-    var phi_1938_: bool;
-    var phi_1946_: u32;
-    var phi_1947_: u32;
-    var phi_1958_: vec3<f32>;
-    var phi_1959_: vec3<f32>;
-    var phi_1972_: u32;
-    var phi_1977_: u32;
-    var phi_1982_: u32;
-    var phi_2096_: bool;
-    var phi_2097_: bool;
-    var phi_2128_: u32;
-    var phi_2130_: lt_bvh_Hit;
-    var phi_2133_: u32;
-    var phi_2214_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2241_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2268_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2274_: u32;
-    var phi_2277_: u32;
-    var phi_2291_: u32;
-    var phi_2301_: u32;
-    var phi_2311_: u32;
-    var phi_2329_: u32;
-    var phi_2339_: u32;
-    var phi_2349_: u32;
-    var phi_2385_: u32;
-    var phi_2398_: u32;
-    var phi_2403_: u32;
-    var phi_2404_: u32;
-    var phi_2405_: u32;
-    var phi_2275_: u32;
-    var phi_2278_: u32;
+    var phi_1781_: bool;
+    var phi_1851_: f32;
+    var phi_1858_: f32;
+    var phi_1865_: f32;
+    var phi_1872_: f32;
+    var phi_1879_: f32;
+    var phi_1886_: f32;
+    var phi_1903_: f32;
+    var phi_1908_: f32;
+    var phi_1913_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1949_: bool;
+    var phi_1950_: bool;
+    var phi_1958_: u32;
+    var phi_1959_: u32;
+    var phi_1970_: vec3<f32>;
+    var phi_1971_: vec3<f32>;
+    var phi_1984_: u32;
+    var phi_1989_: u32;
+    var phi_1994_: u32;
+    var phi_2108_: bool;
+    var phi_2109_: bool;
+    var phi_2140_: u32;
+    var phi_2142_: lt_bvh_Hit;
+    var phi_2145_: u32;
+    var phi_2226_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2253_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2280_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2286_: u32;
+    var phi_2289_: u32;
+    var phi_2303_: u32;
+    var phi_2313_: u32;
+    var phi_2323_: u32;
+    var phi_2341_: u32;
+    var phi_2351_: u32;
+    var phi_2361_: u32;
+    var phi_2397_: u32;
+    var phi_2410_: u32;
+    var phi_2415_: u32;
+    var phi_2416_: u32;
+    var phi_2417_: u32;
+    var phi_2287_: u32;
+    var phi_2290_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_2463_: lt_bvh_Hit;
-    var phi_2466_: u32;
-    var phi_2510_: vec3<f32>;
-    var phi_2511_: vec3<f32>;
-    var phi_2540_: vec3<f32>;
-    var phi_2541_: vec3<f32>;
-    var phi_2570_: vec3<f32>;
-    var phi_2571_: vec3<f32>;
-    var phi_2589_: bool;
-    var phi_2590_: bool;
-    var phi_2594_: f32;
-    var phi_2595_: f32;
-    var phi_2596_: f32;
-    var phi_2597_: f32;
-    var phi_2605_: f32;
-    var phi_2615_: bool;
-    var phi_2616_: bool;
-    var phi_2620_: f32;
-    var phi_2621_: f32;
-    var phi_2622_: f32;
-    var phi_2623_: f32;
-    var phi_2631_: f32;
-    var phi_2641_: bool;
-    var phi_2642_: bool;
-    var phi_2646_: f32;
-    var phi_2647_: f32;
-    var phi_2648_: f32;
-    var phi_2649_: f32;
-    var phi_2657_: f32;
-    var phi_2672_: f32;
-    var phi_2673_: bool;
-    var phi_2674_: f32;
-    var phi_2675_: bool;
-    var phi_2676_: f32;
-    var phi_2677_: bool;
-    var phi_2695_: f32;
-    var phi_2696_: bool;
-    var phi_2697_: bool;
-    var phi_2698_: f32;
-    var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2704_: bool;
-    var phi_2705_: f32;
-    var phi_2706_: bool;
-    var phi_2734_: vec3<f32>;
-    var phi_2735_: vec3<f32>;
-    var phi_2760_: vec3<f32>;
-    var phi_2761_: vec3<f32>;
-    var phi_2786_: vec3<f32>;
-    var phi_2787_: vec3<f32>;
-    var phi_2843_: f32;
-    var phi_2852_: f32;
-    var phi_2861_: f32;
-    var phi_2870_: f32;
-    var phi_2877_: f32;
-    var phi_2884_: f32;
-    var phi_2897_: f32;
-    var phi_2906_: f32;
-    var phi_2915_: f32;
-    var phi_2924_: f32;
-    var phi_2931_: f32;
-    var phi_2938_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2965_: f32;
-    var phi_2973_: f32;
-    var phi_2978_: f32;
-    var phi_2983_: f32;
+    var phi_2475_: lt_bvh_Hit;
+    var phi_2478_: u32;
+    var phi_2522_: vec3<f32>;
+    var phi_2523_: vec3<f32>;
+    var phi_2552_: vec3<f32>;
+    var phi_2553_: vec3<f32>;
+    var phi_2582_: vec3<f32>;
+    var phi_2583_: vec3<f32>;
+    var phi_2601_: bool;
+    var phi_2602_: bool;
+    var phi_2606_: f32;
+    var phi_2607_: f32;
+    var phi_2608_: f32;
+    var phi_2609_: f32;
+    var phi_2617_: f32;
+    var phi_2627_: bool;
+    var phi_2628_: bool;
+    var phi_2632_: f32;
+    var phi_2633_: f32;
+    var phi_2634_: f32;
+    var phi_2635_: f32;
+    var phi_2643_: f32;
+    var phi_2653_: bool;
+    var phi_2654_: bool;
+    var phi_2658_: f32;
+    var phi_2659_: f32;
+    var phi_2660_: f32;
+    var phi_2661_: f32;
+    var phi_2669_: f32;
+    var phi_2684_: f32;
+    var phi_2685_: bool;
+    var phi_2686_: f32;
+    var phi_2687_: bool;
+    var phi_2688_: f32;
+    var phi_2689_: bool;
+    var phi_2707_: f32;
+    var phi_2708_: bool;
+    var phi_2709_: bool;
+    var phi_2710_: f32;
+    var phi_2711_: bool;
+    var phi_2712_: bool;
+    var phi_2716_: bool;
+    var phi_2717_: f32;
+    var phi_2718_: bool;
+    var phi_2746_: vec3<f32>;
+    var phi_2747_: vec3<f32>;
+    var phi_2772_: vec3<f32>;
+    var phi_2773_: vec3<f32>;
+    var phi_2798_: vec3<f32>;
+    var phi_2799_: vec3<f32>;
+    var phi_2855_: f32;
+    var phi_2864_: f32;
+    var phi_2873_: f32;
+    var phi_2882_: f32;
+    var phi_2889_: f32;
+    var phi_2896_: f32;
+    var phi_2909_: f32;
+    var phi_2918_: f32;
+    var phi_2927_: f32;
+    var phi_2936_: f32;
+    var phi_2943_: f32;
+    var phi_2950_: f32;
+    var phi_2967_: f32;
+    var phi_2972_: f32;
+    var phi_2977_: f32;
+    var phi_2985_: f32;
+    var phi_2990_: f32;
     var phi_2995_: f32;
-    var phi_3000_: f32;
-    var phi_3005_: f32;
-    var phi_3010_: f32;
-    var phi_3015_: lt_bvh_triangle_Intersection;
-    var phi_3016_: bool;
-    var phi_3017_: lt_bvh_triangle_Intersection;
-    var phi_3018_: bool;
-    var phi_3022_: lt_bvh_triangle_Intersection;
-    var phi_3023_: bool;
-    var phi_3024_: lt_bvh_triangle_Intersection;
-    var phi_3025_: bool;
-    var phi_3026_: bool;
+    var phi_3007_: f32;
+    var phi_3012_: f32;
+    var phi_3017_: f32;
+    var phi_3022_: f32;
+    var phi_3027_: lt_bvh_triangle_Intersection;
+    var phi_3028_: bool;
+    var phi_3029_: lt_bvh_triangle_Intersection;
     var phi_3030_: bool;
     var phi_3034_: lt_bvh_triangle_Intersection;
-    var phi_3072_: bool;
-    var phi_3073_: bool;
-    var phi_3074_: bool;
-    var phi_3075_: bool;
-    var phi_3076_: bool;
-    var phi_3077_: bool;
-    var phi_3081_: bool;
-    var phi_3082_: bool;
-    var phi_3285_: f32;
-    var phi_3288_: bool;
-    var phi_3289_: bool;
-    var phi_3293_: bool;
-    var phi_3301_: lt_bvh_Hit;
-    var phi_3302_: lt_bvh_Hit;
-    var phi_3303_: lt_bvh_Hit;
-    var phi_3304_: lt_bvh_Hit;
-    var phi_2464_: lt_bvh_Hit;
-    var phi_2467_: u32;
+    var phi_3035_: bool;
+    var phi_3036_: lt_bvh_triangle_Intersection;
+    var phi_3037_: bool;
+    var phi_3038_: bool;
+    var phi_3042_: bool;
+    var phi_3046_: lt_bvh_triangle_Intersection;
+    var phi_3084_: bool;
+    var phi_3085_: bool;
+    var phi_3086_: bool;
+    var phi_3087_: bool;
+    var phi_3088_: bool;
+    var phi_3089_: bool;
+    var phi_3093_: bool;
+    var phi_3094_: bool;
+    var phi_3297_: f32;
+    var phi_3300_: bool;
+    var phi_3301_: bool;
     var phi_3305_: bool;
-    var phi_3344_: bool;
-    var phi_3345_: bool;
-    var phi_3376_: u32;
-    var phi_2131_: lt_bvh_Hit;
-    var phi_2134_: u32;
-    var phi_3377_: lt_bvh_Hit;
-    var phi_3378_: lt_bvh_Hit;
-    var phi_3379_: bool;
-    var phi_3383_: lt_bvh_Hit;
-    var phi_3384_: lt_bvh_Hit;
-    var phi_3385_: lt_bvh_Hit;
-    var phi_3386_: lt_bvh_Hit;
-    var phi_1505_: u32;
-    var phi_1508_: lt_bvh_Hit;
-    var phi_3387_: bool;
-    var phi_3426_: bool;
-    var phi_3427_: bool;
-    var phi_3458_: u32;
-    var phi_1168_: u32;
-    var phi_1171_: lt_bvh_Hit;
-    var phi_3459_: lt_bvh_Hit;
-    var phi_3460_: lt_bvh_Hit;
-    var phi_3461_: bool;
-    var phi_3465_: lt_bvh_Hit;
-    var phi_3652_: f32;
-    var phi_3657_: f32;
-    var phi_3662_: f32;
-    var phi_3670_: f32;
-    var phi_3675_: f32;
-    var phi_3680_: f32;
-    var phi_3744_: vec3<f32>;
-    var phi_3987_: vec3<f32>;
-    var phi_4002_: u32;
-    var phi_4029_: f32;
-    var phi_4036_: f32;
-    var phi_4043_: f32;
-    var phi_4078_: f32;
-    var phi_4085_: f32;
-    var phi_4092_: f32;
-    var phi_4130_: f32;
-    var phi_4137_: f32;
-    var phi_4144_: f32;
-    var phi_4230_: vec3<f32>;
-    var phi_4231_: vec3<f32>;
-    var phi_4232_: vec3<f32>;
-    var phi_4241_: f32;
-    var phi_4242_: f32;
-    var phi_4252_: f32;
+    var phi_3313_: lt_bvh_Hit;
+    var phi_3314_: lt_bvh_Hit;
+    var phi_3315_: lt_bvh_Hit;
+    var phi_3316_: lt_bvh_Hit;
+    var phi_2476_: lt_bvh_Hit;
+    var phi_2479_: u32;
+    var phi_3317_: bool;
+    var phi_3356_: bool;
+    var phi_3357_: bool;
+    var phi_3388_: u32;
+    var phi_2143_: lt_bvh_Hit;
+    var phi_2146_: u32;
+    var phi_3389_: lt_bvh_Hit;
+    var phi_3390_: lt_bvh_Hit;
+    var phi_3391_: bool;
+    var phi_3395_: lt_bvh_Hit;
+    var phi_3396_: lt_bvh_Hit;
+    var phi_3397_: lt_bvh_Hit;
+    var phi_3398_: lt_bvh_Hit;
+    var phi_1510_: u32;
+    var phi_1513_: lt_bvh_Hit;
+    var phi_3399_: bool;
+    var phi_3438_: bool;
+    var phi_3439_: bool;
+    var phi_3470_: u32;
+    var phi_1173_: u32;
+    var phi_1176_: lt_bvh_Hit;
+    var phi_3471_: lt_bvh_Hit;
+    var phi_3472_: lt_bvh_Hit;
+    var phi_3473_: bool;
+    var phi_3477_: lt_bvh_Hit;
+    var phi_3664_: f32;
+    var phi_3669_: f32;
+    var phi_3674_: f32;
+    var phi_3682_: f32;
+    var phi_3687_: f32;
+    var phi_3692_: f32;
+    var phi_3756_: vec3<f32>;
+    var phi_3999_: vec3<f32>;
+    var phi_4014_: u32;
+    var phi_4041_: f32;
+    var phi_4048_: f32;
+    var phi_4055_: f32;
+    var phi_4090_: f32;
+    var phi_4097_: f32;
+    var phi_4104_: f32;
+    var phi_4142_: f32;
+    var phi_4149_: f32;
+    var phi_4156_: f32;
+    var phi_4242_: vec3<f32>;
+    var phi_4243_: vec3<f32>;
+    var phi_4244_: vec3<f32>;
     var phi_4253_: f32;
-    var phi_4263_: f32;
+    var phi_4254_: f32;
     var phi_4264_: f32;
-    var phi_4299_: abi_Sample;
+    var phi_4265_: f32;
+    var phi_4275_: f32;
+    var phi_4276_: f32;
+    var phi_4311_: abi_Sample;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -931,7 +927,7 @@ fn function_() {
     let _e102 = p.member.size[0u];
     let _e104 = p.member.size[1u];
     let _e105 = lt_shaders_entry_pixel_index(_e74, _e102, _e104);
-    if (bitcast<i32>(_e105.root) != 0i) {
+    if (bitcast<i32>(_e105.word) != 0i) {
         let _e111 = p.member.root;
         let _e115 = p.member.eye;
         let _e120 = p.member.size[0u];
@@ -943,2215 +939,2217 @@ fn function_() {
         let _e151 = p.member.up;
         let _e162 = _lt_bvh_ray_Ray_new(_e115, vec3<f32>(((_e135.x + (_e137.x * _e124)) + (_e151.x * _e133)), ((_e135.y + (_e137.y * _e124)) + (_e151.y * _e133)), ((_e135.z + (_e137.z * _e124)) + (_e151.z * _e133))));
         let _e164 = lt_bvh_Hit(_e162.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e174 = abs(_e162.direction.x);
-        let _e176 = abs(_e162.direction.y);
-        let _e178 = abs(_e162.direction.z);
+        let _e167 = abs(_e162.direction.x);
+        let _e169 = abs(_e162.direction.y);
+        let _e171 = abs(_e162.direction.z);
         if (abs(_e162.origin.x) < 1000000000000000f) {
             if (abs(_e162.origin.y) < 1000000000000000f) {
-                if (abs(_e162.origin.z) < 1000000000000000f) {
-                    if (_e174 < 1000000000000000f) {
-                        if (_e176 < 1000000000000000f) {
-                            if (_e178 < 1000000000000000f) {
-                                if (_e174 > 0f) {
-                                    phi_810_ = bool();
-                                    phi_811_ = true;
-                                } else {
-                                    let _e186 = (_e176 > 0f);
-                                    if _e186 {
-                                        phi_809_ = bool();
-                                    } else {
-                                        phi_809_ = (_e178 > 0f);
-                                    }
-                                    let _e189 = phi_809_;
-                                    phi_810_ = _e189;
-                                    phi_811_ = _e186;
-                                }
-                                let _e191 = phi_810_;
-                                let _e193 = phi_811_;
-                                if _e193 {
-                                    phi_815_ = true;
-                                } else {
-                                    phi_815_ = _e191;
-                                }
-                                let _e195 = phi_815_;
-                                phi_816_ = _e195;
-                                phi_817_ = false;
-                            } else {
-                                phi_816_ = bool();
-                                phi_817_ = true;
-                            }
-                            let _e197 = phi_816_;
-                            let _e199 = phi_817_;
-                            phi_818_ = _e197;
-                            phi_819_ = false;
-                            phi_820_ = _e199;
-                        } else {
-                            phi_818_ = bool();
-                            phi_819_ = true;
-                            phi_820_ = false;
-                        }
-                        let _e201 = phi_818_;
-                        let _e203 = phi_819_;
-                        let _e205 = phi_820_;
-                        phi_821_ = _e201;
-                        phi_822_ = _e203;
-                        phi_823_ = _e205;
-                    } else {
-                        phi_821_ = bool();
-                        phi_822_ = true;
-                        phi_823_ = false;
-                    }
-                    let _e207 = phi_821_;
-                    let _e209 = phi_822_;
-                    let _e211 = phi_823_;
-                    phi_824_ = _e207;
-                    phi_825_ = _e209;
-                    phi_826_ = _e211;
-                } else {
-                    phi_824_ = bool();
-                    phi_825_ = true;
-                    phi_826_ = false;
-                }
-                let _e213 = phi_824_;
-                let _e215 = phi_825_;
-                let _e217 = phi_826_;
-                phi_827_ = _e213;
-                phi_828_ = _e215;
-                phi_829_ = _e217;
+                phi_785_ = (abs(_e162.origin.z) < 1000000000000000f);
+                phi_786_ = false;
             } else {
-                phi_827_ = bool();
-                phi_828_ = true;
-                phi_829_ = false;
+                phi_785_ = bool();
+                phi_786_ = true;
             }
-            let _e219 = phi_827_;
-            let _e221 = phi_828_;
-            let _e223 = phi_829_;
-            phi_830_ = _e219;
-            phi_831_ = _e221;
-            phi_832_ = _e223;
+            let _e183 = phi_785_;
+            let _e185 = phi_786_;
+            phi_787_ = _e183;
+            phi_788_ = _e185;
         } else {
-            phi_830_ = bool();
-            phi_831_ = true;
-            phi_832_ = false;
+            phi_787_ = bool();
+            phi_788_ = true;
         }
-        let _e225 = phi_830_;
-        let _e227 = phi_831_;
-        let _e229 = phi_832_;
-        if _e227 {
-            phi_836_ = true;
+        let _e187 = phi_787_;
+        let _e189 = phi_788_;
+        if _e189 {
+            phi_792_ = false;
         } else {
-            phi_836_ = _e229;
+            phi_792_ = _e187;
         }
-        let _e231 = phi_836_;
-        if _e231 {
-            phi_840_ = false;
+        let _e191 = phi_792_;
+        if _e191 {
+            if (_e167 < 1000000000000000f) {
+                if (_e169 < 1000000000000000f) {
+                    phi_805_ = (_e171 < 1000000000000000f);
+                    phi_806_ = false;
+                } else {
+                    phi_805_ = bool();
+                    phi_806_ = true;
+                }
+                let _e196 = phi_805_;
+                let _e198 = phi_806_;
+                phi_807_ = _e196;
+                phi_808_ = _e198;
+            } else {
+                phi_807_ = bool();
+                phi_808_ = true;
+            }
+            let _e200 = phi_807_;
+            let _e202 = phi_808_;
+            if _e202 {
+                phi_812_ = false;
+            } else {
+                phi_812_ = _e200;
+            }
+            let _e204 = phi_812_;
+            if _e204 {
+                if (_e167 > 0f) {
+                    phi_826_ = bool();
+                    phi_827_ = true;
+                } else {
+                    let _e206 = (_e169 > 0f);
+                    if _e206 {
+                        phi_825_ = bool();
+                    } else {
+                        phi_825_ = (_e171 > 0f);
+                    }
+                    let _e209 = phi_825_;
+                    phi_826_ = _e209;
+                    phi_827_ = _e206;
+                }
+                let _e211 = phi_826_;
+                let _e213 = phi_827_;
+                if _e213 {
+                    phi_831_ = true;
+                } else {
+                    phi_831_ = _e211;
+                }
+                let _e215 = phi_831_;
+                phi_832_ = _e215;
+                phi_833_ = false;
+            } else {
+                phi_832_ = bool();
+                phi_833_ = true;
+            }
+            let _e217 = phi_832_;
+            let _e219 = phi_833_;
+            phi_834_ = _e217;
+            phi_835_ = _e219;
         } else {
-            phi_840_ = _e225;
+            phi_834_ = bool();
+            phi_835_ = true;
         }
-        let _e233 = phi_840_;
-        if _e233 {
-            let _e234 = (_e111 >= _e78);
-            if _e234 {
-                phi_3459_ = lt_bvh_Hit();
+        let _e221 = phi_834_;
+        let _e223 = phi_835_;
+        if _e223 {
+            phi_839_ = false;
+        } else {
+            phi_839_ = _e221;
+        }
+        let _e225 = phi_839_;
+        if _e225 {
+            let _e226 = (_e111 >= _e78);
+            if _e226 {
+                phi_3471_ = lt_bvh_Hit();
             } else {
                 if (_e111 < _e78) {
                 } else {
                     return;
                 }
-                let _e240 = nodes.member[(0u + _e111)].frame[0u];
-                let _e244 = nodes.member[(0u + _e111)].frame[1u];
-                let _e248 = nodes.member[(0u + _e111)].frame[2u];
-                let _e252 = nodes.member[(0u + _e111)].frame[0u];
-                let _e256 = nodes.member[(0u + _e111)].frame[1u];
-                let _e260 = nodes.member[(0u + _e111)].frame[2u];
-                let _e264 = nodes.member[(0u + _e111)].frame[3u];
-                let _e302 = core_intrinsics_maximum_number_nsz_f32_(abs(_e162.direction.x), abs(_e162.direction.y));
-                let _e303 = core_intrinsics_maximum_number_nsz_f32_(_e302, abs(_e162.direction.z));
-                let _e304 = (_e303 * 0.0000000000009094947f);
-                if (abs(_e162.direction.x) < _e304) {
-                    phi_915_ = _e304;
+                let _e232 = nodes.member[(0u + _e111)].frame[0u];
+                let _e236 = nodes.member[(0u + _e111)].frame[1u];
+                let _e240 = nodes.member[(0u + _e111)].frame[2u];
+                let _e244 = nodes.member[(0u + _e111)].frame[0u];
+                let _e248 = nodes.member[(0u + _e111)].frame[1u];
+                let _e252 = nodes.member[(0u + _e111)].frame[2u];
+                let _e256 = nodes.member[(0u + _e111)].frame[3u];
+                let _e295 = core_intrinsics_maximum_number_nsz_f32_(abs(_e162.direction.x), abs(_e162.direction.y));
+                let _e296 = core_intrinsics_maximum_number_nsz_f32_(_e295, abs(_e162.direction.z));
+                let _e297 = (_e296 * 0.0000000000009094947f);
+                if (abs(_e162.direction.x) < _e297) {
+                    phi_915_ = _e297;
                 } else {
                     phi_915_ = abs(_e162.direction.x);
                 }
-                let _e311 = phi_915_;
+                let _e303 = phi_915_;
                 if (_e162.direction.x < 0f) {
-                    phi_922_ = (-1f / _e311);
+                    phi_922_ = (-1f / _e303);
                 } else {
-                    phi_922_ = (1f / _e311);
+                    phi_922_ = (1f / _e303);
                 }
-                let _e316 = phi_922_;
-                if (abs(_e162.direction.y) < _e304) {
-                    phi_930_ = _e304;
+                let _e308 = phi_922_;
+                if (abs(_e162.direction.y) < _e297) {
+                    phi_930_ = _e297;
                 } else {
                     phi_930_ = abs(_e162.direction.y);
                 }
-                let _e323 = phi_930_;
+                let _e314 = phi_930_;
                 if (_e162.direction.y < 0f) {
-                    phi_937_ = (-1f / _e323);
+                    phi_937_ = (-1f / _e314);
                 } else {
-                    phi_937_ = (1f / _e323);
+                    phi_937_ = (1f / _e314);
                 }
-                let _e328 = phi_937_;
-                if (abs(_e162.direction.z) < _e304) {
-                    phi_945_ = _e304;
+                let _e319 = phi_937_;
+                if (abs(_e162.direction.z) < _e297) {
+                    phi_945_ = _e297;
                 } else {
                     phi_945_ = abs(_e162.direction.z);
                 }
-                let _e335 = phi_945_;
+                let _e325 = phi_945_;
                 if (_e162.direction.z < 0f) {
-                    phi_952_ = (-1f / _e335);
+                    phi_952_ = (-1f / _e325);
                 } else {
-                    phi_952_ = (1f / _e335);
+                    phi_952_ = (1f / _e325);
                 }
-                let _e340 = phi_952_;
-                let _e348 = abs((bitcast<f32>(_e240) - _e162.origin.x));
-                let _e349 = abs((bitcast<f32>(_e244) - _e162.origin.y));
-                let _e350 = abs((bitcast<f32>(_e248) - _e162.origin.z));
-                let _e358 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e264 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.x));
-                let _e359 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e264 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.y));
-                let _e360 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e264 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.z));
-                if (_e348 > _e358) {
-                    phi_977_ = _e348;
+                let _e330 = phi_952_;
+                let _e337 = abs((bitcast<f32>(_e232) - _e162.origin.x));
+                let _e338 = abs((bitcast<f32>(_e236) - _e162.origin.y));
+                let _e339 = abs((bitcast<f32>(_e240) - _e162.origin.z));
+                let _e346 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e256 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.x));
+                let _e347 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e256 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.y));
+                let _e348 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e256 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.z));
+                if (_e337 > _e346) {
+                    phi_975_ = _e337;
                 } else {
-                    phi_977_ = _e358;
+                    phi_975_ = _e346;
                 }
-                let _e363 = phi_977_;
-                if (_e349 > _e359) {
-                    phi_982_ = _e349;
+                let _e351 = phi_975_;
+                if (_e338 > _e347) {
+                    phi_980_ = _e338;
                 } else {
-                    phi_982_ = _e359;
+                    phi_980_ = _e347;
                 }
-                let _e366 = phi_982_;
-                if (_e350 > _e360) {
-                    phi_987_ = _e350;
+                let _e354 = phi_980_;
+                if (_e339 > _e348) {
+                    phi_985_ = _e339;
                 } else {
-                    phi_987_ = _e360;
+                    phi_985_ = _e348;
                 }
-                let _e369 = phi_987_;
-                let _e370 = core_intrinsics_maximum_number_nsz_f32_(_e363, _e366);
-                let _e371 = core_intrinsics_maximum_number_nsz_f32_(_e370, _e369);
-                let _e376 = (_e371 * 0.0000019073486f);
-                let _e377 = (abs(_e316) * _e376);
-                let _e378 = (abs(_e328) * _e376);
-                let _e379 = (abs(_e340) * _e376);
-                let _e383 = (_e371 * 0.0000009536743f);
-                let _e384 = (abs(_e316) * _e383);
-                let _e385 = (abs(_e328) * _e383);
-                let _e386 = (abs(_e340) * _e383);
-                if (_e316 < 0f) {
-                    phi_1009_ = 0u;
+                let _e357 = phi_985_;
+                if (_e351 > _e354) {
+                    phi_990_ = _e351;
                 } else {
-                    phi_1009_ = 1u;
+                    phi_990_ = _e354;
                 }
-                let _e389 = phi_1009_;
-                if (_e328 < 0f) {
+                let _e360 = phi_990_;
+                if (_e360 > _e357) {
+                    phi_995_ = _e360;
+                } else {
+                    phi_995_ = _e357;
+                }
+                let _e363 = phi_995_;
+                let _e367 = (_e363 * 0.0000019073486f);
+                let _e368 = (abs(_e308) * _e367);
+                let _e369 = (abs(_e319) * _e367);
+                let _e370 = (abs(_e330) * _e367);
+                let _e374 = (_e363 * 0.0000009536743f);
+                let _e375 = (abs(_e308) * _e374);
+                let _e376 = (abs(_e319) * _e374);
+                let _e377 = (abs(_e330) * _e374);
+                if (_e308 < 0f) {
                     phi_1014_ = 0u;
                 } else {
-                    phi_1014_ = 2u;
+                    phi_1014_ = 1u;
                 }
-                let _e392 = phi_1014_;
-                if (_e340 < 0f) {
+                let _e380 = phi_1014_;
+                if (_e319 < 0f) {
                     phi_1019_ = 0u;
                 } else {
-                    phi_1019_ = 4u;
+                    phi_1019_ = 2u;
                 }
-                let _e395 = phi_1019_;
-                let _e397 = ((_e389 | _e392) | _e395);
-                let _e398 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e111, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e398.first[0], _e398.first[1], _e398.first[2], _e398.first[3], _e398.first[4], _e398.first[5], _e398.first[6], _e398.first[7], _e398.first[8], _e398.first[9], _e398.first[10], _e398.first[11], _e398.first[12], _e398.first[13], _e398.first[14], _e398.first[15], _e398.first[16], _e398.first[17], _e398.first[18], _e398.first[19], _e398.first[20], _e398.first[21], _e398.first[22], _e398.first[23], _e398.first[24], _e398.first[25], _e398.first[26], _e398.first[27], _e398.first[28], _e398.first[29], _e398.first[30], _e398.first[31]), array<u32, 32>(_e398.mask[0], _e398.mask[1], _e398.mask[2], _e398.mask[3], _e398.mask[4], _e398.mask[5], _e398.mask[6], _e398.mask[7], _e398.mask[8], _e398.mask[9], _e398.mask[10], _e398.mask[11], _e398.mask[12], _e398.mask[13], _e398.mask[14], _e398.mask[15], _e398.mask[16], _e398.mask[17], _e398.mask[18], _e398.mask[19], _e398.mask[20], _e398.mask[21], _e398.mask[22], _e398.mask[23], _e398.mask[24], _e398.mask[25], _e398.mask[26], _e398.mask[27], _e398.mask[28], _e398.mask[29], _e398.mask[30], _e398.mask[31]), _e398.len, _e398.group, _e398.group_mask);
-                let _e472 = local_3.group_mask;
-                if ((_e472 & 4278190080u) == 0u) {
-                    let _e476 = local_3.len;
-                    if (_e476 == 0u) {
-                        phi_1133_ = false;
+                let _e383 = phi_1019_;
+                if (_e330 < 0f) {
+                    phi_1024_ = 0u;
+                } else {
+                    phi_1024_ = 4u;
+                }
+                let _e386 = phi_1024_;
+                let _e388 = ((_e380 | _e383) | _e386);
+                let _e389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e111, 2147483648u);
+                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e389.first[0], _e389.first[1], _e389.first[2], _e389.first[3], _e389.first[4], _e389.first[5], _e389.first[6], _e389.first[7], _e389.first[8], _e389.first[9], _e389.first[10], _e389.first[11], _e389.first[12], _e389.first[13], _e389.first[14], _e389.first[15], _e389.first[16], _e389.first[17], _e389.first[18], _e389.first[19], _e389.first[20], _e389.first[21], _e389.first[22], _e389.first[23], _e389.first[24], _e389.first[25], _e389.first[26], _e389.first[27], _e389.first[28], _e389.first[29], _e389.first[30], _e389.first[31]), array<u32, 32>(_e389.mask[0], _e389.mask[1], _e389.mask[2], _e389.mask[3], _e389.mask[4], _e389.mask[5], _e389.mask[6], _e389.mask[7], _e389.mask[8], _e389.mask[9], _e389.mask[10], _e389.mask[11], _e389.mask[12], _e389.mask[13], _e389.mask[14], _e389.mask[15], _e389.mask[16], _e389.mask[17], _e389.mask[18], _e389.mask[19], _e389.mask[20], _e389.mask[21], _e389.mask[22], _e389.mask[23], _e389.mask[24], _e389.mask[25], _e389.mask[26], _e389.mask[27], _e389.mask[28], _e389.mask[29], _e389.mask[30], _e389.mask[31]), _e389.len, _e389.group, _e389.group_mask);
+                let _e463 = local_3.group_mask;
+                if ((_e463 & 4278190080u) == 0u) {
+                    let _e467 = local_3.len;
+                    if (_e467 == 0u) {
+                        phi_1138_ = false;
                     } else {
-                        let _e480 = local_3.len;
-                        local_3.len = (_e480 - 1u);
-                        let _e483 = local_3.len;
-                        if (_e483 < 32u) {
+                        let _e471 = local_3.len;
+                        local_3.len = (_e471 - 1u);
+                        let _e474 = local_3.len;
+                        if (_e474 < 32u) {
                         } else {
                             return;
                         }
-                        let _e488 = local_3.first[(0u + _e483)];
-                        local_3.group = _e488;
-                        let _e491 = local_3.len;
-                        if (_e491 < 32u) {
+                        let _e479 = local_3.first[(0u + _e474)];
+                        local_3.group = _e479;
+                        let _e482 = local_3.len;
+                        if (_e482 < 32u) {
                         } else {
                             return;
                         }
-                        let _e496 = local_3.mask[(0u + _e491)];
-                        local_3.group_mask = _e496;
-                        phi_1133_ = true;
+                        let _e487 = local_3.mask[(0u + _e482)];
+                        local_3.group_mask = _e487;
+                        phi_1138_ = true;
                     }
-                    let _e499 = phi_1133_;
-                    phi_1134_ = _e499;
+                    let _e490 = phi_1138_;
+                    phi_1139_ = _e490;
                 } else {
-                    phi_1134_ = true;
+                    phi_1139_ = true;
                 }
-                let _e501 = phi_1134_;
-                if _e501 {
-                    let _e503 = local_3.group_mask;
-                    let _e509 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e503)), 32u, (_e503 == 0u)));
-                    let _e513 = local_3.group_mask;
-                    let _e527 = local_3.group_mask;
-                    local_3.group_mask = (_e527 & ~((1u << bitcast<u32>((_e509 & 31u)))));
-                    let _e530 = local_3.group;
-                    phi_1165_ = (_e530 + countOneBits(((_e513 & ~((4294967295u << bitcast<u32>((((_e509 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e492 = phi_1139_;
+                if _e492 {
+                    let _e494 = local_3.group_mask;
+                    let _e500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e494)), 32u, (_e494 == 0u)));
+                    let _e504 = local_3.group_mask;
+                    let _e518 = local_3.group_mask;
+                    local_3.group_mask = (_e518 & ~((1u << bitcast<u32>((_e500 & 31u)))));
+                    let _e521 = local_3.group;
+                    phi_1170_ = (_e521 + countOneBits(((_e504 & ~((4294967295u << bitcast<u32>((((_e500 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1165_ = 4294967295u;
+                    phi_1170_ = 4294967295u;
                 }
-                let _e533 = phi_1165_;
-                phi_1167_ = _e533;
-                phi_1170_ = _e164;
+                let _e524 = phi_1170_;
+                phi_1172_ = _e524;
+                phi_1175_ = _e164;
                 loop {
-                    let _e535 = phi_1167_;
-                    let _e537 = phi_1170_;
-                    local_13 = _e537;
-                    let _e538 = (_e535 != 4294967295u);
-                    if _e538 {
-                        if (_e535 < _e78) {
+                    let _e526 = phi_1172_;
+                    let _e528 = phi_1175_;
+                    local_13 = _e528;
+                    let _e529 = (_e526 != 4294967295u);
+                    if _e529 {
+                        if (_e526 < _e78) {
                         } else {
                             return;
                         }
-                        let _e546 = nodes.member[(0u + _e535)].frame[3u];
-                        let _e571 = (bitcast<f32>((((_e546 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
-                        let _e572 = (bitcast<f32>((((_e546 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
-                        let _e573 = (bitcast<f32>((((_e546 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e340);
-                        let _e576 = nodes.member[(0u + _e535)].frame[0u];
-                        let _e580 = nodes.member[(0u + _e535)].frame[1u];
-                        let _e584 = nodes.member[(0u + _e535)].frame[2u];
-                        let _e592 = ((bitcast<f32>(_e576) - _e162.origin.x) * _e316);
-                        let _e593 = ((bitcast<f32>(_e580) - _e162.origin.y) * _e328);
-                        let _e594 = ((bitcast<f32>(_e584) - _e162.origin.z) * _e340);
-                        let _e602 = nodes.member[(0u + _e535)].x;
-                        if (_e316 < 0f) {
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
+                        let _e537 = nodes.member[(0u + _e526)].frame[3u];
+                        let _e562 = (bitcast<f32>((((_e537 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
+                        let _e563 = (bitcast<f32>((((_e537 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
+                        let _e564 = (bitcast<f32>((((_e537 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e330);
+                        let _e567 = nodes.member[(0u + _e526)].frame[0u];
+                        let _e571 = nodes.member[(0u + _e526)].frame[1u];
+                        let _e575 = nodes.member[(0u + _e526)].frame[2u];
+                        let _e583 = ((bitcast<f32>(_e567) - _e162.origin.x) * _e308);
+                        let _e584 = ((bitcast<f32>(_e571) - _e162.origin.y) * _e319);
+                        let _e585 = ((bitcast<f32>(_e575) - _e162.origin.z) * _e330);
+                        let _e593 = nodes.member[(0u + _e526)].x;
+                        if (_e308 < 0f) {
+                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.unnamed.word, _e593.w), _e604.unnamed_1);
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_mask_LightPlace(_e593.x, _e610.unnamed_1.shift));
+                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_mask_LightPlace(_e616.unnamed_1.word, _e593.y));
                         } else {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
+                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.unnamed.word, _e593.y), _e632.unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_mask_LightPlace(_e593.z, _e638.unnamed_1.shift));
+                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e644.unnamed_1.word, _e593.w));
                         }
-                        let _e661 = phi_1255_;
-                        let _e671 = nodes.member[(0u + _e535)].y;
-                        if (_e328 < 0f) {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
+                        let _e652 = phi_1260_;
+                        let _e662 = nodes.member[(0u + _e526)].y;
+                        if (_e319 < 0f) {
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.unnamed.word, _e662.w), _e673.unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e662.x, _e679.unnamed_1.shift));
+                            phi_1287_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e685.unnamed_1.word, _e662.y));
                         } else {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
+                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.unnamed.word, _e662.y), _e701.unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_mask_LightPlace(_e662.z, _e707.unnamed_1.shift));
+                            phi_1287_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e713.unnamed_1.word, _e662.w));
                         }
-                        let _e730 = phi_1282_;
-                        let _e740 = nodes.member[(0u + _e535)].z;
-                        if (_e340 < 0f) {
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e751.unnamed.root, _e740.w), _e751.unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e740.x, _e757.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e763.unnamed_1.root, _e740.y));
+                        let _e721 = phi_1287_;
+                        let _e731 = nodes.member[(0u + _e526)].z;
+                        if (_e330 < 0f) {
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e742.unnamed.word, _e731.w), _e742.unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e731.x, _e748.unnamed_1.shift));
+                            phi_1314_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e754.unnamed_1.word, _e731.y));
                         } else {
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.unnamed.root, _e740.y), _e779.unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_bvh_traverse_Tree(_e740.z, _e785.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_bvh_traverse_Tree(_e791.unnamed_1.root, _e740.w));
+                            let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.unnamed.word, _e731.y), _e770.unnamed_1);
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_mask_LightPlace(_e731.z, _e776.unnamed_1.shift));
+                            phi_1314_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_mask_LightPlace(_e782.unnamed_1.word, _e731.w));
                         }
-                        let _e799 = phi_1309_;
-                        phi_1315_ = 0u;
-                        phi_1318_ = 0u;
+                        let _e790 = phi_1314_;
+                        phi_1320_ = 0u;
+                        phi_1323_ = 0u;
                         loop {
-                            let _e809 = phi_1315_;
-                            let _e811 = phi_1318_;
-                            local_4 = _e811;
-                            local_5 = _e811;
-                            local_6 = _e811;
-                            let _e812 = (_e809 < 8u);
-                            if _e812 {
-                                let _e814 = (_e809 >> bitcast<u32>(2i));
-                                let _e815 = (_e809 & 3u);
-                                if (_e814 == 0u) {
-                                    phi_1332_ = _e661.unnamed.root;
+                            let _e800 = phi_1320_;
+                            let _e802 = phi_1323_;
+                            local_4 = _e802;
+                            local_5 = _e802;
+                            local_6 = _e802;
+                            let _e803 = (_e800 < 8u);
+                            if _e803 {
+                                let _e805 = (_e800 >> bitcast<u32>(2i));
+                                let _e806 = (_e800 & 3u);
+                                if (_e805 == 0u) {
+                                    phi_1337_ = _e652.unnamed.word;
                                 } else {
-                                    phi_1332_ = _e661.unnamed.first_primitive;
+                                    phi_1337_ = _e652.unnamed.shift;
                                 }
-                                let _e818 = phi_1332_;
-                                if (_e814 == 0u) {
-                                    phi_1342_ = _e730.unnamed.root;
+                                let _e809 = phi_1337_;
+                                if (_e805 == 0u) {
+                                    phi_1347_ = _e721.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e730.unnamed.first_primitive;
+                                    phi_1347_ = _e721.unnamed.shift;
                                 }
-                                let _e827 = phi_1342_;
-                                if (_e814 == 0u) {
-                                    phi_1352_ = _e799.unnamed.root;
+                                let _e818 = phi_1347_;
+                                if (_e805 == 0u) {
+                                    phi_1357_ = _e790.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e799.unnamed.first_primitive;
+                                    phi_1357_ = _e790.unnamed.shift;
                                 }
-                                let _e836 = phi_1352_;
-                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
-                                let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
-                                if (_e814 == 0u) {
-                                    phi_1370_ = _e661.unnamed_1.root;
+                                let _e827 = phi_1357_;
+                                let _e840 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 - _e368)), ((f32(((_e818 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)));
+                                let _e841 = core_intrinsics_maximum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
+                                if (_e805 == 0u) {
+                                    phi_1375_ = _e652.unnamed_1.word;
                                 } else {
-                                    phi_1370_ = _e661.unnamed_1.first_primitive;
+                                    phi_1375_ = _e652.unnamed_1.shift;
                                 }
-                                let _e853 = phi_1370_;
-                                if (_e814 == 0u) {
-                                    phi_1380_ = _e730.unnamed_1.root;
+                                let _e844 = phi_1375_;
+                                if (_e805 == 0u) {
+                                    phi_1385_ = _e721.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e730.unnamed_1.first_primitive;
+                                    phi_1385_ = _e721.unnamed_1.shift;
                                 }
-                                let _e862 = phi_1380_;
-                                if (_e814 == 0u) {
-                                    phi_1390_ = _e799.unnamed_1.root;
+                                let _e853 = phi_1385_;
+                                if (_e805 == 0u) {
+                                    phi_1395_ = _e790.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e799.unnamed_1.first_primitive;
+                                    phi_1395_ = _e790.unnamed_1.shift;
                                 }
-                                let _e871 = phi_1390_;
-                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
-                                let _e885 = core_intrinsics_minimum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 + _e379)));
-                                if (_e850 <= _e885) {
-                                    if (_e850 <= _e537.t) {
-                                        if (_e885 >= _e162.tmin) {
-                                            if (_e814 == 0u) {
-                                                let _e892 = nodes.member[(0u + _e535)].links[2u];
-                                                phi_1426_ = _e892;
+                                let _e862 = phi_1395_;
+                                let _e875 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e562) + (_e583 + _e368)), ((f32(((_e853 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)));
+                                let _e876 = core_intrinsics_minimum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
+                                if (_e841 <= _e876) {
+                                    if (_e841 <= _e528.t) {
+                                        if (_e876 >= _e162.tmin) {
+                                            if (_e805 == 0u) {
+                                                let _e883 = nodes.member[(0u + _e526)].links[2u];
+                                                phi_1431_ = _e883;
                                             } else {
-                                                let _e895 = nodes.member[(0u + _e535)].links[3u];
-                                                phi_1426_ = _e895;
+                                                let _e886 = nodes.member[(0u + _e526)].links[3u];
+                                                phi_1431_ = _e886;
                                             }
-                                            let _e897 = phi_1426_;
-                                            let _e902 = ((_e897 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u);
-                                            let _e903 = (_e902 & 31u);
-                                            if (_e903 >= 24u) {
-                                                phi_1439_ = (24u + ((_e903 - 24u) ^ _e397));
+                                            let _e888 = phi_1431_;
+                                            let _e893 = ((_e888 >> bitcast<u32>(((_e806 * 8u) & 31u))) & 255u);
+                                            let _e894 = (_e893 & 31u);
+                                            if (_e894 >= 24u) {
+                                                phi_1444_ = (24u + ((_e894 - 24u) ^ _e388));
                                             } else {
-                                                phi_1439_ = _e903;
+                                                phi_1444_ = _e894;
                                             }
-                                            let _e909 = phi_1439_;
-                                            phi_1444_ = (_e811 | ((_e902 >> bitcast<u32>(5i)) << bitcast<u32>((_e909 & 31u))));
+                                            let _e900 = phi_1444_;
+                                            phi_1449_ = (_e802 | ((_e893 >> bitcast<u32>(5i)) << bitcast<u32>((_e900 & 31u))));
                                         } else {
-                                            phi_1444_ = _e811;
+                                            phi_1449_ = _e802;
                                         }
-                                        let _e917 = phi_1444_;
-                                        phi_1445_ = _e917;
+                                        let _e908 = phi_1449_;
+                                        phi_1450_ = _e908;
                                     } else {
-                                        phi_1445_ = _e811;
+                                        phi_1450_ = _e802;
                                     }
-                                    let _e919 = phi_1445_;
-                                    phi_1446_ = _e919;
+                                    let _e910 = phi_1450_;
+                                    phi_1451_ = _e910;
                                 } else {
-                                    phi_1446_ = _e811;
+                                    phi_1451_ = _e802;
                                 }
-                                let _e921 = phi_1446_;
-                                phi_1316_ = (_e809 + 1u);
-                                phi_1319_ = _e921;
+                                let _e912 = phi_1451_;
+                                phi_1321_ = (_e800 + 1u);
+                                phi_1324_ = _e912;
                             } else {
-                                phi_1316_ = u32();
-                                phi_1319_ = u32();
+                                phi_1321_ = u32();
+                                phi_1324_ = u32();
                             }
-                            let _e924 = phi_1316_;
-                            let _e926 = phi_1319_;
+                            let _e915 = phi_1321_;
+                            let _e917 = phi_1324_;
                             continue;
                             continuing {
-                                phi_1315_ = _e924;
-                                phi_1318_ = _e926;
-                                break if !(_e812);
+                                phi_1320_ = _e915;
+                                phi_1323_ = _e917;
+                                break if !(_e803);
                             }
                         }
-                        let _e930 = nodes.member[(0u + _e535)].links[0u];
-                        let _e934 = nodes.member[(0u + _e535)].frame[3u];
-                        let _e938 = local_4;
-                        if ((_e938 & 4278190080u) == 0u) {
+                        let _e921 = nodes.member[(0u + _e526)].links[0u];
+                        let _e925 = nodes.member[(0u + _e526)].frame[3u];
+                        let _e929 = local_4;
+                        if ((_e929 & 4278190080u) == 0u) {
                         } else {
-                            let _e942 = local_3.group_mask;
-                            if ((_e942 & 4278190080u) == 0u) {
+                            let _e933 = local_3.group_mask;
+                            if ((_e933 & 4278190080u) == 0u) {
                             } else {
-                                let _e946 = local_3.len;
-                                if (_e946 < 32u) {
-                                    let _e949 = local_3.group;
-                                    let _e951 = local_3.len;
-                                    if (_e951 < 32u) {
+                                let _e937 = local_3.len;
+                                if (_e937 < 32u) {
+                                    let _e940 = local_3.group;
+                                    let _e942 = local_3.len;
+                                    if (_e942 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e951)] = _e949;
-                                    let _e957 = local_3.group_mask;
-                                    let _e959 = local_3.len;
-                                    if (_e959 < 32u) {
+                                    local_3.first[(0u + _e942)] = _e940;
+                                    let _e948 = local_3.group_mask;
+                                    let _e950 = local_3.len;
+                                    if (_e950 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e959)] = _e957;
-                                    let _e966 = local_3.len;
-                                    local_3.len = (_e966 + 1u);
+                                    local_3.mask[(0u + _e950)] = _e948;
+                                    let _e957 = local_3.len;
+                                    local_3.len = (_e957 + 1u);
                                 }
                             }
-                            local_3.group = (_e111 + _e930);
-                            let _e970 = local_5;
-                            local_3.group_mask = ((_e970 & 4278190080u) | (_e934 >> bitcast<u32>(24i)));
+                            local_3.group = (_e111 + _e921);
+                            let _e961 = local_5;
+                            local_3.group_mask = ((_e961 & 4278190080u) | (_e925 >> bitcast<u32>(24i)));
                         }
-                        let _e975 = local_6;
-                        phi_1504_ = (_e975 & 16777215u);
-                        phi_1507_ = _e537;
+                        let _e966 = local_6;
+                        phi_1509_ = (_e966 & 16777215u);
+                        phi_1512_ = _e528;
                         loop {
-                            let _e978 = phi_1504_;
-                            let _e980 = phi_1507_;
-                            local_12 = _e980;
-                            if (_e978 == 0u) {
-                                phi_1505_ = u32();
-                                phi_1508_ = lt_bvh_Hit();
-                                phi_3387_ = false;
+                            let _e969 = phi_1509_;
+                            let _e971 = phi_1512_;
+                            local_12 = _e971;
+                            if (_e969 == 0u) {
+                                phi_1510_ = u32();
+                                phi_1513_ = lt_bvh_Hit();
+                                phi_3399_ = false;
                             } else {
-                                let _e984 = nodes.member[(0u + _e535)].links[1u];
-                                let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
-                                if (_e988 < _e93) {
+                                let _e975 = nodes.member[(0u + _e526)].links[1u];
+                                let _e979 = (_e975 + select(firstTrailingBit(_e969), 32u, (_e969 == 0u)));
+                                if (_e979 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e995 = instances.member[(0u + _e988)].low_world;
-                                let _e997 = instances.member[(0u + _e988)].high_world;
-                                let _e1007 = ((_e995.x - _e162.origin.x) * _e316);
-                                let _e1008 = ((_e995.y - _e162.origin.y) * _e328);
-                                let _e1009 = ((_e995.z - _e162.origin.z) * _e340);
-                                let _e1019 = ((_e997.x - _e162.origin.x) * _e316);
-                                let _e1020 = ((_e997.y - _e162.origin.y) * _e328);
-                                let _e1021 = ((_e997.z - _e162.origin.z) * _e340);
-                                if (_e1007 < _e1019) {
-                                    phi_1562_ = _e1007;
+                                let _e986 = instances.member[(0u + _e979)].low_world;
+                                let _e988 = instances.member[(0u + _e979)].high_world;
+                                let _e998 = ((_e986.x - _e162.origin.x) * _e308);
+                                let _e999 = ((_e986.y - _e162.origin.y) * _e319);
+                                let _e1000 = ((_e986.z - _e162.origin.z) * _e330);
+                                let _e1010 = ((_e988.x - _e162.origin.x) * _e308);
+                                let _e1011 = ((_e988.y - _e162.origin.y) * _e319);
+                                let _e1012 = ((_e988.z - _e162.origin.z) * _e330);
+                                if (_e998 < _e1010) {
+                                    phi_1567_ = _e998;
                                 } else {
-                                    phi_1562_ = _e1019;
+                                    phi_1567_ = _e1010;
                                 }
-                                let _e1024 = phi_1562_;
-                                if (_e1008 < _e1020) {
-                                    phi_1567_ = _e1008;
+                                let _e1015 = phi_1567_;
+                                if (_e999 < _e1011) {
+                                    phi_1572_ = _e999;
                                 } else {
-                                    phi_1567_ = _e1020;
+                                    phi_1572_ = _e1011;
                                 }
-                                let _e1027 = phi_1567_;
-                                if (_e1009 < _e1021) {
-                                    phi_1572_ = _e1009;
+                                let _e1018 = phi_1572_;
+                                if (_e1000 < _e1012) {
+                                    phi_1577_ = _e1000;
                                 } else {
-                                    phi_1572_ = _e1021;
+                                    phi_1577_ = _e1012;
                                 }
-                                let _e1030 = phi_1572_;
-                                if (_e1007 > _e1019) {
-                                    phi_1580_ = _e1007;
+                                let _e1021 = phi_1577_;
+                                if (_e998 > _e1010) {
+                                    phi_1585_ = _e998;
                                 } else {
-                                    phi_1580_ = _e1019;
+                                    phi_1585_ = _e1010;
                                 }
-                                let _e1036 = phi_1580_;
-                                if (_e1008 > _e1020) {
-                                    phi_1585_ = _e1008;
+                                let _e1027 = phi_1585_;
+                                if (_e999 > _e1011) {
+                                    phi_1590_ = _e999;
                                 } else {
-                                    phi_1585_ = _e1020;
+                                    phi_1590_ = _e1011;
                                 }
-                                let _e1039 = phi_1585_;
-                                if (_e1009 > _e1021) {
-                                    phi_1590_ = _e1009;
+                                let _e1030 = phi_1590_;
+                                if (_e1000 > _e1012) {
+                                    phi_1595_ = _e1000;
                                 } else {
-                                    phi_1590_ = _e1021;
+                                    phi_1595_ = _e1012;
                                 }
-                                let _e1042 = phi_1590_;
-                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_((_e1024 - _e384), (_e1027 - _e385));
-                                let _e1047 = core_intrinsics_maximum_number_nsz_f32_(_e1046, (_e1030 - _e386));
-                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_((_e1036 + _e384), (_e1039 + _e385));
-                                let _e1049 = core_intrinsics_minimum_number_nsz_f32_(_e1048, (_e1042 + _e386));
-                                if (_e1047 <= _e1049) {
-                                    if (_e1047 <= _e980.t) {
-                                        if (_e1049 >= _e162.tmin) {
-                                            let _e1061 = instances.member[(0u + _e988)].world_to_object[0u];
-                                            let _e1072 = ((((_e1061.x * _e162.origin.x) + (_e1061.y * _e162.origin.y)) + (_e1061.z * _e162.origin.z)) + (_e1061.w * 1f));
-                                            let _e1074 = instances.member[(0u + _e988)].world_to_object[1u];
-                                            let _e1085 = ((((_e1074.x * _e162.origin.x) + (_e1074.y * _e162.origin.y)) + (_e1074.z * _e162.origin.z)) + (_e1074.w * 1f));
-                                            let _e1087 = instances.member[(0u + _e988)].world_to_object[2u];
-                                            let _e1098 = ((((_e1087.x * _e162.origin.x) + (_e1087.y * _e162.origin.y)) + (_e1087.z * _e162.origin.z)) + (_e1087.w * 1f));
-                                            let _e1105 = instances.member[(0u + _e988)].world_to_object[0u];
-                                            let _e1116 = ((((_e1105.x * _e162.direction.x) + (_e1105.y * _e162.direction.y)) + (_e1105.z * _e162.direction.z)) + (_e1105.w * 0f));
-                                            let _e1118 = instances.member[(0u + _e988)].world_to_object[1u];
-                                            let _e1129 = ((((_e1118.x * _e162.direction.x) + (_e1118.y * _e162.direction.y)) + (_e1118.z * _e162.direction.z)) + (_e1118.w * 0f));
-                                            let _e1131 = instances.member[(0u + _e988)].world_to_object[2u];
-                                            let _e1142 = ((((_e1131.x * _e162.direction.x) + (_e1131.y * _e162.direction.y)) + (_e1131.z * _e162.direction.z)) + (_e1131.w * 0f));
-                                            let _e1147 = instances.member[(0u + _e988)].root;
-                                            let _e1149 = instances.member[(0u + _e988)].first_triangle;
-                                            let _e1153 = abs(_e1116);
-                                            let _e1154 = abs(_e1129);
-                                            let _e1155 = abs(_e1142);
-                                            if (abs(_e1072) < 1000000000000000f) {
-                                                if (abs(_e1085) < 1000000000000000f) {
-                                                    if (abs(_e1098) < 1000000000000000f) {
-                                                        if (_e1153 < 1000000000000000f) {
-                                                            if (_e1154 < 1000000000000000f) {
-                                                                if (_e1155 < 1000000000000000f) {
-                                                                    if (_e1153 > 0f) {
-                                                                        phi_1747_ = bool();
-                                                                        phi_1748_ = true;
-                                                                    } else {
-                                                                        let _e1163 = (_e1154 > 0f);
-                                                                        if _e1163 {
-                                                                            phi_1746_ = bool();
-                                                                        } else {
-                                                                            phi_1746_ = (_e1155 > 0f);
-                                                                        }
-                                                                        let _e1166 = phi_1746_;
-                                                                        phi_1747_ = _e1166;
-                                                                        phi_1748_ = _e1163;
-                                                                    }
-                                                                    let _e1168 = phi_1747_;
-                                                                    let _e1170 = phi_1748_;
-                                                                    if _e1170 {
-                                                                        phi_1752_ = true;
-                                                                    } else {
-                                                                        phi_1752_ = _e1168;
-                                                                    }
-                                                                    let _e1172 = phi_1752_;
-                                                                    phi_1753_ = _e1172;
-                                                                    phi_1754_ = false;
-                                                                } else {
-                                                                    phi_1753_ = bool();
-                                                                    phi_1754_ = true;
-                                                                }
-                                                                let _e1174 = phi_1753_;
-                                                                let _e1176 = phi_1754_;
-                                                                phi_1755_ = _e1174;
-                                                                phi_1756_ = false;
-                                                                phi_1757_ = _e1176;
-                                                            } else {
-                                                                phi_1755_ = bool();
-                                                                phi_1756_ = true;
-                                                                phi_1757_ = false;
-                                                            }
-                                                            let _e1178 = phi_1755_;
-                                                            let _e1180 = phi_1756_;
-                                                            let _e1182 = phi_1757_;
-                                                            phi_1758_ = _e1178;
-                                                            phi_1759_ = _e1180;
-                                                            phi_1760_ = _e1182;
-                                                        } else {
-                                                            phi_1758_ = bool();
-                                                            phi_1759_ = true;
-                                                            phi_1760_ = false;
-                                                        }
-                                                        let _e1184 = phi_1758_;
-                                                        let _e1186 = phi_1759_;
-                                                        let _e1188 = phi_1760_;
-                                                        phi_1761_ = _e1184;
-                                                        phi_1762_ = _e1186;
-                                                        phi_1763_ = _e1188;
-                                                    } else {
-                                                        phi_1761_ = bool();
-                                                        phi_1762_ = true;
-                                                        phi_1763_ = false;
-                                                    }
-                                                    let _e1190 = phi_1761_;
-                                                    let _e1192 = phi_1762_;
-                                                    let _e1194 = phi_1763_;
-                                                    phi_1764_ = _e1190;
-                                                    phi_1765_ = _e1192;
-                                                    phi_1766_ = _e1194;
+                                let _e1033 = phi_1595_;
+                                let _e1037 = core_intrinsics_maximum_number_nsz_f32_((_e1015 - _e375), (_e1018 - _e376));
+                                let _e1038 = core_intrinsics_maximum_number_nsz_f32_(_e1037, (_e1021 - _e377));
+                                let _e1039 = core_intrinsics_minimum_number_nsz_f32_((_e1027 + _e375), (_e1030 + _e376));
+                                let _e1040 = core_intrinsics_minimum_number_nsz_f32_(_e1039, (_e1033 + _e377));
+                                if (_e1038 <= _e1040) {
+                                    if (_e1038 <= _e971.t) {
+                                        if (_e1040 >= _e162.tmin) {
+                                            let _e1052 = instances.member[(0u + _e979)].world_to_object[0u];
+                                            let _e1063 = ((((_e1052.x * _e162.origin.x) + (_e1052.y * _e162.origin.y)) + (_e1052.z * _e162.origin.z)) + (_e1052.w * 1f));
+                                            let _e1065 = instances.member[(0u + _e979)].world_to_object[1u];
+                                            let _e1076 = ((((_e1065.x * _e162.origin.x) + (_e1065.y * _e162.origin.y)) + (_e1065.z * _e162.origin.z)) + (_e1065.w * 1f));
+                                            let _e1078 = instances.member[(0u + _e979)].world_to_object[2u];
+                                            let _e1089 = ((((_e1078.x * _e162.origin.x) + (_e1078.y * _e162.origin.y)) + (_e1078.z * _e162.origin.z)) + (_e1078.w * 1f));
+                                            let _e1096 = instances.member[(0u + _e979)].world_to_object[0u];
+                                            let _e1107 = ((((_e1096.x * _e162.direction.x) + (_e1096.y * _e162.direction.y)) + (_e1096.z * _e162.direction.z)) + (_e1096.w * 0f));
+                                            let _e1109 = instances.member[(0u + _e979)].world_to_object[1u];
+                                            let _e1120 = ((((_e1109.x * _e162.direction.x) + (_e1109.y * _e162.direction.y)) + (_e1109.z * _e162.direction.z)) + (_e1109.w * 0f));
+                                            let _e1122 = instances.member[(0u + _e979)].world_to_object[2u];
+                                            let _e1133 = ((((_e1122.x * _e162.direction.x) + (_e1122.y * _e162.direction.y)) + (_e1122.z * _e162.direction.z)) + (_e1122.w * 0f));
+                                            let _e1138 = instances.member[(0u + _e979)].root;
+                                            let _e1140 = instances.member[(0u + _e979)].first_triangle;
+                                            let _e1141 = abs(_e1107);
+                                            let _e1142 = abs(_e1120);
+                                            let _e1143 = abs(_e1133);
+                                            if (abs(_e1063) < 1000000000000000f) {
+                                                if (abs(_e1076) < 1000000000000000f) {
+                                                    phi_1727_ = (abs(_e1089) < 1000000000000000f);
+                                                    phi_1728_ = false;
                                                 } else {
-                                                    phi_1764_ = bool();
-                                                    phi_1765_ = true;
-                                                    phi_1766_ = false;
+                                                    phi_1727_ = bool();
+                                                    phi_1728_ = true;
                                                 }
-                                                let _e1196 = phi_1764_;
-                                                let _e1198 = phi_1765_;
-                                                let _e1200 = phi_1766_;
-                                                phi_1767_ = _e1196;
-                                                phi_1768_ = _e1198;
-                                                phi_1769_ = _e1200;
+                                                let _e1151 = phi_1727_;
+                                                let _e1153 = phi_1728_;
+                                                phi_1729_ = _e1151;
+                                                phi_1730_ = _e1153;
                                             } else {
-                                                phi_1767_ = bool();
-                                                phi_1768_ = true;
-                                                phi_1769_ = false;
+                                                phi_1729_ = bool();
+                                                phi_1730_ = true;
                                             }
-                                            let _e1202 = phi_1767_;
-                                            let _e1204 = phi_1768_;
-                                            let _e1206 = phi_1769_;
-                                            if _e1204 {
-                                                phi_1773_ = true;
+                                            let _e1155 = phi_1729_;
+                                            let _e1157 = phi_1730_;
+                                            if _e1157 {
+                                                phi_1734_ = false;
                                             } else {
-                                                phi_1773_ = _e1206;
+                                                phi_1734_ = _e1155;
                                             }
-                                            let _e1208 = phi_1773_;
-                                            if _e1208 {
-                                                phi_1777_ = false;
-                                            } else {
-                                                phi_1777_ = _e1202;
-                                            }
-                                            let _e1210 = phi_1777_;
-                                            if _e1210 {
-                                                let _e1211 = (_e1147 >= _e78);
-                                                if _e1211 {
-                                                    phi_3377_ = lt_bvh_Hit();
+                                            let _e1159 = phi_1734_;
+                                            if _e1159 {
+                                                if (_e1141 < 1000000000000000f) {
+                                                    if (_e1142 < 1000000000000000f) {
+                                                        phi_1747_ = (_e1143 < 1000000000000000f);
+                                                        phi_1748_ = false;
+                                                    } else {
+                                                        phi_1747_ = bool();
+                                                        phi_1748_ = true;
+                                                    }
+                                                    let _e1164 = phi_1747_;
+                                                    let _e1166 = phi_1748_;
+                                                    phi_1749_ = _e1164;
+                                                    phi_1750_ = _e1166;
                                                 } else {
-                                                    if (_e1147 < _e78) {
+                                                    phi_1749_ = bool();
+                                                    phi_1750_ = true;
+                                                }
+                                                let _e1168 = phi_1749_;
+                                                let _e1170 = phi_1750_;
+                                                if _e1170 {
+                                                    phi_1754_ = false;
+                                                } else {
+                                                    phi_1754_ = _e1168;
+                                                }
+                                                let _e1172 = phi_1754_;
+                                                if _e1172 {
+                                                    if (_e1141 > 0f) {
+                                                        phi_1768_ = bool();
+                                                        phi_1769_ = true;
+                                                    } else {
+                                                        let _e1174 = (_e1142 > 0f);
+                                                        if _e1174 {
+                                                            phi_1767_ = bool();
+                                                        } else {
+                                                            phi_1767_ = (_e1143 > 0f);
+                                                        }
+                                                        let _e1177 = phi_1767_;
+                                                        phi_1768_ = _e1177;
+                                                        phi_1769_ = _e1174;
+                                                    }
+                                                    let _e1179 = phi_1768_;
+                                                    let _e1181 = phi_1769_;
+                                                    if _e1181 {
+                                                        phi_1773_ = true;
+                                                    } else {
+                                                        phi_1773_ = _e1179;
+                                                    }
+                                                    let _e1183 = phi_1773_;
+                                                    phi_1774_ = _e1183;
+                                                    phi_1775_ = false;
+                                                } else {
+                                                    phi_1774_ = bool();
+                                                    phi_1775_ = true;
+                                                }
+                                                let _e1185 = phi_1774_;
+                                                let _e1187 = phi_1775_;
+                                                phi_1776_ = _e1185;
+                                                phi_1777_ = _e1187;
+                                            } else {
+                                                phi_1776_ = bool();
+                                                phi_1777_ = true;
+                                            }
+                                            let _e1189 = phi_1776_;
+                                            let _e1191 = phi_1777_;
+                                            if _e1191 {
+                                                phi_1781_ = false;
+                                            } else {
+                                                phi_1781_ = _e1189;
+                                            }
+                                            let _e1193 = phi_1781_;
+                                            if _e1193 {
+                                                let _e1194 = (_e1138 >= _e78);
+                                                if _e1194 {
+                                                    phi_3389_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1138 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1217 = nodes.member[(0u + _e1147)].frame[0u];
-                                                    let _e1221 = nodes.member[(0u + _e1147)].frame[1u];
-                                                    let _e1225 = nodes.member[(0u + _e1147)].frame[2u];
-                                                    let _e1229 = nodes.member[(0u + _e1147)].frame[0u];
-                                                    let _e1233 = nodes.member[(0u + _e1147)].frame[1u];
-                                                    let _e1237 = nodes.member[(0u + _e1147)].frame[2u];
-                                                    let _e1241 = nodes.member[(0u + _e1147)].frame[3u];
-                                                    let _e1275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1116), abs(_e1129));
-                                                    let _e1276 = core_intrinsics_maximum_number_nsz_f32_(_e1275, abs(_e1142));
-                                                    let _e1277 = (_e1276 * 0.0000000000009094947f);
-                                                    if (abs(_e1116) < _e1277) {
-                                                        phi_1847_ = _e1277;
+                                                    let _e1200 = nodes.member[(0u + _e1138)].frame[0u];
+                                                    let _e1204 = nodes.member[(0u + _e1138)].frame[1u];
+                                                    let _e1208 = nodes.member[(0u + _e1138)].frame[2u];
+                                                    let _e1212 = nodes.member[(0u + _e1138)].frame[0u];
+                                                    let _e1216 = nodes.member[(0u + _e1138)].frame[1u];
+                                                    let _e1220 = nodes.member[(0u + _e1138)].frame[2u];
+                                                    let _e1224 = nodes.member[(0u + _e1138)].frame[3u];
+                                                    let _e1258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1107), abs(_e1120));
+                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(_e1258, abs(_e1133));
+                                                    let _e1260 = (_e1259 * 0.0000000000009094947f);
+                                                    if (abs(_e1107) < _e1260) {
+                                                        phi_1851_ = _e1260;
                                                     } else {
-                                                        phi_1847_ = abs(_e1116);
+                                                        phi_1851_ = abs(_e1107);
                                                     }
-                                                    let _e1282 = phi_1847_;
-                                                    if (_e1116 < 0f) {
-                                                        phi_1854_ = (-1f / _e1282);
+                                                    let _e1265 = phi_1851_;
+                                                    if (_e1107 < 0f) {
+                                                        phi_1858_ = (-1f / _e1265);
                                                     } else {
-                                                        phi_1854_ = (1f / _e1282);
+                                                        phi_1858_ = (1f / _e1265);
                                                     }
-                                                    let _e1287 = phi_1854_;
-                                                    if (abs(_e1129) < _e1277) {
-                                                        phi_1861_ = _e1277;
+                                                    let _e1270 = phi_1858_;
+                                                    if (abs(_e1120) < _e1260) {
+                                                        phi_1865_ = _e1260;
                                                     } else {
-                                                        phi_1861_ = abs(_e1129);
+                                                        phi_1865_ = abs(_e1120);
                                                     }
-                                                    let _e1292 = phi_1861_;
-                                                    if (_e1129 < 0f) {
-                                                        phi_1868_ = (-1f / _e1292);
+                                                    let _e1275 = phi_1865_;
+                                                    if (_e1120 < 0f) {
+                                                        phi_1872_ = (-1f / _e1275);
                                                     } else {
-                                                        phi_1868_ = (1f / _e1292);
+                                                        phi_1872_ = (1f / _e1275);
                                                     }
-                                                    let _e1297 = phi_1868_;
-                                                    if (abs(_e1142) < _e1277) {
-                                                        phi_1875_ = _e1277;
+                                                    let _e1280 = phi_1872_;
+                                                    if (abs(_e1133) < _e1260) {
+                                                        phi_1879_ = _e1260;
                                                     } else {
-                                                        phi_1875_ = abs(_e1142);
+                                                        phi_1879_ = abs(_e1133);
                                                     }
-                                                    let _e1302 = phi_1875_;
-                                                    if (_e1142 < 0f) {
-                                                        phi_1882_ = (-1f / _e1302);
+                                                    let _e1285 = phi_1879_;
+                                                    if (_e1133 < 0f) {
+                                                        phi_1886_ = (-1f / _e1285);
                                                     } else {
-                                                        phi_1882_ = (1f / _e1302);
+                                                        phi_1886_ = (1f / _e1285);
                                                     }
-                                                    let _e1307 = phi_1882_;
-                                                    let _e1311 = abs((bitcast<f32>(_e1217) - _e1072));
-                                                    let _e1312 = abs((bitcast<f32>(_e1221) - _e1085));
-                                                    let _e1313 = abs((bitcast<f32>(_e1225) - _e1098));
-                                                    let _e1317 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
-                                                    let _e1318 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1085));
-                                                    let _e1319 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1098));
-                                                    if (_e1311 > _e1317) {
-                                                        phi_1899_ = _e1311;
+                                                    let _e1290 = phi_1886_;
+                                                    let _e1294 = abs((bitcast<f32>(_e1200) - _e1063));
+                                                    let _e1295 = abs((bitcast<f32>(_e1204) - _e1076));
+                                                    let _e1296 = abs((bitcast<f32>(_e1208) - _e1089));
+                                                    let _e1300 = abs(((bitcast<f32>(_e1212) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1063));
+                                                    let _e1301 = abs(((bitcast<f32>(_e1216) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1076));
+                                                    let _e1302 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1089));
+                                                    if (_e1294 > _e1300) {
+                                                        phi_1903_ = _e1294;
                                                     } else {
-                                                        phi_1899_ = _e1317;
+                                                        phi_1903_ = _e1300;
                                                     }
-                                                    let _e1322 = phi_1899_;
-                                                    if (_e1312 > _e1318) {
-                                                        phi_1904_ = _e1312;
+                                                    let _e1305 = phi_1903_;
+                                                    if (_e1295 > _e1301) {
+                                                        phi_1908_ = _e1295;
                                                     } else {
-                                                        phi_1904_ = _e1318;
+                                                        phi_1908_ = _e1301;
                                                     }
-                                                    let _e1325 = phi_1904_;
-                                                    if (_e1313 > _e1319) {
-                                                        phi_1909_ = _e1313;
+                                                    let _e1308 = phi_1908_;
+                                                    if (_e1296 > _e1302) {
+                                                        phi_1913_ = _e1296;
                                                     } else {
-                                                        phi_1909_ = _e1319;
+                                                        phi_1913_ = _e1302;
                                                     }
-                                                    let _e1328 = phi_1909_;
-                                                    let _e1329 = core_intrinsics_maximum_number_nsz_f32_(_e1322, _e1325);
-                                                    let _e1330 = core_intrinsics_maximum_number_nsz_f32_(_e1329, _e1328);
-                                                    let _e1334 = (_e1330 * 0.0000019073486f);
-                                                    let _e1335 = (abs(_e1287) * _e1334);
-                                                    let _e1336 = (abs(_e1297) * _e1334);
-                                                    let _e1337 = (abs(_e1307) * _e1334);
-                                                    let _e1341 = (_e1330 * 0.0000009536743f);
-                                                    let _e1342 = (abs(_e1287) * _e1341);
-                                                    let _e1343 = (abs(_e1297) * _e1341);
-                                                    let _e1344 = (abs(_e1307) * _e1341);
-                                                    let _e1345 = abs(_e1116);
-                                                    let _e1346 = abs(_e1129);
-                                                    let _e1347 = abs(_e1142);
-                                                    if (_e1345 >= _e1346) {
-                                                        if (_e1345 >= _e1347) {
-                                                            phi_1937_ = false;
+                                                    let _e1311 = phi_1913_;
+                                                    if (_e1305 > _e1308) {
+                                                        phi_1918_ = _e1305;
+                                                    } else {
+                                                        phi_1918_ = _e1308;
+                                                    }
+                                                    let _e1314 = phi_1918_;
+                                                    if (_e1314 > _e1311) {
+                                                        phi_1923_ = _e1314;
+                                                    } else {
+                                                        phi_1923_ = _e1311;
+                                                    }
+                                                    let _e1317 = phi_1923_;
+                                                    let _e1321 = (_e1317 * 0.0000019073486f);
+                                                    let _e1322 = (abs(_e1270) * _e1321);
+                                                    let _e1323 = (abs(_e1280) * _e1321);
+                                                    let _e1324 = (abs(_e1290) * _e1321);
+                                                    let _e1328 = (_e1317 * 0.0000009536743f);
+                                                    let _e1329 = (abs(_e1270) * _e1328);
+                                                    let _e1330 = (abs(_e1280) * _e1328);
+                                                    let _e1331 = (abs(_e1290) * _e1328);
+                                                    let _e1332 = abs(_e1107);
+                                                    let _e1333 = abs(_e1120);
+                                                    let _e1334 = abs(_e1133);
+                                                    if (_e1332 >= _e1333) {
+                                                        if (_e1332 >= _e1334) {
+                                                            phi_1949_ = false;
                                                         } else {
-                                                            phi_1937_ = true;
+                                                            phi_1949_ = true;
                                                         }
-                                                        let _e1351 = phi_1937_;
-                                                        phi_1938_ = _e1351;
+                                                        let _e1338 = phi_1949_;
+                                                        phi_1950_ = _e1338;
                                                     } else {
-                                                        phi_1938_ = true;
+                                                        phi_1950_ = true;
                                                     }
-                                                    let _e1353 = phi_1938_;
-                                                    if _e1353 {
-                                                        if (_e1346 >= _e1347) {
-                                                            phi_1946_ = 1u;
+                                                    let _e1340 = phi_1950_;
+                                                    if _e1340 {
+                                                        if (_e1333 >= _e1334) {
+                                                            phi_1958_ = 1u;
                                                         } else {
-                                                            phi_1946_ = 2u;
+                                                            phi_1958_ = 2u;
                                                         }
-                                                        let _e1356 = phi_1946_;
-                                                        phi_1947_ = _e1356;
+                                                        let _e1343 = phi_1958_;
+                                                        phi_1959_ = _e1343;
                                                     } else {
-                                                        phi_1947_ = 0u;
+                                                        phi_1959_ = 0u;
                                                     }
-                                                    let _e1358 = phi_1947_;
-                                                    if (_e1358 == 0u) {
-                                                        phi_1959_ = vec3<f32>(_e1129, _e1142, _e1116);
+                                                    let _e1345 = phi_1959_;
+                                                    if (_e1345 == 0u) {
+                                                        phi_1971_ = vec3<f32>(_e1120, _e1133, _e1107);
                                                     } else {
-                                                        if (_e1358 == 1u) {
-                                                            phi_1958_ = vec3<f32>(_e1142, _e1116, _e1129);
+                                                        if (_e1345 == 1u) {
+                                                            phi_1970_ = vec3<f32>(_e1133, _e1107, _e1120);
                                                         } else {
-                                                            phi_1958_ = vec3<f32>(_e1116, _e1129, _e1142);
+                                                            phi_1970_ = vec3<f32>(_e1107, _e1120, _e1133);
                                                         }
-                                                        let _e1364 = phi_1958_;
-                                                        phi_1959_ = _e1364;
+                                                        let _e1351 = phi_1970_;
+                                                        phi_1971_ = _e1351;
                                                     }
-                                                    let _e1366 = phi_1959_;
-                                                    let _e1369 = (_e1366.x / _e1366.z);
-                                                    let _e1372 = (_e1366.y / _e1366.z);
-                                                    if (_e1287 < 0f) {
-                                                        phi_1972_ = 0u;
+                                                    let _e1353 = phi_1971_;
+                                                    let _e1356 = (_e1353.x / _e1353.z);
+                                                    let _e1359 = (_e1353.y / _e1353.z);
+                                                    if (_e1270 < 0f) {
+                                                        phi_1984_ = 0u;
                                                     } else {
-                                                        phi_1972_ = 1u;
+                                                        phi_1984_ = 1u;
                                                     }
-                                                    let _e1377 = phi_1972_;
-                                                    if (_e1297 < 0f) {
-                                                        phi_1977_ = 0u;
+                                                    let _e1364 = phi_1984_;
+                                                    if (_e1280 < 0f) {
+                                                        phi_1989_ = 0u;
                                                     } else {
-                                                        phi_1977_ = 2u;
+                                                        phi_1989_ = 2u;
                                                     }
-                                                    let _e1380 = phi_1977_;
-                                                    if (_e1307 < 0f) {
-                                                        phi_1982_ = 0u;
+                                                    let _e1367 = phi_1989_;
+                                                    if (_e1290 < 0f) {
+                                                        phi_1994_ = 0u;
                                                     } else {
-                                                        phi_1982_ = 4u;
+                                                        phi_1994_ = 4u;
                                                     }
-                                                    let _e1383 = phi_1982_;
-                                                    let _e1385 = ((_e1377 | _e1380) | _e1383);
-                                                    let _e1386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1147, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1386.first[0], _e1386.first[1], _e1386.first[2], _e1386.first[3], _e1386.first[4], _e1386.first[5], _e1386.first[6], _e1386.first[7], _e1386.first[8], _e1386.first[9], _e1386.first[10], _e1386.first[11], _e1386.first[12], _e1386.first[13], _e1386.first[14], _e1386.first[15], _e1386.first[16], _e1386.first[17], _e1386.first[18], _e1386.first[19], _e1386.first[20], _e1386.first[21], _e1386.first[22], _e1386.first[23], _e1386.first[24], _e1386.first[25], _e1386.first[26], _e1386.first[27], _e1386.first[28], _e1386.first[29], _e1386.first[30], _e1386.first[31]), array<u32, 32>(_e1386.mask[0], _e1386.mask[1], _e1386.mask[2], _e1386.mask[3], _e1386.mask[4], _e1386.mask[5], _e1386.mask[6], _e1386.mask[7], _e1386.mask[8], _e1386.mask[9], _e1386.mask[10], _e1386.mask[11], _e1386.mask[12], _e1386.mask[13], _e1386.mask[14], _e1386.mask[15], _e1386.mask[16], _e1386.mask[17], _e1386.mask[18], _e1386.mask[19], _e1386.mask[20], _e1386.mask[21], _e1386.mask[22], _e1386.mask[23], _e1386.mask[24], _e1386.mask[25], _e1386.mask[26], _e1386.mask[27], _e1386.mask[28], _e1386.mask[29], _e1386.mask[30], _e1386.mask[31]), _e1386.len, _e1386.group, _e1386.group_mask);
-                                                    let _e1460 = local_2.group_mask;
-                                                    if ((_e1460 & 4278190080u) == 0u) {
-                                                        let _e1464 = local_2.len;
-                                                        if (_e1464 == 0u) {
-                                                            phi_2096_ = false;
+                                                    let _e1370 = phi_1994_;
+                                                    let _e1372 = ((_e1364 | _e1367) | _e1370);
+                                                    let _e1373 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1138, 2147483648u);
+                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1373.first[0], _e1373.first[1], _e1373.first[2], _e1373.first[3], _e1373.first[4], _e1373.first[5], _e1373.first[6], _e1373.first[7], _e1373.first[8], _e1373.first[9], _e1373.first[10], _e1373.first[11], _e1373.first[12], _e1373.first[13], _e1373.first[14], _e1373.first[15], _e1373.first[16], _e1373.first[17], _e1373.first[18], _e1373.first[19], _e1373.first[20], _e1373.first[21], _e1373.first[22], _e1373.first[23], _e1373.first[24], _e1373.first[25], _e1373.first[26], _e1373.first[27], _e1373.first[28], _e1373.first[29], _e1373.first[30], _e1373.first[31]), array<u32, 32>(_e1373.mask[0], _e1373.mask[1], _e1373.mask[2], _e1373.mask[3], _e1373.mask[4], _e1373.mask[5], _e1373.mask[6], _e1373.mask[7], _e1373.mask[8], _e1373.mask[9], _e1373.mask[10], _e1373.mask[11], _e1373.mask[12], _e1373.mask[13], _e1373.mask[14], _e1373.mask[15], _e1373.mask[16], _e1373.mask[17], _e1373.mask[18], _e1373.mask[19], _e1373.mask[20], _e1373.mask[21], _e1373.mask[22], _e1373.mask[23], _e1373.mask[24], _e1373.mask[25], _e1373.mask[26], _e1373.mask[27], _e1373.mask[28], _e1373.mask[29], _e1373.mask[30], _e1373.mask[31]), _e1373.len, _e1373.group, _e1373.group_mask);
+                                                    let _e1447 = local_2.group_mask;
+                                                    if ((_e1447 & 4278190080u) == 0u) {
+                                                        let _e1451 = local_2.len;
+                                                        if (_e1451 == 0u) {
+                                                            phi_2108_ = false;
                                                         } else {
-                                                            let _e1468 = local_2.len;
-                                                            local_2.len = (_e1468 - 1u);
-                                                            let _e1471 = local_2.len;
-                                                            if (_e1471 < 32u) {
+                                                            let _e1455 = local_2.len;
+                                                            local_2.len = (_e1455 - 1u);
+                                                            let _e1458 = local_2.len;
+                                                            if (_e1458 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1476 = local_2.first[(0u + _e1471)];
-                                                            local_2.group = _e1476;
-                                                            let _e1479 = local_2.len;
-                                                            if (_e1479 < 32u) {
+                                                            let _e1463 = local_2.first[(0u + _e1458)];
+                                                            local_2.group = _e1463;
+                                                            let _e1466 = local_2.len;
+                                                            if (_e1466 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1484 = local_2.mask[(0u + _e1479)];
-                                                            local_2.group_mask = _e1484;
-                                                            phi_2096_ = true;
+                                                            let _e1471 = local_2.mask[(0u + _e1466)];
+                                                            local_2.group_mask = _e1471;
+                                                            phi_2108_ = true;
                                                         }
-                                                        let _e1487 = phi_2096_;
-                                                        phi_2097_ = _e1487;
+                                                        let _e1474 = phi_2108_;
+                                                        phi_2109_ = _e1474;
                                                     } else {
-                                                        phi_2097_ = true;
+                                                        phi_2109_ = true;
                                                     }
-                                                    let _e1489 = phi_2097_;
-                                                    if _e1489 {
-                                                        let _e1491 = local_2.group_mask;
-                                                        let _e1497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1491)), 32u, (_e1491 == 0u)));
-                                                        let _e1501 = local_2.group_mask;
-                                                        let _e1515 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1515 & ~((1u << bitcast<u32>((_e1497 & 31u)))));
-                                                        let _e1518 = local_2.group;
-                                                        phi_2128_ = (_e1518 + countOneBits(((_e1501 & ~((4294967295u << bitcast<u32>((((_e1497 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1476 = phi_2109_;
+                                                    if _e1476 {
+                                                        let _e1478 = local_2.group_mask;
+                                                        let _e1484 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1478)), 32u, (_e1478 == 0u)));
+                                                        let _e1488 = local_2.group_mask;
+                                                        let _e1502 = local_2.group_mask;
+                                                        local_2.group_mask = (_e1502 & ~((1u << bitcast<u32>((_e1484 & 31u)))));
+                                                        let _e1505 = local_2.group;
+                                                        phi_2140_ = (_e1505 + countOneBits(((_e1488 & ~((4294967295u << bitcast<u32>((((_e1484 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2128_ = 4294967295u;
+                                                        phi_2140_ = 4294967295u;
                                                     }
-                                                    let _e1521 = phi_2128_;
-                                                    phi_2130_ = _e980;
-                                                    phi_2133_ = _e1521;
+                                                    let _e1508 = phi_2140_;
+                                                    phi_2142_ = _e971;
+                                                    phi_2145_ = _e1508;
                                                     loop {
-                                                        let _e1523 = phi_2130_;
-                                                        let _e1525 = phi_2133_;
-                                                        local_11 = _e1523;
-                                                        let _e1526 = (_e1525 != 4294967295u);
-                                                        if _e1526 {
-                                                            if (_e1525 < _e78) {
+                                                        let _e1510 = phi_2142_;
+                                                        let _e1512 = phi_2145_;
+                                                        local_11 = _e1510;
+                                                        let _e1513 = (_e1512 != 4294967295u);
+                                                        if _e1513 {
+                                                            if (_e1512 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1533 = nodes.member[(0u + _e1525)].frame[3u];
-                                                            let _e1558 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
-                                                            let _e1559 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1297);
-                                                            let _e1560 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1307);
-                                                            let _e1563 = nodes.member[(0u + _e1525)].frame[0u];
-                                                            let _e1567 = nodes.member[(0u + _e1525)].frame[1u];
-                                                            let _e1571 = nodes.member[(0u + _e1525)].frame[2u];
-                                                            let _e1576 = ((bitcast<f32>(_e1563) - _e1072) * _e1287);
-                                                            let _e1577 = ((bitcast<f32>(_e1567) - _e1085) * _e1297);
-                                                            let _e1578 = ((bitcast<f32>(_e1571) - _e1098) * _e1307);
-                                                            let _e1586 = nodes.member[(0u + _e1525)].x;
-                                                            if (_e1287 < 0f) {
-                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1597.unnamed.root, _e1586.w), _e1597.unnamed_1);
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_bvh_traverse_Tree(_e1586.x, _e1603.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1609.unnamed_1.root, _e1586.y));
+                                                            let _e1520 = nodes.member[(0u + _e1512)].frame[3u];
+                                                            let _e1545 = (bitcast<f32>((((_e1520 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1270);
+                                                            let _e1546 = (bitcast<f32>((((_e1520 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1280);
+                                                            let _e1547 = (bitcast<f32>((((_e1520 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
+                                                            let _e1550 = nodes.member[(0u + _e1512)].frame[0u];
+                                                            let _e1554 = nodes.member[(0u + _e1512)].frame[1u];
+                                                            let _e1558 = nodes.member[(0u + _e1512)].frame[2u];
+                                                            let _e1563 = ((bitcast<f32>(_e1550) - _e1063) * _e1270);
+                                                            let _e1564 = ((bitcast<f32>(_e1554) - _e1076) * _e1280);
+                                                            let _e1565 = ((bitcast<f32>(_e1558) - _e1089) * _e1290);
+                                                            let _e1573 = nodes.member[(0u + _e1512)].x;
+                                                            if (_e1270 < 0f) {
+                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1573.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1584.unnamed.word, _e1573.w), _e1584.unnamed_1);
+                                                                let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_mask_LightPlace(_e1573.x, _e1590.unnamed_1.shift));
+                                                                phi_2226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1596.unnamed, lt_mask_LightPlace(_e1596.unnamed_1.word, _e1573.y));
                                                             } else {
-                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1625.unnamed.root, _e1586.y), _e1625.unnamed_1);
-                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_bvh_traverse_Tree(_e1586.z, _e1631.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1637.unnamed_1.root, _e1586.w));
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1573.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1612.unnamed.word, _e1573.y), _e1612.unnamed_1);
+                                                                let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_mask_LightPlace(_e1573.z, _e1618.unnamed_1.shift));
+                                                                phi_2226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1624.unnamed, lt_mask_LightPlace(_e1624.unnamed_1.word, _e1573.w));
                                                             }
-                                                            let _e1645 = phi_2214_;
-                                                            let _e1655 = nodes.member[(0u + _e1525)].y;
-                                                            if (_e1297 < 0f) {
-                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1666.unnamed.root, _e1655.w), _e1666.unnamed_1);
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_bvh_traverse_Tree(_e1655.x, _e1672.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1678.unnamed_1.root, _e1655.y));
+                                                            let _e1632 = phi_2226_;
+                                                            let _e1642 = nodes.member[(0u + _e1512)].y;
+                                                            if (_e1280 < 0f) {
+                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1642.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1653.unnamed.word, _e1642.w), _e1653.unnamed_1);
+                                                                let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_mask_LightPlace(_e1642.x, _e1659.unnamed_1.shift));
+                                                                phi_2253_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1665.unnamed, lt_mask_LightPlace(_e1665.unnamed_1.word, _e1642.y));
                                                             } else {
-                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1694.unnamed.root, _e1655.y), _e1694.unnamed_1);
-                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_bvh_traverse_Tree(_e1655.z, _e1700.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1706.unnamed_1.root, _e1655.w));
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1642.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1681.unnamed.word, _e1642.y), _e1681.unnamed_1);
+                                                                let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_mask_LightPlace(_e1642.z, _e1687.unnamed_1.shift));
+                                                                phi_2253_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1693.unnamed, lt_mask_LightPlace(_e1693.unnamed_1.word, _e1642.w));
                                                             }
-                                                            let _e1714 = phi_2241_;
-                                                            let _e1724 = nodes.member[(0u + _e1525)].z;
-                                                            if (_e1307 < 0f) {
-                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1735.unnamed.root, _e1724.w), _e1735.unnamed_1);
-                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_bvh_traverse_Tree(_e1724.x, _e1741.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_bvh_traverse_Tree(_e1747.unnamed_1.root, _e1724.y));
+                                                            let _e1701 = phi_2253_;
+                                                            let _e1711 = nodes.member[(0u + _e1512)].z;
+                                                            if (_e1290 < 0f) {
+                                                                let _e1722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1711.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1722.unnamed.word, _e1711.w), _e1722.unnamed_1);
+                                                                let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1728.unnamed, lt_mask_LightPlace(_e1711.x, _e1728.unnamed_1.shift));
+                                                                phi_2280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1734.unnamed, lt_mask_LightPlace(_e1734.unnamed_1.word, _e1711.y));
                                                             } else {
-                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1763.unnamed.root, _e1724.y), _e1763.unnamed_1);
-                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_bvh_traverse_Tree(_e1724.z, _e1769.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_bvh_traverse_Tree(_e1775.unnamed_1.root, _e1724.w));
+                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1711.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1750.unnamed.word, _e1711.y), _e1750.unnamed_1);
+                                                                let _e1762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1756.unnamed, lt_mask_LightPlace(_e1711.z, _e1756.unnamed_1.shift));
+                                                                phi_2280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1762.unnamed, lt_mask_LightPlace(_e1762.unnamed_1.word, _e1711.w));
                                                             }
-                                                            let _e1783 = phi_2268_;
-                                                            phi_2274_ = 0u;
-                                                            phi_2277_ = 0u;
+                                                            let _e1770 = phi_2280_;
+                                                            phi_2286_ = 0u;
+                                                            phi_2289_ = 0u;
                                                             loop {
-                                                                let _e1793 = phi_2274_;
-                                                                let _e1795 = phi_2277_;
-                                                                local_7 = _e1795;
-                                                                local_8 = _e1795;
-                                                                local_9 = _e1795;
-                                                                let _e1796 = (_e1793 < 8u);
-                                                                if _e1796 {
-                                                                    let _e1798 = (_e1793 >> bitcast<u32>(2i));
-                                                                    let _e1799 = (_e1793 & 3u);
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2291_ = _e1645.unnamed.root;
+                                                                let _e1780 = phi_2286_;
+                                                                let _e1782 = phi_2289_;
+                                                                local_7 = _e1782;
+                                                                local_8 = _e1782;
+                                                                local_9 = _e1782;
+                                                                let _e1783 = (_e1780 < 8u);
+                                                                if _e1783 {
+                                                                    let _e1785 = (_e1780 >> bitcast<u32>(2i));
+                                                                    let _e1786 = (_e1780 & 3u);
+                                                                    if (_e1785 == 0u) {
+                                                                        phi_2303_ = _e1632.unnamed.word;
                                                                     } else {
-                                                                        phi_2291_ = _e1645.unnamed.first_primitive;
+                                                                        phi_2303_ = _e1632.unnamed.shift;
                                                                     }
-                                                                    let _e1802 = phi_2291_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2301_ = _e1714.unnamed.root;
+                                                                    let _e1789 = phi_2303_;
+                                                                    if (_e1785 == 0u) {
+                                                                        phi_2313_ = _e1701.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1714.unnamed.first_primitive;
+                                                                        phi_2313_ = _e1701.unnamed.shift;
                                                                     }
-                                                                    let _e1811 = phi_2301_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2311_ = _e1783.unnamed.root;
+                                                                    let _e1798 = phi_2313_;
+                                                                    if (_e1785 == 0u) {
+                                                                        phi_2323_ = _e1770.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1783.unnamed.first_primitive;
+                                                                        phi_2323_ = _e1770.unnamed.shift;
                                                                     }
-                                                                    let _e1820 = phi_2311_;
-                                                                    let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
-                                                                    let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2329_ = _e1645.unnamed_1.root;
+                                                                    let _e1807 = phi_2323_;
+                                                                    let _e1820 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1789 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1545) + (_e1563 - _e1322)), ((f32(((_e1798 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 - _e1323)));
+                                                                    let _e1821 = core_intrinsics_maximum_number_nsz_f32_(_e1820, ((f32(((_e1807 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 - _e1324)));
+                                                                    if (_e1785 == 0u) {
+                                                                        phi_2341_ = _e1632.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2329_ = _e1645.unnamed_1.first_primitive;
+                                                                        phi_2341_ = _e1632.unnamed_1.shift;
                                                                     }
-                                                                    let _e1837 = phi_2329_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2339_ = _e1714.unnamed_1.root;
+                                                                    let _e1824 = phi_2341_;
+                                                                    if (_e1785 == 0u) {
+                                                                        phi_2351_ = _e1701.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1714.unnamed_1.first_primitive;
+                                                                        phi_2351_ = _e1701.unnamed_1.shift;
                                                                     }
-                                                                    let _e1846 = phi_2339_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2349_ = _e1783.unnamed_1.root;
+                                                                    let _e1833 = phi_2351_;
+                                                                    if (_e1785 == 0u) {
+                                                                        phi_2361_ = _e1770.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1783.unnamed_1.first_primitive;
+                                                                        phi_2361_ = _e1770.unnamed_1.shift;
                                                                     }
-                                                                    let _e1855 = phi_2349_;
-                                                                    let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
-                                                                    let _e1869 = core_intrinsics_minimum_number_nsz_f32_(_e1868, ((f32(((_e1855 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1337)));
-                                                                    if (_e1834 <= _e1869) {
-                                                                        if (_e1834 <= _e1523.t) {
-                                                                            if (_e1869 >= _e162.tmin) {
-                                                                                if (_e1798 == 0u) {
-                                                                                    let _e1876 = nodes.member[(0u + _e1525)].links[2u];
-                                                                                    phi_2385_ = _e1876;
+                                                                    let _e1842 = phi_2361_;
+                                                                    let _e1855 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1824 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1545) + (_e1563 + _e1322)), ((f32(((_e1833 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 + _e1323)));
+                                                                    let _e1856 = core_intrinsics_minimum_number_nsz_f32_(_e1855, ((f32(((_e1842 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 + _e1324)));
+                                                                    if (_e1821 <= _e1856) {
+                                                                        if (_e1821 <= _e1510.t) {
+                                                                            if (_e1856 >= _e162.tmin) {
+                                                                                if (_e1785 == 0u) {
+                                                                                    let _e1863 = nodes.member[(0u + _e1512)].links[2u];
+                                                                                    phi_2397_ = _e1863;
                                                                                 } else {
-                                                                                    let _e1879 = nodes.member[(0u + _e1525)].links[3u];
-                                                                                    phi_2385_ = _e1879;
+                                                                                    let _e1866 = nodes.member[(0u + _e1512)].links[3u];
+                                                                                    phi_2397_ = _e1866;
                                                                                 }
-                                                                                let _e1881 = phi_2385_;
-                                                                                let _e1886 = ((_e1881 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u);
-                                                                                let _e1887 = (_e1886 & 31u);
-                                                                                if (_e1887 >= 24u) {
-                                                                                    phi_2398_ = (24u + ((_e1887 - 24u) ^ _e1385));
+                                                                                let _e1868 = phi_2397_;
+                                                                                let _e1873 = ((_e1868 >> bitcast<u32>(((_e1786 * 8u) & 31u))) & 255u);
+                                                                                let _e1874 = (_e1873 & 31u);
+                                                                                if (_e1874 >= 24u) {
+                                                                                    phi_2410_ = (24u + ((_e1874 - 24u) ^ _e1372));
                                                                                 } else {
-                                                                                    phi_2398_ = _e1887;
+                                                                                    phi_2410_ = _e1874;
                                                                                 }
-                                                                                let _e1893 = phi_2398_;
-                                                                                phi_2403_ = (_e1795 | ((_e1886 >> bitcast<u32>(5i)) << bitcast<u32>((_e1893 & 31u))));
+                                                                                let _e1880 = phi_2410_;
+                                                                                phi_2415_ = (_e1782 | ((_e1873 >> bitcast<u32>(5i)) << bitcast<u32>((_e1880 & 31u))));
                                                                             } else {
-                                                                                phi_2403_ = _e1795;
+                                                                                phi_2415_ = _e1782;
                                                                             }
-                                                                            let _e1901 = phi_2403_;
-                                                                            phi_2404_ = _e1901;
+                                                                            let _e1888 = phi_2415_;
+                                                                            phi_2416_ = _e1888;
                                                                         } else {
-                                                                            phi_2404_ = _e1795;
+                                                                            phi_2416_ = _e1782;
                                                                         }
-                                                                        let _e1903 = phi_2404_;
-                                                                        phi_2405_ = _e1903;
+                                                                        let _e1890 = phi_2416_;
+                                                                        phi_2417_ = _e1890;
                                                                     } else {
-                                                                        phi_2405_ = _e1795;
+                                                                        phi_2417_ = _e1782;
                                                                     }
-                                                                    let _e1905 = phi_2405_;
-                                                                    phi_2275_ = (_e1793 + 1u);
-                                                                    phi_2278_ = _e1905;
+                                                                    let _e1892 = phi_2417_;
+                                                                    phi_2287_ = (_e1780 + 1u);
+                                                                    phi_2290_ = _e1892;
                                                                 } else {
-                                                                    phi_2275_ = u32();
-                                                                    phi_2278_ = u32();
+                                                                    phi_2287_ = u32();
+                                                                    phi_2290_ = u32();
                                                                 }
-                                                                let _e1908 = phi_2275_;
-                                                                let _e1910 = phi_2278_;
+                                                                let _e1895 = phi_2287_;
+                                                                let _e1897 = phi_2290_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2274_ = _e1908;
-                                                                    phi_2277_ = _e1910;
-                                                                    break if !(_e1796);
+                                                                    phi_2286_ = _e1895;
+                                                                    phi_2289_ = _e1897;
+                                                                    break if !(_e1783);
                                                                 }
                                                             }
-                                                            let _e1914 = nodes.member[(0u + _e1525)].links[0u];
-                                                            let _e1918 = nodes.member[(0u + _e1525)].frame[3u];
-                                                            let _e1922 = local_7;
-                                                            if ((_e1922 & 4278190080u) == 0u) {
+                                                            let _e1901 = nodes.member[(0u + _e1512)].links[0u];
+                                                            let _e1905 = nodes.member[(0u + _e1512)].frame[3u];
+                                                            let _e1909 = local_7;
+                                                            if ((_e1909 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1926 = local_2.group_mask;
-                                                                if ((_e1926 & 4278190080u) == 0u) {
+                                                                let _e1913 = local_2.group_mask;
+                                                                if ((_e1913 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1930 = local_2.len;
-                                                                    if (_e1930 < 32u) {
-                                                                        let _e1933 = local_2.group;
-                                                                        let _e1935 = local_2.len;
-                                                                        if (_e1935 < 32u) {
+                                                                    let _e1917 = local_2.len;
+                                                                    if (_e1917 < 32u) {
+                                                                        let _e1920 = local_2.group;
+                                                                        let _e1922 = local_2.len;
+                                                                        if (_e1922 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1935)] = _e1933;
-                                                                        let _e1941 = local_2.group_mask;
-                                                                        let _e1943 = local_2.len;
-                                                                        if (_e1943 < 32u) {
+                                                                        local_2.first[(0u + _e1922)] = _e1920;
+                                                                        let _e1928 = local_2.group_mask;
+                                                                        let _e1930 = local_2.len;
+                                                                        if (_e1930 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1943)] = _e1941;
-                                                                        let _e1950 = local_2.len;
-                                                                        local_2.len = (_e1950 + 1u);
+                                                                        local_2.mask[(0u + _e1930)] = _e1928;
+                                                                        let _e1937 = local_2.len;
+                                                                        local_2.len = (_e1937 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1147 + _e1914);
-                                                                let _e1954 = local_8;
-                                                                local_2.group_mask = ((_e1954 & 4278190080u) | (_e1918 >> bitcast<u32>(24i)));
+                                                                local_2.group = (_e1138 + _e1901);
+                                                                let _e1941 = local_8;
+                                                                local_2.group_mask = ((_e1941 & 4278190080u) | (_e1905 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1959 = local_9;
-                                                            phi_2463_ = _e1523;
-                                                            phi_2466_ = (_e1959 & 16777215u);
+                                                            let _e1946 = local_9;
+                                                            phi_2475_ = _e1510;
+                                                            phi_2478_ = (_e1946 & 16777215u);
                                                             loop {
-                                                                let _e1962 = phi_2463_;
-                                                                let _e1964 = phi_2466_;
-                                                                local_10 = _e1962;
-                                                                if (_e1964 == 0u) {
-                                                                    phi_2464_ = lt_bvh_Hit();
-                                                                    phi_2467_ = u32();
-                                                                    phi_3305_ = false;
+                                                                let _e1949 = phi_2475_;
+                                                                let _e1951 = phi_2478_;
+                                                                local_10 = _e1949;
+                                                                if (_e1951 == 0u) {
+                                                                    phi_2476_ = lt_bvh_Hit();
+                                                                    phi_2479_ = u32();
+                                                                    phi_3317_ = false;
                                                                 } else {
-                                                                    let _e1968 = nodes.member[(0u + _e1525)].links[1u];
-                                                                    let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
-                                                                    if (_e1973 < _e81) {
+                                                                    let _e1955 = nodes.member[(0u + _e1512)].links[1u];
+                                                                    let _e1960 = ((_e1140 + _e1955) + select(firstTrailingBit(_e1951), 32u, (_e1951 == 0u)));
+                                                                    if (_e1960 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1980 = triangles.member[(0u + _e1973)].v0_;
-                                                                    let _e1982 = (_e1980.x - _e1072);
-                                                                    let _e1984 = (_e1980.y - _e1085);
-                                                                    let _e1986 = (_e1980.z - _e1098);
-                                                                    if (_e1358 == 0u) {
-                                                                        phi_2511_ = vec3<f32>(_e1984, _e1986, _e1982);
+                                                                    let _e1967 = triangles.member[(0u + _e1960)].v0_;
+                                                                    let _e1969 = (_e1967.x - _e1063);
+                                                                    let _e1971 = (_e1967.y - _e1076);
+                                                                    let _e1973 = (_e1967.z - _e1089);
+                                                                    if (_e1345 == 0u) {
+                                                                        phi_2523_ = vec3<f32>(_e1971, _e1973, _e1969);
                                                                     } else {
-                                                                        if (_e1358 == 1u) {
-                                                                            phi_2510_ = vec3<f32>(_e1986, _e1982, _e1984);
+                                                                        if (_e1345 == 1u) {
+                                                                            phi_2522_ = vec3<f32>(_e1973, _e1969, _e1971);
                                                                         } else {
-                                                                            phi_2510_ = (_e1980 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2522_ = (_e1967 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                         }
-                                                                        let _e1994 = phi_2510_;
-                                                                        phi_2511_ = _e1994;
+                                                                        let _e1981 = phi_2522_;
+                                                                        phi_2523_ = _e1981;
                                                                     }
-                                                                    let _e1996 = phi_2511_;
-                                                                    let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
-                                                                    let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
-                                                                    let _e2006 = triangles.member[(0u + _e1973)].v1_;
-                                                                    let _e2008 = (_e2006.x - _e1072);
-                                                                    let _e2010 = (_e2006.y - _e1085);
-                                                                    let _e2012 = (_e2006.z - _e1098);
-                                                                    if (_e1358 == 0u) {
-                                                                        phi_2541_ = vec3<f32>(_e2010, _e2012, _e2008);
+                                                                    let _e1983 = phi_2523_;
+                                                                    let _e1987 = (_e1983.x - (_e1356 * _e1983.z));
+                                                                    let _e1991 = (_e1983.y - (_e1359 * _e1983.z));
+                                                                    let _e1993 = triangles.member[(0u + _e1960)].v1_;
+                                                                    let _e1995 = (_e1993.x - _e1063);
+                                                                    let _e1997 = (_e1993.y - _e1076);
+                                                                    let _e1999 = (_e1993.z - _e1089);
+                                                                    if (_e1345 == 0u) {
+                                                                        phi_2553_ = vec3<f32>(_e1997, _e1999, _e1995);
                                                                     } else {
-                                                                        if (_e1358 == 1u) {
-                                                                            phi_2540_ = vec3<f32>(_e2012, _e2008, _e2010);
+                                                                        if (_e1345 == 1u) {
+                                                                            phi_2552_ = vec3<f32>(_e1999, _e1995, _e1997);
                                                                         } else {
-                                                                            phi_2540_ = (_e2006 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2552_ = (_e1993 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                         }
-                                                                        let _e2020 = phi_2540_;
-                                                                        phi_2541_ = _e2020;
+                                                                        let _e2007 = phi_2552_;
+                                                                        phi_2553_ = _e2007;
                                                                     }
-                                                                    let _e2022 = phi_2541_;
-                                                                    let _e2026 = (_e2022.x - (_e1369 * _e2022.z));
-                                                                    let _e2030 = (_e2022.y - (_e1372 * _e2022.z));
-                                                                    let _e2032 = triangles.member[(0u + _e1973)].v2_;
-                                                                    let _e2034 = (_e2032.x - _e1072);
-                                                                    let _e2036 = (_e2032.y - _e1085);
-                                                                    let _e2038 = (_e2032.z - _e1098);
-                                                                    if (_e1358 == 0u) {
-                                                                        phi_2571_ = vec3<f32>(_e2036, _e2038, _e2034);
+                                                                    let _e2009 = phi_2553_;
+                                                                    let _e2013 = (_e2009.x - (_e1356 * _e2009.z));
+                                                                    let _e2017 = (_e2009.y - (_e1359 * _e2009.z));
+                                                                    let _e2019 = triangles.member[(0u + _e1960)].v2_;
+                                                                    let _e2021 = (_e2019.x - _e1063);
+                                                                    let _e2023 = (_e2019.y - _e1076);
+                                                                    let _e2025 = (_e2019.z - _e1089);
+                                                                    if (_e1345 == 0u) {
+                                                                        phi_2583_ = vec3<f32>(_e2023, _e2025, _e2021);
                                                                     } else {
-                                                                        if (_e1358 == 1u) {
-                                                                            phi_2570_ = vec3<f32>(_e2038, _e2034, _e2036);
+                                                                        if (_e1345 == 1u) {
+                                                                            phi_2582_ = vec3<f32>(_e2025, _e2021, _e2023);
                                                                         } else {
-                                                                            phi_2570_ = (_e2032 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2582_ = (_e2019 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                         }
-                                                                        let _e2046 = phi_2570_;
-                                                                        phi_2571_ = _e2046;
+                                                                        let _e2033 = phi_2582_;
+                                                                        phi_2583_ = _e2033;
                                                                     }
-                                                                    let _e2048 = phi_2571_;
-                                                                    let _e2052 = (_e2048.x - (_e1369 * _e2048.z));
-                                                                    let _e2056 = (_e2048.y - (_e1372 * _e2048.z));
-                                                                    if (_e2026 < _e2052) {
-                                                                        phi_2590_ = true;
+                                                                    let _e2035 = phi_2583_;
+                                                                    let _e2039 = (_e2035.x - (_e1356 * _e2035.z));
+                                                                    let _e2043 = (_e2035.y - (_e1359 * _e2035.z));
+                                                                    if (_e2013 < _e2039) {
+                                                                        phi_2602_ = true;
                                                                     } else {
-                                                                        if (_e2026 == _e2052) {
-                                                                            phi_2589_ = (_e2030 < _e2056);
+                                                                        if (_e2013 == _e2039) {
+                                                                            phi_2601_ = (_e2017 < _e2043);
                                                                         } else {
-                                                                            phi_2589_ = false;
+                                                                            phi_2601_ = false;
                                                                         }
-                                                                        let _e2061 = phi_2589_;
-                                                                        phi_2590_ = _e2061;
+                                                                        let _e2048 = phi_2601_;
+                                                                        phi_2602_ = _e2048;
                                                                     }
-                                                                    let _e2063 = phi_2590_;
-                                                                    if _e2063 {
-                                                                        phi_2594_ = _e2056;
-                                                                        phi_2595_ = _e2052;
-                                                                        phi_2596_ = _e2030;
-                                                                        phi_2597_ = _e2026;
+                                                                    let _e2050 = phi_2602_;
+                                                                    if _e2050 {
+                                                                        phi_2606_ = _e2043;
+                                                                        phi_2607_ = _e2039;
+                                                                        phi_2608_ = _e2017;
+                                                                        phi_2609_ = _e2013;
                                                                     } else {
-                                                                        phi_2594_ = _e2030;
-                                                                        phi_2595_ = _e2026;
-                                                                        phi_2596_ = _e2056;
-                                                                        phi_2597_ = _e2052;
+                                                                        phi_2606_ = _e2017;
+                                                                        phi_2607_ = _e2013;
+                                                                        phi_2608_ = _e2043;
+                                                                        phi_2609_ = _e2039;
                                                                     }
-                                                                    let _e2065 = phi_2594_;
-                                                                    let _e2067 = phi_2595_;
-                                                                    let _e2069 = phi_2596_;
-                                                                    let _e2071 = phi_2597_;
-                                                                    let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
-                                                                    if _e2063 {
-                                                                        phi_2605_ = -(_e2074);
+                                                                    let _e2052 = phi_2606_;
+                                                                    let _e2054 = phi_2607_;
+                                                                    let _e2056 = phi_2608_;
+                                                                    let _e2058 = phi_2609_;
+                                                                    let _e2061 = ((_e2058 * _e2052) - (_e2056 * _e2054));
+                                                                    if _e2050 {
+                                                                        phi_2617_ = -(_e2061);
                                                                     } else {
-                                                                        phi_2605_ = _e2074;
+                                                                        phi_2617_ = _e2061;
                                                                     }
-                                                                    let _e2077 = phi_2605_;
-                                                                    if (_e2052 < _e2000) {
-                                                                        phi_2616_ = true;
+                                                                    let _e2064 = phi_2617_;
+                                                                    if (_e2039 < _e1987) {
+                                                                        phi_2628_ = true;
                                                                     } else {
-                                                                        if (_e2052 == _e2000) {
-                                                                            phi_2615_ = (_e2056 < _e2004);
+                                                                        if (_e2039 == _e1987) {
+                                                                            phi_2627_ = (_e2043 < _e1991);
                                                                         } else {
-                                                                            phi_2615_ = false;
+                                                                            phi_2627_ = false;
                                                                         }
-                                                                        let _e2082 = phi_2615_;
-                                                                        phi_2616_ = _e2082;
+                                                                        let _e2069 = phi_2627_;
+                                                                        phi_2628_ = _e2069;
                                                                     }
-                                                                    let _e2084 = phi_2616_;
-                                                                    if _e2084 {
-                                                                        phi_2620_ = _e2004;
-                                                                        phi_2621_ = _e2000;
-                                                                        phi_2622_ = _e2056;
-                                                                        phi_2623_ = _e2052;
+                                                                    let _e2071 = phi_2628_;
+                                                                    if _e2071 {
+                                                                        phi_2632_ = _e1991;
+                                                                        phi_2633_ = _e1987;
+                                                                        phi_2634_ = _e2043;
+                                                                        phi_2635_ = _e2039;
                                                                     } else {
-                                                                        phi_2620_ = _e2056;
-                                                                        phi_2621_ = _e2052;
-                                                                        phi_2622_ = _e2004;
-                                                                        phi_2623_ = _e2000;
+                                                                        phi_2632_ = _e2043;
+                                                                        phi_2633_ = _e2039;
+                                                                        phi_2634_ = _e1991;
+                                                                        phi_2635_ = _e1987;
                                                                     }
-                                                                    let _e2086 = phi_2620_;
-                                                                    let _e2088 = phi_2621_;
-                                                                    let _e2090 = phi_2622_;
-                                                                    let _e2092 = phi_2623_;
-                                                                    let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
-                                                                    if _e2084 {
-                                                                        phi_2631_ = -(_e2095);
+                                                                    let _e2073 = phi_2632_;
+                                                                    let _e2075 = phi_2633_;
+                                                                    let _e2077 = phi_2634_;
+                                                                    let _e2079 = phi_2635_;
+                                                                    let _e2082 = ((_e2079 * _e2073) - (_e2077 * _e2075));
+                                                                    if _e2071 {
+                                                                        phi_2643_ = -(_e2082);
                                                                     } else {
-                                                                        phi_2631_ = _e2095;
+                                                                        phi_2643_ = _e2082;
                                                                     }
-                                                                    let _e2098 = phi_2631_;
-                                                                    if (_e2000 < _e2026) {
-                                                                        phi_2642_ = true;
+                                                                    let _e2085 = phi_2643_;
+                                                                    if (_e1987 < _e2013) {
+                                                                        phi_2654_ = true;
                                                                     } else {
-                                                                        if (_e2000 == _e2026) {
-                                                                            phi_2641_ = (_e2004 < _e2030);
+                                                                        if (_e1987 == _e2013) {
+                                                                            phi_2653_ = (_e1991 < _e2017);
                                                                         } else {
-                                                                            phi_2641_ = false;
+                                                                            phi_2653_ = false;
                                                                         }
-                                                                        let _e2103 = phi_2641_;
-                                                                        phi_2642_ = _e2103;
+                                                                        let _e2090 = phi_2653_;
+                                                                        phi_2654_ = _e2090;
                                                                     }
-                                                                    let _e2105 = phi_2642_;
-                                                                    if _e2105 {
-                                                                        phi_2646_ = _e2030;
-                                                                        phi_2647_ = _e2026;
-                                                                        phi_2648_ = _e2004;
-                                                                        phi_2649_ = _e2000;
+                                                                    let _e2092 = phi_2654_;
+                                                                    if _e2092 {
+                                                                        phi_2658_ = _e2017;
+                                                                        phi_2659_ = _e2013;
+                                                                        phi_2660_ = _e1991;
+                                                                        phi_2661_ = _e1987;
                                                                     } else {
-                                                                        phi_2646_ = _e2004;
-                                                                        phi_2647_ = _e2000;
-                                                                        phi_2648_ = _e2030;
-                                                                        phi_2649_ = _e2026;
+                                                                        phi_2658_ = _e1991;
+                                                                        phi_2659_ = _e1987;
+                                                                        phi_2660_ = _e2017;
+                                                                        phi_2661_ = _e2013;
                                                                     }
-                                                                    let _e2107 = phi_2646_;
-                                                                    let _e2109 = phi_2647_;
-                                                                    let _e2111 = phi_2648_;
-                                                                    let _e2113 = phi_2649_;
-                                                                    let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
-                                                                    if _e2105 {
-                                                                        phi_2657_ = -(_e2116);
+                                                                    let _e2094 = phi_2658_;
+                                                                    let _e2096 = phi_2659_;
+                                                                    let _e2098 = phi_2660_;
+                                                                    let _e2100 = phi_2661_;
+                                                                    let _e2103 = ((_e2100 * _e2094) - (_e2098 * _e2096));
+                                                                    if _e2092 {
+                                                                        phi_2669_ = -(_e2103);
                                                                     } else {
-                                                                        phi_2657_ = _e2116;
+                                                                        phi_2669_ = _e2103;
                                                                     }
-                                                                    let _e2119 = phi_2657_;
-                                                                    if (_e2077 >= 0f) {
-                                                                        if (_e2098 >= 0f) {
-                                                                            if (_e2119 >= 0f) {
-                                                                                phi_2672_ = ((_e2077 + _e2098) + _e2119);
-                                                                                phi_2673_ = false;
+                                                                    let _e2106 = phi_2669_;
+                                                                    if (_e2064 >= 0f) {
+                                                                        if (_e2085 >= 0f) {
+                                                                            if (_e2106 >= 0f) {
+                                                                                phi_2684_ = ((_e2064 + _e2085) + _e2106);
+                                                                                phi_2685_ = false;
                                                                             } else {
-                                                                                phi_2672_ = f32();
-                                                                                phi_2673_ = true;
+                                                                                phi_2684_ = f32();
+                                                                                phi_2685_ = true;
                                                                             }
-                                                                            let _e2126 = phi_2672_;
-                                                                            let _e2128 = phi_2673_;
-                                                                            phi_2674_ = _e2126;
-                                                                            phi_2675_ = _e2128;
+                                                                            let _e2113 = phi_2684_;
+                                                                            let _e2115 = phi_2685_;
+                                                                            phi_2686_ = _e2113;
+                                                                            phi_2687_ = _e2115;
                                                                         } else {
-                                                                            phi_2674_ = f32();
-                                                                            phi_2675_ = true;
+                                                                            phi_2686_ = f32();
+                                                                            phi_2687_ = true;
                                                                         }
-                                                                        let _e2130 = phi_2674_;
-                                                                        let _e2132 = phi_2675_;
-                                                                        phi_2676_ = _e2130;
-                                                                        phi_2677_ = _e2132;
+                                                                        let _e2117 = phi_2686_;
+                                                                        let _e2119 = phi_2687_;
+                                                                        phi_2688_ = _e2117;
+                                                                        phi_2689_ = _e2119;
                                                                     } else {
-                                                                        phi_2676_ = f32();
-                                                                        phi_2677_ = true;
+                                                                        phi_2688_ = f32();
+                                                                        phi_2689_ = true;
                                                                     }
-                                                                    let _e2134 = phi_2676_;
-                                                                    let _e2136 = phi_2677_;
-                                                                    if _e2136 {
-                                                                        if (_e2077 <= 0f) {
-                                                                            if (_e2098 <= 0f) {
-                                                                                let _e2139 = (_e2119 <= 0f);
-                                                                                if _e2139 {
+                                                                    let _e2121 = phi_2688_;
+                                                                    let _e2123 = phi_2689_;
+                                                                    if _e2123 {
+                                                                        if (_e2064 <= 0f) {
+                                                                            if (_e2085 <= 0f) {
+                                                                                let _e2126 = (_e2106 <= 0f);
+                                                                                if _e2126 {
                                                                                 }
-                                                                                phi_2695_ = ((_e2077 + _e2098) + _e2119);
-                                                                                phi_2696_ = false;
-                                                                                phi_2697_ = _e2139;
+                                                                                phi_2707_ = ((_e2064 + _e2085) + _e2106);
+                                                                                phi_2708_ = false;
+                                                                                phi_2709_ = _e2126;
                                                                             } else {
-                                                                                phi_2695_ = f32();
-                                                                                phi_2696_ = true;
-                                                                                phi_2697_ = false;
+                                                                                phi_2707_ = f32();
+                                                                                phi_2708_ = true;
+                                                                                phi_2709_ = false;
                                                                             }
-                                                                            let _e2143 = phi_2695_;
-                                                                            let _e2145 = phi_2696_;
-                                                                            let _e2147 = phi_2697_;
-                                                                            phi_2698_ = _e2143;
-                                                                            phi_2699_ = _e2145;
-                                                                            phi_2700_ = _e2147;
+                                                                            let _e2130 = phi_2707_;
+                                                                            let _e2132 = phi_2708_;
+                                                                            let _e2134 = phi_2709_;
+                                                                            phi_2710_ = _e2130;
+                                                                            phi_2711_ = _e2132;
+                                                                            phi_2712_ = _e2134;
                                                                         } else {
-                                                                            phi_2698_ = f32();
-                                                                            phi_2699_ = true;
-                                                                            phi_2700_ = false;
+                                                                            phi_2710_ = f32();
+                                                                            phi_2711_ = true;
+                                                                            phi_2712_ = false;
                                                                         }
-                                                                        let _e2149 = phi_2698_;
-                                                                        let _e2151 = phi_2699_;
-                                                                        let _e2153 = phi_2700_;
-                                                                        if _e2151 {
-                                                                            phi_2704_ = false;
+                                                                        let _e2136 = phi_2710_;
+                                                                        let _e2138 = phi_2711_;
+                                                                        let _e2140 = phi_2712_;
+                                                                        if _e2138 {
+                                                                            phi_2716_ = false;
                                                                         } else {
-                                                                            phi_2704_ = _e2153;
+                                                                            phi_2716_ = _e2140;
                                                                         }
-                                                                        let _e2155 = phi_2704_;
-                                                                        phi_2705_ = _e2149;
-                                                                        phi_2706_ = _e2155;
+                                                                        let _e2142 = phi_2716_;
+                                                                        phi_2717_ = _e2136;
+                                                                        phi_2718_ = _e2142;
                                                                     } else {
-                                                                        phi_2705_ = _e2134;
-                                                                        phi_2706_ = true;
+                                                                        phi_2717_ = _e2121;
+                                                                        phi_2718_ = true;
                                                                     }
-                                                                    let _e2157 = phi_2705_;
-                                                                    let _e2159 = phi_2706_;
-                                                                    if _e2159 {
-                                                                        let _e2160 = (_e2157 == 0f);
-                                                                        if _e2160 {
-                                                                            phi_3022_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3023_ = false;
+                                                                    let _e2144 = phi_2717_;
+                                                                    let _e2146 = phi_2718_;
+                                                                    if _e2146 {
+                                                                        let _e2147 = (_e2144 == 0f);
+                                                                        if _e2147 {
+                                                                            phi_3034_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3035_ = false;
                                                                         } else {
-                                                                            let _e2162 = triangles.member[(0u + _e1973)].v0_;
-                                                                            let _e2164 = (_e2162.x - _e1072);
-                                                                            let _e2166 = (_e2162.y - _e1085);
-                                                                            let _e2168 = (_e2162.z - _e1098);
-                                                                            if (_e1358 == 0u) {
-                                                                                phi_2735_ = vec3<f32>(_e2166, _e2168, _e2164);
+                                                                            let _e2149 = triangles.member[(0u + _e1960)].v0_;
+                                                                            let _e2151 = (_e2149.x - _e1063);
+                                                                            let _e2153 = (_e2149.y - _e1076);
+                                                                            let _e2155 = (_e2149.z - _e1089);
+                                                                            if (_e1345 == 0u) {
+                                                                                phi_2747_ = vec3<f32>(_e2153, _e2155, _e2151);
                                                                             } else {
-                                                                                if (_e1358 == 1u) {
-                                                                                    phi_2734_ = vec3<f32>(_e2168, _e2164, _e2166);
+                                                                                if (_e1345 == 1u) {
+                                                                                    phi_2746_ = vec3<f32>(_e2155, _e2151, _e2153);
                                                                                 } else {
-                                                                                    phi_2734_ = (_e2162 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                                    phi_2746_ = (_e2149 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                                 }
-                                                                                let _e2176 = phi_2734_;
-                                                                                phi_2735_ = _e2176;
+                                                                                let _e2163 = phi_2746_;
+                                                                                phi_2747_ = _e2163;
                                                                             }
-                                                                            let _e2178 = phi_2735_;
-                                                                            let _e2180 = triangles.member[(0u + _e1973)].v1_;
-                                                                            let _e2182 = triangles.member[(0u + _e1973)].v0_;
-                                                                            let _e2185 = (_e2180.x - _e2182.x);
-                                                                            let _e2188 = (_e2180.y - _e2182.y);
-                                                                            let _e2191 = (_e2180.z - _e2182.z);
-                                                                            if (_e1358 == 0u) {
-                                                                                phi_2761_ = vec3<f32>(_e2188, _e2191, _e2185);
+                                                                            let _e2165 = phi_2747_;
+                                                                            let _e2167 = triangles.member[(0u + _e1960)].v1_;
+                                                                            let _e2169 = triangles.member[(0u + _e1960)].v0_;
+                                                                            let _e2172 = (_e2167.x - _e2169.x);
+                                                                            let _e2175 = (_e2167.y - _e2169.y);
+                                                                            let _e2178 = (_e2167.z - _e2169.z);
+                                                                            if (_e1345 == 0u) {
+                                                                                phi_2773_ = vec3<f32>(_e2175, _e2178, _e2172);
                                                                             } else {
-                                                                                if (_e1358 == 1u) {
-                                                                                    phi_2760_ = vec3<f32>(_e2191, _e2185, _e2188);
+                                                                                if (_e1345 == 1u) {
+                                                                                    phi_2772_ = vec3<f32>(_e2178, _e2172, _e2175);
                                                                                 } else {
-                                                                                    phi_2760_ = (_e2180 - _e2182);
+                                                                                    phi_2772_ = (_e2167 - _e2169);
                                                                                 }
-                                                                                let _e2198 = phi_2760_;
-                                                                                phi_2761_ = _e2198;
+                                                                                let _e2185 = phi_2772_;
+                                                                                phi_2773_ = _e2185;
                                                                             }
-                                                                            let _e2200 = phi_2761_;
-                                                                            let _e2202 = triangles.member[(0u + _e1973)].v2_;
-                                                                            let _e2204 = triangles.member[(0u + _e1973)].v0_;
-                                                                            let _e2207 = (_e2202.x - _e2204.x);
-                                                                            let _e2210 = (_e2202.y - _e2204.y);
-                                                                            let _e2213 = (_e2202.z - _e2204.z);
-                                                                            if (_e1358 == 0u) {
-                                                                                phi_2787_ = vec3<f32>(_e2210, _e2213, _e2207);
+                                                                            let _e2187 = phi_2773_;
+                                                                            let _e2189 = triangles.member[(0u + _e1960)].v2_;
+                                                                            let _e2191 = triangles.member[(0u + _e1960)].v0_;
+                                                                            let _e2194 = (_e2189.x - _e2191.x);
+                                                                            let _e2197 = (_e2189.y - _e2191.y);
+                                                                            let _e2200 = (_e2189.z - _e2191.z);
+                                                                            if (_e1345 == 0u) {
+                                                                                phi_2799_ = vec3<f32>(_e2197, _e2200, _e2194);
                                                                             } else {
-                                                                                if (_e1358 == 1u) {
-                                                                                    phi_2786_ = vec3<f32>(_e2213, _e2207, _e2210);
+                                                                                if (_e1345 == 1u) {
+                                                                                    phi_2798_ = vec3<f32>(_e2200, _e2194, _e2197);
                                                                                 } else {
-                                                                                    phi_2786_ = (_e2202 - _e2204);
+                                                                                    phi_2798_ = (_e2189 - _e2191);
                                                                                 }
-                                                                                let _e2220 = phi_2786_;
-                                                                                phi_2787_ = _e2220;
+                                                                                let _e2207 = phi_2798_;
+                                                                                phi_2799_ = _e2207;
                                                                             }
-                                                                            let _e2222 = phi_2787_;
-                                                                            let _e2229 = ((_e2200.y * _e2222.z) - (_e2200.z * _e2222.y));
-                                                                            let _e2236 = ((_e2200.z * _e2222.x) - (_e2200.x * _e2222.z));
-                                                                            let _e2243 = ((_e2200.x * _e2222.y) - (_e2200.y * _e2222.x));
-                                                                            let _e2257 = (((1f / _e1366.z) * (((_e2229 * _e2178.x) + (_e2236 * _e2178.y)) + (_e2243 * _e2178.z))) / (((_e2229 * _e1369) + (_e2236 * _e1372)) + _e2243));
-                                                                            if (_e2257 > _e162.tmin) {
-                                                                                if (_e2257 < _e162.tmax) {
-                                                                                    let _e2261 = triangles.member[(0u + _e1973)].v0_;
-                                                                                    let _e2263 = triangles.member[(0u + _e1973)].v1_;
-                                                                                    if (_e2261.x < _e2263.x) {
-                                                                                        phi_2843_ = _e2261.x;
+                                                                            let _e2209 = phi_2799_;
+                                                                            let _e2216 = ((_e2187.y * _e2209.z) - (_e2187.z * _e2209.y));
+                                                                            let _e2223 = ((_e2187.z * _e2209.x) - (_e2187.x * _e2209.z));
+                                                                            let _e2230 = ((_e2187.x * _e2209.y) - (_e2187.y * _e2209.x));
+                                                                            let _e2244 = (((1f / _e1353.z) * (((_e2216 * _e2165.x) + (_e2223 * _e2165.y)) + (_e2230 * _e2165.z))) / (((_e2216 * _e1356) + (_e2223 * _e1359)) + _e2230));
+                                                                            if (_e2244 > _e162.tmin) {
+                                                                                if (_e2244 < _e162.tmax) {
+                                                                                    let _e2248 = triangles.member[(0u + _e1960)].v0_;
+                                                                                    let _e2250 = triangles.member[(0u + _e1960)].v1_;
+                                                                                    if (_e2248.x < _e2250.x) {
+                                                                                        phi_2855_ = _e2248.x;
                                                                                     } else {
-                                                                                        phi_2843_ = _e2263.x;
+                                                                                        phi_2855_ = _e2250.x;
                                                                                     }
-                                                                                    let _e2270 = phi_2843_;
-                                                                                    if (_e2261.y < _e2263.y) {
-                                                                                        phi_2852_ = _e2261.y;
+                                                                                    let _e2257 = phi_2855_;
+                                                                                    if (_e2248.y < _e2250.y) {
+                                                                                        phi_2864_ = _e2248.y;
                                                                                     } else {
-                                                                                        phi_2852_ = _e2263.y;
+                                                                                        phi_2864_ = _e2250.y;
                                                                                     }
-                                                                                    let _e2277 = phi_2852_;
-                                                                                    if (_e2261.z < _e2263.z) {
-                                                                                        phi_2861_ = _e2261.z;
+                                                                                    let _e2264 = phi_2864_;
+                                                                                    if (_e2248.z < _e2250.z) {
+                                                                                        phi_2873_ = _e2248.z;
                                                                                     } else {
-                                                                                        phi_2861_ = _e2263.z;
+                                                                                        phi_2873_ = _e2250.z;
                                                                                     }
-                                                                                    let _e2284 = phi_2861_;
-                                                                                    let _e2286 = triangles.member[(0u + _e1973)].v2_;
-                                                                                    if (_e2270 < _e2286.x) {
-                                                                                        phi_2870_ = _e2270;
+                                                                                    let _e2271 = phi_2873_;
+                                                                                    let _e2273 = triangles.member[(0u + _e1960)].v2_;
+                                                                                    if (_e2257 < _e2273.x) {
+                                                                                        phi_2882_ = _e2257;
                                                                                     } else {
-                                                                                        phi_2870_ = _e2286.x;
+                                                                                        phi_2882_ = _e2273.x;
                                                                                     }
-                                                                                    let _e2291 = phi_2870_;
-                                                                                    if (_e2277 < _e2286.y) {
-                                                                                        phi_2877_ = _e2277;
+                                                                                    let _e2278 = phi_2882_;
+                                                                                    if (_e2264 < _e2273.y) {
+                                                                                        phi_2889_ = _e2264;
                                                                                     } else {
-                                                                                        phi_2877_ = _e2286.y;
+                                                                                        phi_2889_ = _e2273.y;
                                                                                     }
-                                                                                    let _e2296 = phi_2877_;
-                                                                                    if (_e2284 < _e2286.z) {
-                                                                                        phi_2884_ = _e2284;
+                                                                                    let _e2283 = phi_2889_;
+                                                                                    if (_e2271 < _e2273.z) {
+                                                                                        phi_2896_ = _e2271;
                                                                                     } else {
-                                                                                        phi_2884_ = _e2286.z;
+                                                                                        phi_2896_ = _e2273.z;
                                                                                     }
-                                                                                    let _e2301 = phi_2884_;
-                                                                                    let _e2303 = triangles.member[(0u + _e1973)].v0_;
-                                                                                    let _e2305 = triangles.member[(0u + _e1973)].v1_;
-                                                                                    if (_e2303.x > _e2305.x) {
-                                                                                        phi_2897_ = _e2303.x;
+                                                                                    let _e2288 = phi_2896_;
+                                                                                    let _e2290 = triangles.member[(0u + _e1960)].v0_;
+                                                                                    let _e2292 = triangles.member[(0u + _e1960)].v1_;
+                                                                                    if (_e2290.x > _e2292.x) {
+                                                                                        phi_2909_ = _e2290.x;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2305.x;
+                                                                                        phi_2909_ = _e2292.x;
                                                                                     }
-                                                                                    let _e2312 = phi_2897_;
-                                                                                    if (_e2303.y > _e2305.y) {
-                                                                                        phi_2906_ = _e2303.y;
+                                                                                    let _e2299 = phi_2909_;
+                                                                                    if (_e2290.y > _e2292.y) {
+                                                                                        phi_2918_ = _e2290.y;
                                                                                     } else {
-                                                                                        phi_2906_ = _e2305.y;
+                                                                                        phi_2918_ = _e2292.y;
                                                                                     }
-                                                                                    let _e2319 = phi_2906_;
-                                                                                    if (_e2303.z > _e2305.z) {
-                                                                                        phi_2915_ = _e2303.z;
+                                                                                    let _e2306 = phi_2918_;
+                                                                                    if (_e2290.z > _e2292.z) {
+                                                                                        phi_2927_ = _e2290.z;
                                                                                     } else {
-                                                                                        phi_2915_ = _e2305.z;
+                                                                                        phi_2927_ = _e2292.z;
                                                                                     }
-                                                                                    let _e2326 = phi_2915_;
-                                                                                    let _e2328 = triangles.member[(0u + _e1973)].v2_;
-                                                                                    if (_e2312 > _e2328.x) {
-                                                                                        phi_2924_ = _e2312;
+                                                                                    let _e2313 = phi_2927_;
+                                                                                    let _e2315 = triangles.member[(0u + _e1960)].v2_;
+                                                                                    if (_e2299 > _e2315.x) {
+                                                                                        phi_2936_ = _e2299;
                                                                                     } else {
-                                                                                        phi_2924_ = _e2328.x;
+                                                                                        phi_2936_ = _e2315.x;
                                                                                     }
-                                                                                    let _e2333 = phi_2924_;
-                                                                                    if (_e2319 > _e2328.y) {
-                                                                                        phi_2931_ = _e2319;
+                                                                                    let _e2320 = phi_2936_;
+                                                                                    if (_e2306 > _e2315.y) {
+                                                                                        phi_2943_ = _e2306;
                                                                                     } else {
-                                                                                        phi_2931_ = _e2328.y;
+                                                                                        phi_2943_ = _e2315.y;
                                                                                     }
-                                                                                    let _e2338 = phi_2931_;
-                                                                                    if (_e2326 > _e2328.z) {
-                                                                                        phi_2938_ = _e2326;
+                                                                                    let _e2325 = phi_2943_;
+                                                                                    if (_e2313 > _e2315.z) {
+                                                                                        phi_2950_ = _e2313;
                                                                                     } else {
-                                                                                        phi_2938_ = _e2328.z;
+                                                                                        phi_2950_ = _e2315.z;
                                                                                     }
-                                                                                    let _e2343 = phi_2938_;
-                                                                                    let _e2347 = ((_e2291 - _e1072) * _e1287);
-                                                                                    let _e2348 = ((_e2296 - _e1085) * _e1297);
-                                                                                    let _e2349 = ((_e2301 - _e1098) * _e1307);
-                                                                                    let _e2353 = ((_e2333 - _e1072) * _e1287);
-                                                                                    let _e2354 = ((_e2338 - _e1085) * _e1297);
-                                                                                    let _e2355 = ((_e2343 - _e1098) * _e1307);
-                                                                                    if (_e2347 < _e2353) {
-                                                                                        phi_2955_ = _e2347;
+                                                                                    let _e2330 = phi_2950_;
+                                                                                    let _e2334 = ((_e2278 - _e1063) * _e1270);
+                                                                                    let _e2335 = ((_e2283 - _e1076) * _e1280);
+                                                                                    let _e2336 = ((_e2288 - _e1089) * _e1290);
+                                                                                    let _e2340 = ((_e2320 - _e1063) * _e1270);
+                                                                                    let _e2341 = ((_e2325 - _e1076) * _e1280);
+                                                                                    let _e2342 = ((_e2330 - _e1089) * _e1290);
+                                                                                    if (_e2334 < _e2340) {
+                                                                                        phi_2967_ = _e2334;
                                                                                     } else {
-                                                                                        phi_2955_ = _e2353;
+                                                                                        phi_2967_ = _e2340;
                                                                                     }
-                                                                                    let _e2358 = phi_2955_;
-                                                                                    if (_e2348 < _e2354) {
-                                                                                        phi_2960_ = _e2348;
+                                                                                    let _e2345 = phi_2967_;
+                                                                                    if (_e2335 < _e2341) {
+                                                                                        phi_2972_ = _e2335;
                                                                                     } else {
-                                                                                        phi_2960_ = _e2354;
+                                                                                        phi_2972_ = _e2341;
                                                                                     }
-                                                                                    let _e2361 = phi_2960_;
-                                                                                    if (_e2349 < _e2355) {
-                                                                                        phi_2965_ = _e2349;
+                                                                                    let _e2348 = phi_2972_;
+                                                                                    if (_e2336 < _e2342) {
+                                                                                        phi_2977_ = _e2336;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2355;
+                                                                                        phi_2977_ = _e2342;
                                                                                     }
-                                                                                    let _e2364 = phi_2965_;
-                                                                                    if (_e2347 > _e2353) {
-                                                                                        phi_2973_ = _e2347;
+                                                                                    let _e2351 = phi_2977_;
+                                                                                    if (_e2334 > _e2340) {
+                                                                                        phi_2985_ = _e2334;
                                                                                     } else {
-                                                                                        phi_2973_ = _e2353;
+                                                                                        phi_2985_ = _e2340;
                                                                                     }
-                                                                                    let _e2370 = phi_2973_;
-                                                                                    if (_e2348 > _e2354) {
-                                                                                        phi_2978_ = _e2348;
+                                                                                    let _e2357 = phi_2985_;
+                                                                                    if (_e2335 > _e2341) {
+                                                                                        phi_2990_ = _e2335;
                                                                                     } else {
-                                                                                        phi_2978_ = _e2354;
+                                                                                        phi_2990_ = _e2341;
                                                                                     }
-                                                                                    let _e2373 = phi_2978_;
-                                                                                    if (_e2349 > _e2355) {
-                                                                                        phi_2983_ = _e2349;
+                                                                                    let _e2360 = phi_2990_;
+                                                                                    if (_e2336 > _e2342) {
+                                                                                        phi_2995_ = _e2336;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2355;
+                                                                                        phi_2995_ = _e2342;
                                                                                     }
-                                                                                    let _e2376 = phi_2983_;
-                                                                                    let _e2380 = core_intrinsics_maximum_number_nsz_f32_((_e2358 - _e1342), (_e2361 - _e1343));
-                                                                                    let _e2381 = core_intrinsics_maximum_number_nsz_f32_(_e2380, (_e2364 - _e1344));
-                                                                                    let _e2382 = core_intrinsics_minimum_number_nsz_f32_((_e2370 + _e1342), (_e2373 + _e1343));
-                                                                                    let _e2383 = core_intrinsics_minimum_number_nsz_f32_(_e2382, (_e2376 + _e1344));
-                                                                                    if (_e2381 > _e1047) {
-                                                                                        phi_2995_ = _e2381;
+                                                                                    let _e2363 = phi_2995_;
+                                                                                    let _e2367 = core_intrinsics_maximum_number_nsz_f32_((_e2345 - _e1329), (_e2348 - _e1330));
+                                                                                    let _e2368 = core_intrinsics_maximum_number_nsz_f32_(_e2367, (_e2351 - _e1331));
+                                                                                    let _e2369 = core_intrinsics_minimum_number_nsz_f32_((_e2357 + _e1329), (_e2360 + _e1330));
+                                                                                    let _e2370 = core_intrinsics_minimum_number_nsz_f32_(_e2369, (_e2363 + _e1331));
+                                                                                    if (_e2368 > _e1038) {
+                                                                                        phi_3007_ = _e2368;
                                                                                     } else {
-                                                                                        phi_2995_ = _e1047;
+                                                                                        phi_3007_ = _e1038;
                                                                                     }
-                                                                                    let _e2386 = phi_2995_;
-                                                                                    if (_e2383 < _e1049) {
-                                                                                        phi_3000_ = _e2383;
+                                                                                    let _e2373 = phi_3007_;
+                                                                                    if (_e2370 < _e1040) {
+                                                                                        phi_3012_ = _e2370;
                                                                                     } else {
-                                                                                        phi_3000_ = _e1049;
+                                                                                        phi_3012_ = _e1040;
                                                                                     }
-                                                                                    let _e2389 = phi_3000_;
-                                                                                    if (_e2257 < _e2386) {
-                                                                                        phi_3005_ = _e2386;
+                                                                                    let _e2376 = phi_3012_;
+                                                                                    if (_e2244 < _e2373) {
+                                                                                        phi_3017_ = _e2373;
                                                                                     } else {
-                                                                                        phi_3005_ = _e2257;
+                                                                                        phi_3017_ = _e2244;
                                                                                     }
-                                                                                    let _e2392 = phi_3005_;
-                                                                                    if (_e2392 > _e2389) {
-                                                                                        phi_3010_ = _e2389;
+                                                                                    let _e2379 = phi_3017_;
+                                                                                    if (_e2379 > _e2376) {
+                                                                                        phi_3022_ = _e2376;
                                                                                     } else {
-                                                                                        phi_3010_ = _e2392;
+                                                                                        phi_3022_ = _e2379;
                                                                                     }
-                                                                                    let _e2395 = phi_3010_;
-                                                                                    phi_3015_ = lt_bvh_triangle_Intersection(_e2395, (_e2098 / _e2157), (_e2119 / _e2157), (_e2386 <= _e2389));
-                                                                                    phi_3016_ = false;
+                                                                                    let _e2382 = phi_3022_;
+                                                                                    phi_3027_ = lt_bvh_triangle_Intersection(_e2382, (_e2085 / _e2144), (_e2106 / _e2144), (_e2373 <= _e2376));
+                                                                                    phi_3028_ = false;
                                                                                 } else {
-                                                                                    phi_3015_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3016_ = true;
+                                                                                    phi_3027_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3028_ = true;
                                                                                 }
-                                                                                let _e2401 = phi_3015_;
-                                                                                let _e2403 = phi_3016_;
-                                                                                phi_3017_ = _e2401;
-                                                                                phi_3018_ = _e2403;
+                                                                                let _e2388 = phi_3027_;
+                                                                                let _e2390 = phi_3028_;
+                                                                                phi_3029_ = _e2388;
+                                                                                phi_3030_ = _e2390;
                                                                             } else {
-                                                                                phi_3017_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3018_ = true;
+                                                                                phi_3029_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3030_ = true;
                                                                             }
-                                                                            let _e2405 = phi_3017_;
-                                                                            let _e2407 = phi_3018_;
-                                                                            if _e2407 {
+                                                                            let _e2392 = phi_3029_;
+                                                                            let _e2394 = phi_3030_;
+                                                                            if _e2394 {
                                                                             }
-                                                                            phi_3022_ = _e2405;
-                                                                            phi_3023_ = _e2407;
+                                                                            phi_3034_ = _e2392;
+                                                                            phi_3035_ = _e2394;
                                                                         }
-                                                                        let _e2409 = phi_3022_;
-                                                                        let _e2411 = phi_3023_;
-                                                                        phi_3024_ = _e2409;
-                                                                        phi_3025_ = _e2160;
-                                                                        phi_3026_ = _e2411;
+                                                                        let _e2396 = phi_3034_;
+                                                                        let _e2398 = phi_3035_;
+                                                                        phi_3036_ = _e2396;
+                                                                        phi_3037_ = _e2147;
+                                                                        phi_3038_ = _e2398;
                                                                     } else {
-                                                                        phi_3024_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3025_ = true;
-                                                                        phi_3026_ = false;
+                                                                        phi_3036_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3037_ = true;
+                                                                        phi_3038_ = false;
                                                                     }
-                                                                    let _e2413 = phi_3024_;
-                                                                    let _e2415 = phi_3025_;
-                                                                    let _e2417 = phi_3026_;
-                                                                    if _e2415 {
-                                                                        phi_3030_ = true;
+                                                                    let _e2400 = phi_3036_;
+                                                                    let _e2402 = phi_3037_;
+                                                                    let _e2404 = phi_3038_;
+                                                                    if _e2402 {
+                                                                        phi_3042_ = true;
                                                                     } else {
-                                                                        phi_3030_ = _e2417;
+                                                                        phi_3042_ = _e2404;
                                                                     }
-                                                                    let _e2419 = phi_3030_;
-                                                                    if _e2419 {
-                                                                        phi_3034_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2406 = phi_3042_;
+                                                                    if _e2406 {
+                                                                        phi_3046_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3034_ = _e2413;
+                                                                        phi_3046_ = _e2400;
                                                                     }
-                                                                    let _e2421 = phi_3034_;
-                                                                    if _e2421.is_hit {
-                                                                        if (_e2421.t > _e162.tmin) {
-                                                                            if (_e2421.t < _e1962.t) {
-                                                                                phi_3082_ = true;
+                                                                    let _e2408 = phi_3046_;
+                                                                    if _e2408.is_hit {
+                                                                        if (_e2408.t > _e162.tmin) {
+                                                                            if (_e2408.t < _e1949.t) {
+                                                                                phi_3094_ = true;
                                                                             } else {
-                                                                                if (_e2421.t == _e1962.t) {
-                                                                                    if (_e1962.triangle != 4294967295u) {
-                                                                                        if (_e1973 < _e1962.triangle) {
-                                                                                            phi_3073_ = true;
+                                                                                if (_e2408.t == _e1949.t) {
+                                                                                    if (_e1949.triangle != 4294967295u) {
+                                                                                        if (_e1960 < _e1949.triangle) {
+                                                                                            phi_3085_ = true;
                                                                                         } else {
-                                                                                            if (_e1973 == _e1962.triangle) {
-                                                                                                phi_3072_ = (_e988 < _e1962.instance);
+                                                                                            if (_e1960 == _e1949.triangle) {
+                                                                                                phi_3084_ = (_e979 < _e1949.instance);
                                                                                             } else {
-                                                                                                phi_3072_ = false;
+                                                                                                phi_3084_ = false;
                                                                                             }
-                                                                                            let _e2439 = phi_3072_;
-                                                                                            phi_3073_ = _e2439;
+                                                                                            let _e2426 = phi_3084_;
+                                                                                            phi_3085_ = _e2426;
                                                                                         }
-                                                                                        let _e2441 = phi_3073_;
-                                                                                        phi_3074_ = _e2441;
-                                                                                        phi_3075_ = false;
+                                                                                        let _e2428 = phi_3085_;
+                                                                                        phi_3086_ = _e2428;
+                                                                                        phi_3087_ = false;
                                                                                     } else {
-                                                                                        phi_3074_ = bool();
-                                                                                        phi_3075_ = true;
+                                                                                        phi_3086_ = bool();
+                                                                                        phi_3087_ = true;
                                                                                     }
-                                                                                    let _e2443 = phi_3074_;
-                                                                                    let _e2445 = phi_3075_;
-                                                                                    phi_3076_ = _e2443;
-                                                                                    phi_3077_ = _e2445;
+                                                                                    let _e2430 = phi_3086_;
+                                                                                    let _e2432 = phi_3087_;
+                                                                                    phi_3088_ = _e2430;
+                                                                                    phi_3089_ = _e2432;
                                                                                 } else {
-                                                                                    phi_3076_ = bool();
-                                                                                    phi_3077_ = true;
+                                                                                    phi_3088_ = bool();
+                                                                                    phi_3089_ = true;
                                                                                 }
-                                                                                let _e2447 = phi_3076_;
-                                                                                let _e2449 = phi_3077_;
-                                                                                if _e2449 {
-                                                                                    phi_3081_ = false;
+                                                                                let _e2434 = phi_3088_;
+                                                                                let _e2436 = phi_3089_;
+                                                                                if _e2436 {
+                                                                                    phi_3093_ = false;
                                                                                 } else {
-                                                                                    phi_3081_ = _e2447;
+                                                                                    phi_3093_ = _e2434;
                                                                                 }
-                                                                                let _e2451 = phi_3081_;
-                                                                                phi_3082_ = _e2451;
+                                                                                let _e2438 = phi_3093_;
+                                                                                phi_3094_ = _e2438;
                                                                             }
-                                                                            let _e2453 = phi_3082_;
-                                                                            if _e2453 {
-                                                                                let _e2455 = triangles.member[(0u + _e1973)].i0_;
-                                                                                if ((_e2455 & 2147483648u) == 0u) {
-                                                                                    phi_3293_ = true;
+                                                                            let _e2440 = phi_3094_;
+                                                                            if _e2440 {
+                                                                                let _e2442 = triangles.member[(0u + _e1960)].i0_;
+                                                                                if ((_e2442 & 2147483648u) == 0u) {
+                                                                                    phi_3305_ = true;
                                                                                 } else {
-                                                                                    if (_e1973 < _e81) {
+                                                                                    if (_e1960 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2464 = triangles.member[(0u + _e1973)].i0_;
-                                                                                    let _e2465 = (_e2464 & 2147483647u);
-                                                                                    let _e2467 = triangles.member[(0u + _e1973)].i1_;
-                                                                                    let _e2469 = triangles.member[(0u + _e1973)].i2_;
-                                                                                    if (_e2465 < _e84) {
+                                                                                    let _e2451 = triangles.member[(0u + _e1960)].i0_;
+                                                                                    let _e2452 = (_e2451 & 2147483647u);
+                                                                                    let _e2454 = triangles.member[(0u + _e1960)].i1_;
+                                                                                    let _e2456 = triangles.member[(0u + _e1960)].i2_;
+                                                                                    if (_e2452 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2473 = vertices.member[(0u + _e2465)];
-                                                                                    if (_e2467 < _e84) {
+                                                                                    let _e2460 = vertices.member[(0u + _e2452)];
+                                                                                    if (_e2454 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2477 = vertices.member[(0u + _e2467)];
-                                                                                    if (_e2469 < _e84) {
+                                                                                    let _e2464 = vertices.member[(0u + _e2454)];
+                                                                                    if (_e2456 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2481 = vertices.member[(0u + _e2469)];
-                                                                                    let _e2482 = array<abi_Vertex, 3>(_e2473, _e2477, _e2481);
-                                                                                    if (_e2482[0].material < _e87) {
+                                                                                    let _e2468 = vertices.member[(0u + _e2456)];
+                                                                                    let _e2469 = array<abi_Vertex, 3>(_e2460, _e2464, _e2468);
+                                                                                    if (_e2469[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2488 = materials.member[(0u + _e2482[0].material)];
-                                                                                    if ((_e2488.flags & 0u) == 0u) {
-                                                                                        let _e2493 = ((1f - _e2421.u) - _e2421.v);
-                                                                                        if (_e2488.cutoff <= 0f) {
-                                                                                            phi_3288_ = true;
+                                                                                    let _e2475 = materials.member[(0u + _e2469[0].material)];
+                                                                                    if ((_e2475.flags & 0u) == 0u) {
+                                                                                        let _e2480 = ((1f - _e2408.u) - _e2408.v);
+                                                                                        if (_e2475.cutoff <= 0f) {
+                                                                                            phi_3300_ = true;
                                                                                         } else {
-                                                                                            let _e2520 = (_e2488.base_color.w * ((((f32((_e2482[0].color >> bitcast<u32>(24i))) * _e2493) + (f32((_e2482[1].color >> bitcast<u32>(24i))) * _e2421.u)) + (f32((_e2482[2].color >> bitcast<u32>(24i))) * _e2421.v)) * (1f / 255f)));
-                                                                                            if (_e2488.alpha_size == 0u) {
-                                                                                                phi_3285_ = _e2520;
+                                                                                            let _e2507 = (_e2475.base_color.w * ((((f32((_e2469[0].color >> bitcast<u32>(24i))) * _e2480) + (f32((_e2469[1].color >> bitcast<u32>(24i))) * _e2408.u)) + (f32((_e2469[2].color >> bitcast<u32>(24i))) * _e2408.v)) * (1f / 255f)));
+                                                                                            if (_e2475.alpha_size == 0u) {
+                                                                                                phi_3297_ = _e2507;
                                                                                             } else {
-                                                                                                local_1.offset = _e2488.alpha_offset;
-                                                                                                local_1.size = _e2488.alpha_size;
-                                                                                                local_1.flags = _e2488.flags;
-                                                                                                let _e2551 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2482[0].u * _e2493) + (_e2482[1].u * _e2421.u)) + (_e2482[2].u * _e2421.v)), (((_e2482[0].v * _e2493) + (_e2482[1].v * _e2421.u)) + (_e2482[2].v * _e2421.v)));
-                                                                                                let _e2555 = (_e2551.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2555 < _e96) {
+                                                                                                local_1.offset = _e2475.alpha_offset;
+                                                                                                local_1.size = _e2475.alpha_size;
+                                                                                                local_1.flags = _e2475.flags;
+                                                                                                let _e2538 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2469[0].u * _e2480) + (_e2469[1].u * _e2408.u)) + (_e2469[2].u * _e2408.v)), (((_e2469[0].v * _e2480) + (_e2469[1].v * _e2408.u)) + (_e2469[2].v * _e2408.v)));
+                                                                                                let _e2542 = (_e2538.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2542 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2559 = alpha_texels.member[(0u + _e2555)];
-                                                                                                let _e2575 = (_e2551.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2575 < _e96) {
+                                                                                                let _e2546 = alpha_texels.member[(0u + _e2542)];
+                                                                                                let _e2562 = (_e2538.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2562 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2579 = alpha_texels.member[(0u + _e2575)];
-                                                                                                let _e2596 = (_e2551.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2596 < _e96) {
+                                                                                                let _e2566 = alpha_texels.member[(0u + _e2562)];
+                                                                                                let _e2583 = (_e2538.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2583 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2600 = alpha_texels.member[(0u + _e2596)];
-                                                                                                let _e2617 = (_e2551.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2617 < _e96) {
+                                                                                                let _e2587 = alpha_texels.member[(0u + _e2583)];
+                                                                                                let _e2604 = (_e2538.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2604 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2621 = alpha_texels.member[(0u + _e2617)];
-                                                                                                phi_3285_ = (_e2520 * (((((f32(((_e2559 >> bitcast<u32>((((_e2551.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.x) + ((f32(((_e2579 >> bitcast<u32>((((_e2551.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.y)) + ((f32(((_e2600 >> bitcast<u32>((((_e2551.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.z)) + ((f32(((_e2621 >> bitcast<u32>((((_e2551.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.w)));
+                                                                                                let _e2608 = alpha_texels.member[(0u + _e2604)];
+                                                                                                phi_3297_ = (_e2507 * (((((f32(((_e2546 >> bitcast<u32>((((_e2538.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.x) + ((f32(((_e2566 >> bitcast<u32>((((_e2538.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.y)) + ((f32(((_e2587 >> bitcast<u32>((((_e2538.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.z)) + ((f32(((_e2608 >> bitcast<u32>((((_e2538.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2538.weights.w)));
                                                                                             }
-                                                                                            let _e2637 = phi_3285_;
-                                                                                            phi_3288_ = (_e2637 >= _e2488.cutoff);
+                                                                                            let _e2624 = phi_3297_;
+                                                                                            phi_3300_ = (_e2624 >= _e2475.cutoff);
                                                                                         }
-                                                                                        let _e2641 = phi_3288_;
-                                                                                        phi_3289_ = _e2641;
+                                                                                        let _e2628 = phi_3300_;
+                                                                                        phi_3301_ = _e2628;
                                                                                     } else {
-                                                                                        phi_3289_ = false;
+                                                                                        phi_3301_ = false;
                                                                                     }
-                                                                                    let _e2643 = phi_3289_;
-                                                                                    if _e2643 {
+                                                                                    let _e2630 = phi_3301_;
+                                                                                    if _e2630 {
                                                                                     }
-                                                                                    phi_3293_ = _e2643;
+                                                                                    phi_3305_ = _e2630;
                                                                                 }
-                                                                                let _e2645 = phi_3293_;
-                                                                                if _e2645 {
-                                                                                    phi_3301_ = lt_bvh_Hit(_e2421.t, _e2421.u, _e2421.v, _e1973, _e988);
+                                                                                let _e2632 = phi_3305_;
+                                                                                if _e2632 {
+                                                                                    phi_3313_ = lt_bvh_Hit(_e2408.t, _e2408.u, _e2408.v, _e1960, _e979);
                                                                                 } else {
-                                                                                    phi_3301_ = _e1962;
+                                                                                    phi_3313_ = _e1949;
                                                                                 }
-                                                                                let _e2651 = phi_3301_;
-                                                                                phi_3302_ = _e2651;
+                                                                                let _e2638 = phi_3313_;
+                                                                                phi_3314_ = _e2638;
                                                                             } else {
-                                                                                phi_3302_ = _e1962;
+                                                                                phi_3314_ = _e1949;
                                                                             }
-                                                                            let _e2653 = phi_3302_;
-                                                                            phi_3303_ = _e2653;
+                                                                            let _e2640 = phi_3314_;
+                                                                            phi_3315_ = _e2640;
                                                                         } else {
-                                                                            phi_3303_ = _e1962;
+                                                                            phi_3315_ = _e1949;
                                                                         }
-                                                                        let _e2655 = phi_3303_;
-                                                                        phi_3304_ = _e2655;
+                                                                        let _e2642 = phi_3315_;
+                                                                        phi_3316_ = _e2642;
                                                                     } else {
-                                                                        phi_3304_ = _e1962;
+                                                                        phi_3316_ = _e1949;
                                                                     }
-                                                                    let _e2657 = phi_3304_;
-                                                                    phi_2464_ = _e2657;
-                                                                    phi_2467_ = (_e1964 & (_e1964 - 1u));
-                                                                    phi_3305_ = true;
+                                                                    let _e2644 = phi_3316_;
+                                                                    phi_2476_ = _e2644;
+                                                                    phi_2479_ = (_e1951 & (_e1951 - 1u));
+                                                                    phi_3317_ = true;
                                                                 }
-                                                                let _e2659 = phi_2464_;
-                                                                let _e2661 = phi_2467_;
-                                                                let _e2663 = phi_3305_;
+                                                                let _e2646 = phi_2476_;
+                                                                let _e2648 = phi_2479_;
+                                                                let _e2650 = phi_3317_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2659;
-                                                                    phi_2466_ = _e2661;
-                                                                    break if !(_e2663);
+                                                                    phi_2475_ = _e2646;
+                                                                    phi_2478_ = _e2648;
+                                                                    break if !(_e2650);
                                                                 }
                                                             }
-                                                            let _e2666 = local_2.group_mask;
-                                                            if ((_e2666 & 4278190080u) == 0u) {
-                                                                let _e2670 = local_2.len;
-                                                                if (_e2670 == 0u) {
-                                                                    phi_3344_ = false;
+                                                            let _e2653 = local_2.group_mask;
+                                                            if ((_e2653 & 4278190080u) == 0u) {
+                                                                let _e2657 = local_2.len;
+                                                                if (_e2657 == 0u) {
+                                                                    phi_3356_ = false;
                                                                 } else {
-                                                                    let _e2674 = local_2.len;
-                                                                    local_2.len = (_e2674 - 1u);
-                                                                    let _e2677 = local_2.len;
-                                                                    if (_e2677 < 32u) {
+                                                                    let _e2661 = local_2.len;
+                                                                    local_2.len = (_e2661 - 1u);
+                                                                    let _e2664 = local_2.len;
+                                                                    if (_e2664 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2682 = local_2.first[(0u + _e2677)];
-                                                                    local_2.group = _e2682;
-                                                                    let _e2685 = local_2.len;
-                                                                    if (_e2685 < 32u) {
+                                                                    let _e2669 = local_2.first[(0u + _e2664)];
+                                                                    local_2.group = _e2669;
+                                                                    let _e2672 = local_2.len;
+                                                                    if (_e2672 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2690 = local_2.mask[(0u + _e2685)];
-                                                                    local_2.group_mask = _e2690;
-                                                                    phi_3344_ = true;
+                                                                    let _e2677 = local_2.mask[(0u + _e2672)];
+                                                                    local_2.group_mask = _e2677;
+                                                                    phi_3356_ = true;
                                                                 }
-                                                                let _e2693 = phi_3344_;
-                                                                phi_3345_ = _e2693;
+                                                                let _e2680 = phi_3356_;
+                                                                phi_3357_ = _e2680;
                                                             } else {
-                                                                phi_3345_ = true;
+                                                                phi_3357_ = true;
                                                             }
-                                                            let _e2695 = phi_3345_;
-                                                            if _e2695 {
-                                                                let _e2697 = local_2.group_mask;
-                                                                let _e2703 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2697)), 32u, (_e2697 == 0u)));
-                                                                let _e2707 = local_2.group_mask;
-                                                                let _e2721 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2721 & ~((1u << bitcast<u32>((_e2703 & 31u)))));
-                                                                let _e2724 = local_2.group;
-                                                                phi_3376_ = (_e2724 + countOneBits(((_e2707 & ~((4294967295u << bitcast<u32>((((_e2703 - 24u) ^ _e1385) & 31u))))) & 255u)));
+                                                            let _e2682 = phi_3357_;
+                                                            if _e2682 {
+                                                                let _e2684 = local_2.group_mask;
+                                                                let _e2690 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2684)), 32u, (_e2684 == 0u)));
+                                                                let _e2694 = local_2.group_mask;
+                                                                let _e2708 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2708 & ~((1u << bitcast<u32>((_e2690 & 31u)))));
+                                                                let _e2711 = local_2.group;
+                                                                phi_3388_ = (_e2711 + countOneBits(((_e2694 & ~((4294967295u << bitcast<u32>((((_e2690 - 24u) ^ _e1372) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3376_ = 4294967295u;
+                                                                phi_3388_ = 4294967295u;
                                                             }
-                                                            let _e2727 = phi_3376_;
-                                                            let _e3860 = local_10;
-                                                            phi_2131_ = _e3860;
-                                                            phi_2134_ = _e2727;
+                                                            let _e2714 = phi_3388_;
+                                                            let _e3843 = local_10;
+                                                            phi_2143_ = _e3843;
+                                                            phi_2146_ = _e2714;
                                                         } else {
-                                                            phi_2131_ = lt_bvh_Hit();
-                                                            phi_2134_ = u32();
+                                                            phi_2143_ = lt_bvh_Hit();
+                                                            phi_2146_ = u32();
                                                         }
-                                                        let _e2729 = phi_2131_;
-                                                        let _e2731 = phi_2134_;
+                                                        let _e2716 = phi_2143_;
+                                                        let _e2718 = phi_2146_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2729;
-                                                            phi_2133_ = _e2731;
-                                                            break if !(_e1526);
+                                                            phi_2142_ = _e2716;
+                                                            phi_2145_ = _e2718;
+                                                            break if !(_e1513);
                                                         }
                                                     }
-                                                    let _e3864 = local_11;
-                                                    phi_3377_ = _e3864;
+                                                    let _e3847 = local_11;
+                                                    phi_3389_ = _e3847;
                                                 }
-                                                let _e2734 = phi_3377_;
-                                                phi_3378_ = _e2734;
-                                                phi_3379_ = _e1211;
+                                                let _e2721 = phi_3389_;
+                                                phi_3390_ = _e2721;
+                                                phi_3391_ = _e1194;
                                             } else {
-                                                phi_3378_ = lt_bvh_Hit();
-                                                phi_3379_ = true;
+                                                phi_3390_ = lt_bvh_Hit();
+                                                phi_3391_ = true;
                                             }
-                                            let _e2736 = phi_3378_;
-                                            let _e2738 = phi_3379_;
-                                            if _e2738 {
-                                                phi_3383_ = _e980;
+                                            let _e2723 = phi_3390_;
+                                            let _e2725 = phi_3391_;
+                                            if _e2725 {
+                                                phi_3395_ = _e971;
                                             } else {
-                                                phi_3383_ = _e2736;
+                                                phi_3395_ = _e2723;
                                             }
-                                            let _e2740 = phi_3383_;
-                                            phi_3384_ = _e2740;
+                                            let _e2727 = phi_3395_;
+                                            phi_3396_ = _e2727;
                                         } else {
-                                            phi_3384_ = _e980;
+                                            phi_3396_ = _e971;
                                         }
-                                        let _e2742 = phi_3384_;
-                                        phi_3385_ = _e2742;
+                                        let _e2729 = phi_3396_;
+                                        phi_3397_ = _e2729;
                                     } else {
-                                        phi_3385_ = _e980;
+                                        phi_3397_ = _e971;
                                     }
-                                    let _e2744 = phi_3385_;
-                                    phi_3386_ = _e2744;
+                                    let _e2731 = phi_3397_;
+                                    phi_3398_ = _e2731;
                                 } else {
-                                    phi_3386_ = _e980;
+                                    phi_3398_ = _e971;
                                 }
-                                let _e2746 = phi_3386_;
-                                phi_1505_ = (_e978 & (_e978 - 1u));
-                                phi_1508_ = _e2746;
-                                phi_3387_ = true;
+                                let _e2733 = phi_3398_;
+                                phi_1510_ = (_e969 & (_e969 - 1u));
+                                phi_1513_ = _e2733;
+                                phi_3399_ = true;
                             }
-                            let _e2748 = phi_1505_;
-                            let _e2750 = phi_1508_;
-                            let _e2752 = phi_3387_;
+                            let _e2735 = phi_1510_;
+                            let _e2737 = phi_1513_;
+                            let _e2739 = phi_3399_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2748;
-                                phi_1507_ = _e2750;
-                                break if !(_e2752);
+                                phi_1509_ = _e2735;
+                                phi_1512_ = _e2737;
+                                break if !(_e2739);
                             }
                         }
-                        let _e2755 = local_3.group_mask;
-                        if ((_e2755 & 4278190080u) == 0u) {
-                            let _e2759 = local_3.len;
-                            if (_e2759 == 0u) {
-                                phi_3426_ = false;
+                        let _e2742 = local_3.group_mask;
+                        if ((_e2742 & 4278190080u) == 0u) {
+                            let _e2746 = local_3.len;
+                            if (_e2746 == 0u) {
+                                phi_3438_ = false;
                             } else {
-                                let _e2763 = local_3.len;
-                                local_3.len = (_e2763 - 1u);
-                                let _e2766 = local_3.len;
-                                if (_e2766 < 32u) {
+                                let _e2750 = local_3.len;
+                                local_3.len = (_e2750 - 1u);
+                                let _e2753 = local_3.len;
+                                if (_e2753 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2771 = local_3.first[(0u + _e2766)];
-                                local_3.group = _e2771;
-                                let _e2774 = local_3.len;
-                                if (_e2774 < 32u) {
+                                let _e2758 = local_3.first[(0u + _e2753)];
+                                local_3.group = _e2758;
+                                let _e2761 = local_3.len;
+                                if (_e2761 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2779 = local_3.mask[(0u + _e2774)];
-                                local_3.group_mask = _e2779;
-                                phi_3426_ = true;
+                                let _e2766 = local_3.mask[(0u + _e2761)];
+                                local_3.group_mask = _e2766;
+                                phi_3438_ = true;
                             }
-                            let _e2782 = phi_3426_;
-                            phi_3427_ = _e2782;
+                            let _e2769 = phi_3438_;
+                            phi_3439_ = _e2769;
                         } else {
-                            phi_3427_ = true;
+                            phi_3439_ = true;
                         }
-                        let _e2784 = phi_3427_;
-                        if _e2784 {
-                            let _e2786 = local_3.group_mask;
-                            let _e2792 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2786)), 32u, (_e2786 == 0u)));
-                            let _e2796 = local_3.group_mask;
-                            let _e2810 = local_3.group_mask;
-                            local_3.group_mask = (_e2810 & ~((1u << bitcast<u32>((_e2792 & 31u)))));
-                            let _e2813 = local_3.group;
-                            phi_3458_ = (_e2813 + countOneBits(((_e2796 & ~((4294967295u << bitcast<u32>((((_e2792 - 24u) ^ _e397) & 31u))))) & 255u)));
+                        let _e2771 = phi_3439_;
+                        if _e2771 {
+                            let _e2773 = local_3.group_mask;
+                            let _e2779 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2773)), 32u, (_e2773 == 0u)));
+                            let _e2783 = local_3.group_mask;
+                            let _e2797 = local_3.group_mask;
+                            local_3.group_mask = (_e2797 & ~((1u << bitcast<u32>((_e2779 & 31u)))));
+                            let _e2800 = local_3.group;
+                            phi_3470_ = (_e2800 + countOneBits(((_e2783 & ~((4294967295u << bitcast<u32>((((_e2779 - 24u) ^ _e388) & 31u))))) & 255u)));
                         } else {
-                            phi_3458_ = 4294967295u;
+                            phi_3470_ = 4294967295u;
                         }
-                        let _e2816 = phi_3458_;
-                        phi_1168_ = _e2816;
-                        let _e3880 = local_12;
-                        phi_1171_ = _e3880;
+                        let _e2803 = phi_3470_;
+                        phi_1173_ = _e2803;
+                        let _e3863 = local_12;
+                        phi_1176_ = _e3863;
                     } else {
-                        phi_1168_ = u32();
-                        phi_1171_ = lt_bvh_Hit();
+                        phi_1173_ = u32();
+                        phi_1176_ = lt_bvh_Hit();
                     }
-                    let _e2818 = phi_1168_;
-                    let _e2820 = phi_1171_;
+                    let _e2805 = phi_1173_;
+                    let _e2807 = phi_1176_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2818;
-                        phi_1170_ = _e2820;
-                        break if !(_e538);
+                        phi_1172_ = _e2805;
+                        phi_1175_ = _e2807;
+                        break if !(_e529);
                     }
                 }
-                let _e3883 = local_13;
-                phi_3459_ = _e3883;
+                let _e3866 = local_13;
+                phi_3471_ = _e3866;
             }
-            let _e2823 = phi_3459_;
-            phi_3460_ = _e2823;
-            phi_3461_ = _e234;
+            let _e2810 = phi_3471_;
+            phi_3472_ = _e2810;
+            phi_3473_ = _e226;
         } else {
-            phi_3460_ = lt_bvh_Hit();
-            phi_3461_ = true;
+            phi_3472_ = lt_bvh_Hit();
+            phi_3473_ = true;
         }
-        let _e2825 = phi_3460_;
-        let _e2827 = phi_3461_;
-        if _e2827 {
-            phi_3465_ = _e164;
+        let _e2812 = phi_3472_;
+        let _e2814 = phi_3473_;
+        if _e2814 {
+            phi_3477_ = _e164;
         } else {
-            phi_3465_ = _e2825;
+            phi_3477_ = _e2812;
         }
-        let _e2829 = phi_3465_;
-        if (_e2829.triangle != 4294967295u) {
-            let _e2835 = ((1f - _e2829.u) - _e2829.v);
-            if (_e2829.triangle < _e81) {
+        let _e2816 = phi_3477_;
+        if (_e2816.triangle != 4294967295u) {
+            let _e2822 = ((1f - _e2816.u) - _e2816.v);
+            if (_e2816.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2840 = triangles.member[(0u + _e2829.triangle)];
-            if (_e2829.instance < _e93) {
+            let _e2827 = triangles.member[(0u + _e2816.triangle)];
+            if (_e2816.instance < _e93) {
             } else {
                 return;
             }
-            let _e2851 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
-            let _e2862 = ((((_e2851.x * _e2840.v0_.x) + (_e2851.y * _e2840.v0_.y)) + (_e2851.z * _e2840.v0_.z)) + (_e2851.w * 1f));
-            let _e2864 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
-            let _e2875 = ((((_e2864.x * _e2840.v0_.x) + (_e2864.y * _e2840.v0_.y)) + (_e2864.z * _e2840.v0_.z)) + (_e2864.w * 1f));
-            let _e2877 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
-            let _e2888 = ((((_e2877.x * _e2840.v0_.x) + (_e2877.y * _e2840.v0_.y)) + (_e2877.z * _e2840.v0_.z)) + (_e2877.w * 1f));
-            let _e2895 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
-            let _e2906 = ((((_e2895.x * _e2840.v1_.x) + (_e2895.y * _e2840.v1_.y)) + (_e2895.z * _e2840.v1_.z)) + (_e2895.w * 1f));
-            let _e2908 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
-            let _e2919 = ((((_e2908.x * _e2840.v1_.x) + (_e2908.y * _e2840.v1_.y)) + (_e2908.z * _e2840.v1_.z)) + (_e2908.w * 1f));
-            let _e2921 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
-            let _e2932 = ((((_e2921.x * _e2840.v1_.x) + (_e2921.y * _e2840.v1_.y)) + (_e2921.z * _e2840.v1_.z)) + (_e2921.w * 1f));
-            let _e2939 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
-            let _e2950 = ((((_e2939.x * _e2840.v2_.x) + (_e2939.y * _e2840.v2_.y)) + (_e2939.z * _e2840.v2_.z)) + (_e2939.w * 1f));
-            let _e2952 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
-            let _e2963 = ((((_e2952.x * _e2840.v2_.x) + (_e2952.y * _e2840.v2_.y)) + (_e2952.z * _e2840.v2_.z)) + (_e2952.w * 1f));
-            let _e2965 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
-            let _e2976 = ((((_e2965.x * _e2840.v2_.x) + (_e2965.y * _e2840.v2_.y)) + (_e2965.z * _e2840.v2_.z)) + (_e2965.w * 1f));
-            let _e2989 = (((_e2862 * _e2835) + (_e2906 * _e2829.u)) + (_e2950 * _e2829.v));
-            let _e2990 = (((_e2875 * _e2835) + (_e2919 * _e2829.u)) + (_e2963 * _e2829.v));
-            let _e2991 = (((_e2888 * _e2835) + (_e2932 * _e2829.u)) + (_e2976 * _e2829.v));
-            let _e2993 = abs(_e2862);
-            let _e2994 = abs(_e2875);
-            let _e2995 = abs(_e2888);
-            let _e2996 = abs(_e2906);
-            let _e2997 = abs(_e2919);
-            let _e2998 = abs(_e2932);
-            if (_e2993 > _e2996) {
-                phi_3652_ = _e2993;
+            let _e2838 = instances.member[(0u + _e2816.instance)].object_to_world[0u];
+            let _e2849 = ((((_e2838.x * _e2827.v0_.x) + (_e2838.y * _e2827.v0_.y)) + (_e2838.z * _e2827.v0_.z)) + (_e2838.w * 1f));
+            let _e2851 = instances.member[(0u + _e2816.instance)].object_to_world[1u];
+            let _e2862 = ((((_e2851.x * _e2827.v0_.x) + (_e2851.y * _e2827.v0_.y)) + (_e2851.z * _e2827.v0_.z)) + (_e2851.w * 1f));
+            let _e2864 = instances.member[(0u + _e2816.instance)].object_to_world[2u];
+            let _e2875 = ((((_e2864.x * _e2827.v0_.x) + (_e2864.y * _e2827.v0_.y)) + (_e2864.z * _e2827.v0_.z)) + (_e2864.w * 1f));
+            let _e2882 = instances.member[(0u + _e2816.instance)].object_to_world[0u];
+            let _e2893 = ((((_e2882.x * _e2827.v1_.x) + (_e2882.y * _e2827.v1_.y)) + (_e2882.z * _e2827.v1_.z)) + (_e2882.w * 1f));
+            let _e2895 = instances.member[(0u + _e2816.instance)].object_to_world[1u];
+            let _e2906 = ((((_e2895.x * _e2827.v1_.x) + (_e2895.y * _e2827.v1_.y)) + (_e2895.z * _e2827.v1_.z)) + (_e2895.w * 1f));
+            let _e2908 = instances.member[(0u + _e2816.instance)].object_to_world[2u];
+            let _e2919 = ((((_e2908.x * _e2827.v1_.x) + (_e2908.y * _e2827.v1_.y)) + (_e2908.z * _e2827.v1_.z)) + (_e2908.w * 1f));
+            let _e2926 = instances.member[(0u + _e2816.instance)].object_to_world[0u];
+            let _e2937 = ((((_e2926.x * _e2827.v2_.x) + (_e2926.y * _e2827.v2_.y)) + (_e2926.z * _e2827.v2_.z)) + (_e2926.w * 1f));
+            let _e2939 = instances.member[(0u + _e2816.instance)].object_to_world[1u];
+            let _e2950 = ((((_e2939.x * _e2827.v2_.x) + (_e2939.y * _e2827.v2_.y)) + (_e2939.z * _e2827.v2_.z)) + (_e2939.w * 1f));
+            let _e2952 = instances.member[(0u + _e2816.instance)].object_to_world[2u];
+            let _e2963 = ((((_e2952.x * _e2827.v2_.x) + (_e2952.y * _e2827.v2_.y)) + (_e2952.z * _e2827.v2_.z)) + (_e2952.w * 1f));
+            let _e2976 = (((_e2849 * _e2822) + (_e2893 * _e2816.u)) + (_e2937 * _e2816.v));
+            let _e2977 = (((_e2862 * _e2822) + (_e2906 * _e2816.u)) + (_e2950 * _e2816.v));
+            let _e2978 = (((_e2875 * _e2822) + (_e2919 * _e2816.u)) + (_e2963 * _e2816.v));
+            let _e2980 = abs(_e2849);
+            let _e2981 = abs(_e2862);
+            let _e2982 = abs(_e2875);
+            let _e2983 = abs(_e2893);
+            let _e2984 = abs(_e2906);
+            let _e2985 = abs(_e2919);
+            if (_e2980 > _e2983) {
+                phi_3664_ = _e2980;
             } else {
-                phi_3652_ = _e2996;
+                phi_3664_ = _e2983;
             }
-            let _e3001 = phi_3652_;
+            let _e2988 = phi_3664_;
+            if (_e2981 > _e2984) {
+                phi_3669_ = _e2981;
+            } else {
+                phi_3669_ = _e2984;
+            }
+            let _e2991 = phi_3669_;
+            if (_e2982 > _e2985) {
+                phi_3674_ = _e2982;
+            } else {
+                phi_3674_ = _e2985;
+            }
+            let _e2994 = phi_3674_;
+            let _e2995 = abs(_e2937);
+            let _e2996 = abs(_e2950);
+            let _e2997 = abs(_e2963);
+            if (_e2988 > _e2995) {
+                phi_3682_ = _e2988;
+            } else {
+                phi_3682_ = _e2995;
+            }
+            let _e3000 = phi_3682_;
+            if (_e2991 > _e2996) {
+                phi_3687_ = _e2991;
+            } else {
+                phi_3687_ = _e2996;
+            }
+            let _e3003 = phi_3687_;
             if (_e2994 > _e2997) {
-                phi_3657_ = _e2994;
+                phi_3692_ = _e2994;
             } else {
-                phi_3657_ = _e2997;
+                phi_3692_ = _e2997;
             }
-            let _e3004 = phi_3657_;
-            if (_e2995 > _e2998) {
-                phi_3662_ = _e2995;
+            let _e3006 = phi_3692_;
+            let _e3007 = (_e2893 - _e2849);
+            let _e3008 = (_e2906 - _e2862);
+            let _e3009 = (_e2919 - _e2875);
+            let _e3010 = (_e2937 - _e2849);
+            let _e3011 = (_e2950 - _e2862);
+            let _e3012 = (_e2963 - _e2875);
+            let _e3016 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3008), abs(_e3009));
+            let _e3017 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3007), _e3016);
+            let _e3018 = (_e3007 / _e3017);
+            let _e3019 = (_e3008 / _e3017);
+            let _e3020 = (_e3009 / _e3017);
+            let _e3024 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3011), abs(_e3012));
+            let _e3025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3010), _e3024);
+            let _e3026 = (_e3010 / _e3025);
+            let _e3027 = (_e3011 / _e3025);
+            let _e3028 = (_e3012 / _e3025);
+            let _e3031 = ((_e3019 * _e3028) - (_e3027 * _e3020));
+            let _e3034 = ((_e3020 * _e3026) - (_e3028 * _e3018));
+            let _e3037 = ((_e3018 * _e3027) - (_e3026 * _e3019));
+            let _e3039 = p.member.eye;
+            let _e3052 = (1f / sqrt((((_e3031 * _e3031) + (_e3034 * _e3034)) + (_e3037 * _e3037))));
+            let _e3053 = (_e3031 * _e3052);
+            let _e3054 = (_e3034 * _e3052);
+            let _e3055 = (_e3037 * _e3052);
+            if ((((_e3053 * (_e3039.x - _e2976)) + (_e3054 * (_e3039.y - _e2977))) + (_e3055 * (_e3039.z - _e2978))) < 0f) {
+                phi_3756_ = vec3<f32>(-(_e3053), -(_e3054), -(_e3055));
             } else {
-                phi_3662_ = _e2998;
+                phi_3756_ = vec3<f32>(_e3053, _e3054, _e3055);
             }
-            let _e3007 = phi_3662_;
-            let _e3008 = abs(_e2950);
-            let _e3009 = abs(_e2963);
-            let _e3010 = abs(_e2976);
-            if (_e3001 > _e3008) {
-                phi_3670_ = _e3001;
-            } else {
-                phi_3670_ = _e3008;
-            }
-            let _e3013 = phi_3670_;
-            if (_e3004 > _e3009) {
-                phi_3675_ = _e3004;
-            } else {
-                phi_3675_ = _e3009;
-            }
-            let _e3016 = phi_3675_;
-            if (_e3007 > _e3010) {
-                phi_3680_ = _e3007;
-            } else {
-                phi_3680_ = _e3010;
-            }
-            let _e3019 = phi_3680_;
-            let _e3020 = (_e2906 - _e2862);
-            let _e3021 = (_e2919 - _e2875);
-            let _e3022 = (_e2932 - _e2888);
-            let _e3023 = (_e2950 - _e2862);
-            let _e3024 = (_e2963 - _e2875);
-            let _e3025 = (_e2976 - _e2888);
-            let _e3029 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3021), abs(_e3022));
-            let _e3030 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3020), _e3029);
-            let _e3031 = (_e3020 / _e3030);
-            let _e3032 = (_e3021 / _e3030);
-            let _e3033 = (_e3022 / _e3030);
-            let _e3037 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), abs(_e3025));
-            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3023), _e3037);
-            let _e3039 = (_e3023 / _e3038);
-            let _e3040 = (_e3024 / _e3038);
-            let _e3041 = (_e3025 / _e3038);
-            let _e3044 = ((_e3032 * _e3041) - (_e3040 * _e3033));
-            let _e3047 = ((_e3033 * _e3039) - (_e3041 * _e3031));
-            let _e3050 = ((_e3031 * _e3040) - (_e3039 * _e3032));
-            let _e3052 = p.member.eye;
-            let _e3065 = (1f / sqrt((((_e3044 * _e3044) + (_e3047 * _e3047)) + (_e3050 * _e3050))));
-            let _e3066 = (_e3044 * _e3065);
-            let _e3067 = (_e3047 * _e3065);
-            let _e3068 = (_e3050 * _e3065);
-            if ((((_e3066 * (_e3052.x - _e2989)) + (_e3067 * (_e3052.y - _e2990))) + (_e3068 * (_e3052.z - _e2991))) < 0f) {
-                phi_3744_ = vec3<f32>(-(_e3066), -(_e3067), -(_e3068));
-            } else {
-                phi_3744_ = vec3<f32>(_e3066, _e3067, _e3068);
-            }
-            let _e3081 = phi_3744_;
-            if (_e2829.triangle < _e81) {
+            let _e3068 = phi_3756_;
+            if (_e2816.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3086 = triangles.member[(0u + _e2829.triangle)];
-            let _e3088 = (_e3086.i0_ & 2147483647u);
-            if (_e3088 < _e84) {
+            let _e3073 = triangles.member[(0u + _e2816.triangle)];
+            let _e3075 = (_e3073.i0_ & 2147483647u);
+            if (_e3075 < _e84) {
             } else {
                 return;
             }
-            let _e3094 = vertices.member[(0u + _e3088)];
-            if (_e3086.i1_ < _e84) {
+            let _e3081 = vertices.member[(0u + _e3075)];
+            if (_e3073.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3098 = vertices.member[(0u + _e3086.i1_)];
-            if (_e3086.i2_ < _e84) {
+            let _e3085 = vertices.member[(0u + _e3073.i1_)];
+            if (_e3073.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3102 = vertices.member[(0u + _e3086.i2_)];
-            let _e3103 = array<abi_Vertex, 3>(_e3094, _e3098, _e3102);
-            if (_e3103[0].material < _e87) {
+            let _e3089 = vertices.member[(0u + _e3073.i2_)];
+            let _e3090 = array<abi_Vertex, 3>(_e3081, _e3085, _e3089);
+            if (_e3090[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3109 = materials.member[(0u + _e3103[0].material)];
-            let _e3126 = (1f / 255f);
-            let _e3145 = (1f / 255f);
-            let _e3167 = (1f / 255f);
-            if (_e3109.color_size == 0u) {
-                phi_3987_ = vec3<f32>(1f, 1f, 1f);
+            let _e3096 = materials.member[(0u + _e3090[0].material)];
+            let _e3113 = (1f / 255f);
+            let _e3132 = (1f / 255f);
+            let _e3154 = (1f / 255f);
+            if (_e3096.color_size == 0u) {
+                phi_3999_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3109.color_offset;
-                local.size = _e3109.color_size;
-                local.flags = _e3109.flags;
-                let _e3210 = _lt_shaders_texture_TextureView_quad((&local), (((_e3103[0].u * _e2835) + (_e3103[1].u * _e2829.u)) + (_e3103[2].u * _e2829.v)), (((_e3103[0].v * _e2835) + (_e3103[1].v * _e2829.u)) + (_e3103[2].v * _e2829.v)));
-                if (_e3210.indices[0] < _e99) {
+                local.offset = _e3096.color_offset;
+                local.size = _e3096.color_size;
+                local.flags = _e3096.flags;
+                let _e3197 = _lt_shaders_texture_TextureView_quad((&local), (((_e3090[0].u * _e2822) + (_e3090[1].u * _e2816.u)) + (_e3090[2].u * _e2816.v)), (((_e3090[0].v * _e2822) + (_e3090[1].v * _e2816.u)) + (_e3090[2].v * _e2816.v)));
+                if (_e3197.indices[0] < _e99) {
                 } else {
                     return;
                 }
-                let _e3216 = color_texels.member[(0u + _e3210.indices[0])];
-                let _e3227 = (1f / 255f);
-                if (_e3210.indices[1] < _e99) {
+                let _e3203 = color_texels.member[(0u + _e3197.indices[0])];
+                let _e3214 = (1f / 255f);
+                if (_e3197.indices[1] < _e99) {
                 } else {
                     return;
                 }
-                let _e3241 = color_texels.member[(0u + _e3210.indices[1])];
-                let _e3252 = (1f / 255f);
-                if (_e3210.indices[2] < _e99) {
+                let _e3228 = color_texels.member[(0u + _e3197.indices[1])];
+                let _e3239 = (1f / 255f);
+                if (_e3197.indices[2] < _e99) {
                 } else {
                     return;
                 }
-                let _e3269 = color_texels.member[(0u + _e3210.indices[2])];
-                let _e3280 = (1f / 255f);
-                if (_e3210.indices[3] < _e99) {
+                let _e3256 = color_texels.member[(0u + _e3197.indices[2])];
+                let _e3267 = (1f / 255f);
+                if (_e3197.indices[3] < _e99) {
                 } else {
                     return;
                 }
-                let _e3297 = color_texels.member[(0u + _e3210.indices[3])];
-                let _e3308 = (1f / 255f);
-                let _e3317 = (((((f32((_e3216 & 255u)) * _e3227) * _e3210.weights.x) + ((f32((_e3241 & 255u)) * _e3252) * _e3210.weights.y)) + ((f32((_e3269 & 255u)) * _e3280) * _e3210.weights.z)) + ((f32((_e3297 & 255u)) * _e3308) * _e3210.weights.w));
-                let _e3318 = (((((f32(((_e3216 >> bitcast<u32>(8i)) & 255u)) * _e3227) * _e3210.weights.x) + ((f32(((_e3241 >> bitcast<u32>(8i)) & 255u)) * _e3252) * _e3210.weights.y)) + ((f32(((_e3269 >> bitcast<u32>(8i)) & 255u)) * _e3280) * _e3210.weights.z)) + ((f32(((_e3297 >> bitcast<u32>(8i)) & 255u)) * _e3308) * _e3210.weights.w));
-                let _e3319 = (((((f32(((_e3216 >> bitcast<u32>(16i)) & 255u)) * _e3227) * _e3210.weights.x) + ((f32(((_e3241 >> bitcast<u32>(16i)) & 255u)) * _e3252) * _e3210.weights.y)) + ((f32(((_e3269 >> bitcast<u32>(16i)) & 255u)) * _e3280) * _e3210.weights.z)) + ((f32(((_e3297 >> bitcast<u32>(16i)) & 255u)) * _e3308) * _e3210.weights.w));
-                phi_3987_ = vec3<f32>((_e3317 * _e3317), (_e3318 * _e3318), (_e3319 * _e3319));
+                let _e3284 = color_texels.member[(0u + _e3197.indices[3])];
+                let _e3295 = (1f / 255f);
+                let _e3304 = (((((f32((_e3203 & 255u)) * _e3214) * _e3197.weights.x) + ((f32((_e3228 & 255u)) * _e3239) * _e3197.weights.y)) + ((f32((_e3256 & 255u)) * _e3267) * _e3197.weights.z)) + ((f32((_e3284 & 255u)) * _e3295) * _e3197.weights.w));
+                let _e3305 = (((((f32(((_e3203 >> bitcast<u32>(8i)) & 255u)) * _e3214) * _e3197.weights.x) + ((f32(((_e3228 >> bitcast<u32>(8i)) & 255u)) * _e3239) * _e3197.weights.y)) + ((f32(((_e3256 >> bitcast<u32>(8i)) & 255u)) * _e3267) * _e3197.weights.z)) + ((f32(((_e3284 >> bitcast<u32>(8i)) & 255u)) * _e3295) * _e3197.weights.w));
+                let _e3306 = (((((f32(((_e3203 >> bitcast<u32>(16i)) & 255u)) * _e3214) * _e3197.weights.x) + ((f32(((_e3228 >> bitcast<u32>(16i)) & 255u)) * _e3239) * _e3197.weights.y)) + ((f32(((_e3256 >> bitcast<u32>(16i)) & 255u)) * _e3267) * _e3197.weights.z)) + ((f32(((_e3284 >> bitcast<u32>(16i)) & 255u)) * _e3295) * _e3197.weights.w));
+                phi_3999_ = vec3<f32>((_e3304 * _e3304), (_e3305 * _e3305), (_e3306 * _e3306));
             }
-            let _e3325 = phi_3987_;
-            let _e3327 = ((_e3109.base_color.x * ((((f32((_e3103[0].color & 255u)) * _e3126) * _e2835) + ((f32((_e3103[1].color & 255u)) * _e3145) * _e2829.u)) + ((f32((_e3103[2].color & 255u)) * _e3167) * _e2829.v))) * _e3325.x);
-            let _e3329 = ((_e3109.base_color.y * ((((f32(((_e3103[0].color >> bitcast<u32>(8i)) & 255u)) * _e3126) * _e2835) + ((f32(((_e3103[1].color >> bitcast<u32>(8i)) & 255u)) * _e3145) * _e2829.u)) + ((f32(((_e3103[2].color >> bitcast<u32>(8i)) & 255u)) * _e3167) * _e2829.v))) * _e3325.y);
-            let _e3331 = ((_e3109.base_color.z * ((((f32(((_e3103[0].color >> bitcast<u32>(16i)) & 255u)) * _e3126) * _e2835) + ((f32(((_e3103[1].color >> bitcast<u32>(16i)) & 255u)) * _e3145) * _e2829.u)) + ((f32(((_e3103[2].color >> bitcast<u32>(16i)) & 255u)) * _e3167) * _e2829.v))) * _e3325.z);
-            let _e3332 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3016, _e3019);
-            let _e3333 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3013, _e3332);
-            if ((_e3109.flags & 2u) == 0u) {
-                phi_4002_ = 0u;
+            let _e3312 = phi_3999_;
+            let _e3314 = ((_e3096.base_color.x * ((((f32((_e3090[0].color & 255u)) * _e3113) * _e2822) + ((f32((_e3090[1].color & 255u)) * _e3132) * _e2816.u)) + ((f32((_e3090[2].color & 255u)) * _e3154) * _e2816.v))) * _e3312.x);
+            let _e3316 = ((_e3096.base_color.y * ((((f32(((_e3090[0].color >> bitcast<u32>(8i)) & 255u)) * _e3113) * _e2822) + ((f32(((_e3090[1].color >> bitcast<u32>(8i)) & 255u)) * _e3132) * _e2816.u)) + ((f32(((_e3090[2].color >> bitcast<u32>(8i)) & 255u)) * _e3154) * _e2816.v))) * _e3312.y);
+            let _e3318 = ((_e3096.base_color.z * ((((f32(((_e3090[0].color >> bitcast<u32>(16i)) & 255u)) * _e3113) * _e2822) + ((f32(((_e3090[1].color >> bitcast<u32>(16i)) & 255u)) * _e3132) * _e2816.u)) + ((f32(((_e3090[2].color >> bitcast<u32>(16i)) & 255u)) * _e3154) * _e2816.v))) * _e3312.z);
+            let _e3319 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3003, _e3006);
+            let _e3320 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3000, _e3319);
+            if ((_e3096.flags & 2u) == 0u) {
+                phi_4014_ = 0u;
             } else {
-                phi_4002_ = 1u;
+                phi_4014_ = 1u;
             }
-            let _e3338 = phi_4002_;
-            if (_e3103[0].normal == 2147516416u) {
-                phi_4232_ = _e3081;
+            let _e3325 = phi_4014_;
+            if (_e3090[0].normal == 2147516416u) {
+                phi_4244_ = _e3068;
             } else {
-                let _e3351 = (f32((bitcast<i32>((_e3103[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3357 = (f32((bitcast<i32>(_e3103[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3361 = ((1f - abs(_e3351)) - abs(_e3357));
-                if (_e3361 < 0f) {
-                    phi_4029_ = -(_e3361);
+                let _e3338 = (f32((bitcast<i32>((_e3090[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3344 = (f32((bitcast<i32>(_e3090[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3348 = ((1f - abs(_e3338)) - abs(_e3344));
+                if (_e3348 < 0f) {
+                    phi_4041_ = -(_e3348);
                 } else {
-                    phi_4029_ = 0f;
+                    phi_4041_ = 0f;
                 }
-                let _e3365 = phi_4029_;
-                if (_e3351 < 0f) {
-                    phi_4036_ = (_e3351 + _e3365);
+                let _e3352 = phi_4041_;
+                if (_e3338 < 0f) {
+                    phi_4048_ = (_e3338 + _e3352);
                 } else {
-                    phi_4036_ = (_e3351 - _e3365);
+                    phi_4048_ = (_e3338 - _e3352);
                 }
-                let _e3370 = phi_4036_;
-                if (_e3357 < 0f) {
-                    phi_4043_ = (_e3357 + _e3365);
+                let _e3357 = phi_4048_;
+                if (_e3344 < 0f) {
+                    phi_4055_ = (_e3344 + _e3352);
                 } else {
-                    phi_4043_ = (_e3357 - _e3365);
+                    phi_4055_ = (_e3344 - _e3352);
                 }
-                let _e3375 = phi_4043_;
-                let _e3382 = (1f / sqrt((((_e3370 * _e3370) + (_e3375 * _e3375)) + (_e3361 * _e3361))));
-                let _e3398 = (f32((bitcast<i32>((_e3103[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3404 = (f32((bitcast<i32>(_e3103[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3408 = ((1f - abs(_e3398)) - abs(_e3404));
-                if (_e3408 < 0f) {
-                    phi_4078_ = -(_e3408);
+                let _e3362 = phi_4055_;
+                let _e3369 = (1f / sqrt((((_e3357 * _e3357) + (_e3362 * _e3362)) + (_e3348 * _e3348))));
+                let _e3385 = (f32((bitcast<i32>((_e3090[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3391 = (f32((bitcast<i32>(_e3090[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3395 = ((1f - abs(_e3385)) - abs(_e3391));
+                if (_e3395 < 0f) {
+                    phi_4090_ = -(_e3395);
                 } else {
-                    phi_4078_ = 0f;
+                    phi_4090_ = 0f;
                 }
-                let _e3412 = phi_4078_;
-                if (_e3398 < 0f) {
-                    phi_4085_ = (_e3398 + _e3412);
+                let _e3399 = phi_4090_;
+                if (_e3385 < 0f) {
+                    phi_4097_ = (_e3385 + _e3399);
                 } else {
-                    phi_4085_ = (_e3398 - _e3412);
+                    phi_4097_ = (_e3385 - _e3399);
                 }
-                let _e3417 = phi_4085_;
-                if (_e3404 < 0f) {
-                    phi_4092_ = (_e3404 + _e3412);
+                let _e3404 = phi_4097_;
+                if (_e3391 < 0f) {
+                    phi_4104_ = (_e3391 + _e3399);
                 } else {
-                    phi_4092_ = (_e3404 - _e3412);
+                    phi_4104_ = (_e3391 - _e3399);
                 }
-                let _e3422 = phi_4092_;
-                let _e3429 = (1f / sqrt((((_e3417 * _e3417) + (_e3422 * _e3422)) + (_e3408 * _e3408))));
-                let _e3448 = (f32((bitcast<i32>((_e3103[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3454 = (f32((bitcast<i32>(_e3103[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3458 = ((1f - abs(_e3448)) - abs(_e3454));
-                if (_e3458 < 0f) {
-                    phi_4130_ = -(_e3458);
+                let _e3409 = phi_4104_;
+                let _e3416 = (1f / sqrt((((_e3404 * _e3404) + (_e3409 * _e3409)) + (_e3395 * _e3395))));
+                let _e3435 = (f32((bitcast<i32>((_e3090[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3441 = (f32((bitcast<i32>(_e3090[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3445 = ((1f - abs(_e3435)) - abs(_e3441));
+                if (_e3445 < 0f) {
+                    phi_4142_ = -(_e3445);
                 } else {
-                    phi_4130_ = 0f;
+                    phi_4142_ = 0f;
                 }
-                let _e3462 = phi_4130_;
-                if (_e3448 < 0f) {
-                    phi_4137_ = (_e3448 + _e3462);
+                let _e3449 = phi_4142_;
+                if (_e3435 < 0f) {
+                    phi_4149_ = (_e3435 + _e3449);
                 } else {
-                    phi_4137_ = (_e3448 - _e3462);
+                    phi_4149_ = (_e3435 - _e3449);
                 }
-                let _e3467 = phi_4137_;
-                if (_e3454 < 0f) {
-                    phi_4144_ = (_e3454 + _e3462);
+                let _e3454 = phi_4149_;
+                if (_e3441 < 0f) {
+                    phi_4156_ = (_e3441 + _e3449);
                 } else {
-                    phi_4144_ = (_e3454 - _e3462);
+                    phi_4156_ = (_e3441 - _e3449);
                 }
-                let _e3472 = phi_4144_;
-                let _e3479 = (1f / sqrt((((_e3467 * _e3467) + (_e3472 * _e3472)) + (_e3458 * _e3458))));
-                let _e3486 = ((((_e3370 * _e3382) * _e2835) + ((_e3417 * _e3429) * _e2829.u)) + ((_e3467 * _e3479) * _e2829.v));
-                let _e3487 = ((((_e3375 * _e3382) * _e2835) + ((_e3422 * _e3429) * _e2829.u)) + ((_e3472 * _e3479) * _e2829.v));
-                let _e3488 = ((((_e3361 * _e3382) * _e2835) + ((_e3408 * _e3429) * _e2829.u)) + ((_e3458 * _e3479) * _e2829.v));
-                if (_e2829.instance < _e93) {
+                let _e3459 = phi_4156_;
+                let _e3466 = (1f / sqrt((((_e3454 * _e3454) + (_e3459 * _e3459)) + (_e3445 * _e3445))));
+                let _e3473 = ((((_e3357 * _e3369) * _e2822) + ((_e3404 * _e3416) * _e2816.u)) + ((_e3454 * _e3466) * _e2816.v));
+                let _e3474 = ((((_e3362 * _e3369) * _e2822) + ((_e3409 * _e3416) * _e2816.u)) + ((_e3459 * _e3466) * _e2816.v));
+                let _e3475 = ((((_e3348 * _e3369) * _e2822) + ((_e3395 * _e3416) * _e2816.u)) + ((_e3445 * _e3466) * _e2816.v));
+                if (_e2816.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3495 = instances.member[(0u + _e2829.instance)].world_to_object[0u];
-                let _e3504 = instances.member[(0u + _e2829.instance)].world_to_object[1u];
-                let _e3516 = instances.member[(0u + _e2829.instance)].world_to_object[2u];
-                let _e3523 = (((_e3495.x * _e3486) + (_e3504.x * _e3487)) + (_e3516.x * _e3488));
-                let _e3524 = (((_e3495.y * _e3486) + (_e3504.y * _e3487)) + (_e3516.y * _e3488));
-                let _e3525 = (((_e3495.z * _e3486) + (_e3504.z * _e3487)) + (_e3516.z * _e3488));
-                let _e3531 = sqrt((((_e3523 * _e3523) + (_e3524 * _e3524)) + (_e3525 * _e3525)));
-                if (_e3531 > 0f) {
-                    let _e3533 = (_e3523 / _e3531);
-                    let _e3534 = (_e3524 / _e3531);
-                    let _e3535 = (_e3525 / _e3531);
-                    if ((((_e3533 * _e3081.x) + (_e3534 * _e3081.y)) + (_e3535 * _e3081.z)) < 0f) {
-                        phi_4230_ = vec3<f32>(-(_e3533), -(_e3534), -(_e3535));
+                let _e3482 = instances.member[(0u + _e2816.instance)].world_to_object[0u];
+                let _e3491 = instances.member[(0u + _e2816.instance)].world_to_object[1u];
+                let _e3503 = instances.member[(0u + _e2816.instance)].world_to_object[2u];
+                let _e3510 = (((_e3482.x * _e3473) + (_e3491.x * _e3474)) + (_e3503.x * _e3475));
+                let _e3511 = (((_e3482.y * _e3473) + (_e3491.y * _e3474)) + (_e3503.y * _e3475));
+                let _e3512 = (((_e3482.z * _e3473) + (_e3491.z * _e3474)) + (_e3503.z * _e3475));
+                let _e3518 = sqrt((((_e3510 * _e3510) + (_e3511 * _e3511)) + (_e3512 * _e3512)));
+                if (_e3518 > 0f) {
+                    let _e3520 = (_e3510 / _e3518);
+                    let _e3521 = (_e3511 / _e3518);
+                    let _e3522 = (_e3512 / _e3518);
+                    if ((((_e3520 * _e3068.x) + (_e3521 * _e3068.y)) + (_e3522 * _e3068.z)) < 0f) {
+                        phi_4242_ = vec3<f32>(-(_e3520), -(_e3521), -(_e3522));
                     } else {
-                        phi_4230_ = vec3<f32>(_e3533, _e3534, _e3535);
+                        phi_4242_ = vec3<f32>(_e3520, _e3521, _e3522);
                     }
-                    let _e3551 = phi_4230_;
-                    phi_4231_ = _e3551;
+                    let _e3538 = phi_4242_;
+                    phi_4243_ = _e3538;
                 } else {
-                    phi_4231_ = _e3081;
+                    phi_4243_ = _e3068;
                 }
-                let _e3553 = phi_4231_;
-                phi_4232_ = _e3553;
+                let _e3540 = phi_4243_;
+                phi_4244_ = _e3540;
             }
-            let _e3555 = phi_4232_;
-            if (_e3327 > 0f) {
-                if (_e3327 < 1f) {
-                    phi_4241_ = _e3327;
+            let _e3542 = phi_4244_;
+            if (_e3314 > 0f) {
+                if (_e3314 < 1f) {
+                    phi_4253_ = _e3314;
                 } else {
-                    phi_4241_ = 1f;
+                    phi_4253_ = 1f;
                 }
-                let _e3559 = phi_4241_;
-                phi_4242_ = _e3559;
+                let _e3546 = phi_4253_;
+                phi_4254_ = _e3546;
             } else {
-                phi_4242_ = 0f;
+                phi_4254_ = 0f;
             }
-            let _e3561 = phi_4242_;
-            if (_e3329 > 0f) {
-                if (_e3329 < 1f) {
-                    phi_4252_ = _e3329;
+            let _e3548 = phi_4254_;
+            if (_e3316 > 0f) {
+                if (_e3316 < 1f) {
+                    phi_4264_ = _e3316;
                 } else {
-                    phi_4252_ = 1f;
+                    phi_4264_ = 1f;
                 }
-                let _e3566 = phi_4252_;
-                phi_4253_ = _e3566;
+                let _e3553 = phi_4264_;
+                phi_4265_ = _e3553;
             } else {
-                phi_4253_ = 0f;
+                phi_4265_ = 0f;
             }
-            let _e3568 = phi_4253_;
-            if (_e3331 > 0f) {
-                if (_e3331 < 1f) {
-                    phi_4263_ = _e3331;
+            let _e3555 = phi_4265_;
+            if (_e3318 > 0f) {
+                if (_e3318 < 1f) {
+                    phi_4275_ = _e3318;
                 } else {
-                    phi_4263_ = 1f;
+                    phi_4275_ = 1f;
                 }
-                let _e3573 = phi_4263_;
-                phi_4264_ = _e3573;
+                let _e3560 = phi_4275_;
+                phi_4276_ = _e3560;
             } else {
-                phi_4264_ = 0f;
+                phi_4276_ = 0f;
             }
-            let _e3575 = phi_4264_;
-            let _e3578 = ((sqrt(_e3561) * 255f) + 0.5f);
-            let _e3587 = ((sqrt(_e3568) * 255f) + 0.5f);
-            let _e3599 = ((sqrt(_e3575) * 255f) + 0.5f);
-            phi_4299_ = abi_Sample(vec3<f32>(_e2989, _e2990, _e2991), _e3333, _e3081, _e3338, _e3555, ((select(select(u32(_e3578), 0u, (_e3578 < bitcast<f32>(0u))), 4294967295u, (_e3578 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3587), 0u, (_e3587 < bitcast<f32>(0u))), 4294967295u, (_e3587 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3599), 0u, (_e3599 < bitcast<f32>(0u))), 4294967295u, (_e3599 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3562 = phi_4276_;
+            let _e3565 = ((sqrt(_e3548) * 255f) + 0.5f);
+            let _e3574 = ((sqrt(_e3555) * 255f) + 0.5f);
+            let _e3586 = ((sqrt(_e3562) * 255f) + 0.5f);
+            phi_4311_ = abi_Sample(vec3<f32>(_e2976, _e2977, _e2978), _e3320, _e3068, _e3325, _e3542, ((select(select(u32(_e3565), 0u, (_e3565 < bitcast<f32>(0u))), 4294967295u, (_e3565 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3574), 0u, (_e3574 < bitcast<f32>(0u))), 4294967295u, (_e3574 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3586), 0u, (_e3586 < bitcast<f32>(0u))), 4294967295u, (_e3586 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4299_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4311_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3613 = phi_4299_;
-        if (_e105.first_primitive < arrayLength((&samples.member))) {
+        let _e3600 = phi_4311_;
+        if (_e105.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.first_primitive)] = _e3613;
+        samples.member[(0u + _e105.shift)] = _e3600;
     }
     return;
 }

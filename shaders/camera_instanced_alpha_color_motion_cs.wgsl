@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -185,19 +185,19 @@ var<storage> before: type_26;
 @group(0) @binding(10) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_228_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_228_: lt_mask_LightPlace;
     var phi_229_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
     var phi_231_: bool;
-    var phi_236_: lt_bvh_traverse_Tree;
+    var phi_236_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_228_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_228_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_229_ = false;
         } else {
-            phi_228_ = lt_bvh_traverse_Tree();
+            phi_228_ = lt_mask_LightPlace();
             phi_229_ = true;
         }
         let _e85 = phi_228_;
@@ -205,18 +205,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_230_ = _e85;
         phi_231_ = _e87;
     } else {
-        phi_230_ = lt_bvh_traverse_Tree();
+        phi_230_ = lt_mask_LightPlace();
         phi_231_ = true;
     }
     let _e89 = phi_230_;
     let _e91 = phi_231_;
     if _e91 {
-        phi_236_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_236_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_236_ = _e89;
     }
     let _e96 = phi_236_;
-    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
+    return lt_mask_LightPlace(_e96.word, _e96.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -633,297 +633,293 @@ fn function_() {
     var local_1: texture_TextureView;
     var local_2: lt_bvh_traverse_Stack;
     var local_3: lt_bvh_traverse_Stack;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_802_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_822_: bool;
     var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
     var phi_841_: bool;
     var phi_842_: bool;
-    var phi_846_: bool;
-    var phi_850_: bool;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_849_: bool;
     var phi_925_: f32;
     var phi_932_: f32;
     var phi_940_: f32;
     var phi_947_: f32;
     var phi_955_: f32;
     var phi_962_: f32;
-    var phi_987_: f32;
-    var phi_992_: f32;
-    var phi_997_: f32;
-    var phi_1019_: u32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_995_: f32;
+    var phi_1000_: f32;
+    var phi_1005_: f32;
     var phi_1024_: u32;
     var phi_1029_: u32;
-    var phi_1143_: bool;
-    var phi_1144_: bool;
-    var phi_1175_: u32;
-    var phi_1177_: u32;
-    var phi_1180_: lt_bvh_Hit;
-    var phi_1265_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1292_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1319_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1325_: u32;
-    var phi_1328_: u32;
-    var phi_1342_: u32;
-    var phi_1352_: u32;
-    var phi_1362_: u32;
-    var phi_1380_: u32;
-    var phi_1390_: u32;
-    var phi_1400_: u32;
-    var phi_1436_: u32;
-    var phi_1449_: u32;
+    var phi_1034_: u32;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1180_: u32;
+    var phi_1182_: u32;
+    var phi_1185_: lt_bvh_Hit;
+    var phi_1270_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1297_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1324_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1330_: u32;
+    var phi_1333_: u32;
+    var phi_1347_: u32;
+    var phi_1357_: u32;
+    var phi_1367_: u32;
+    var phi_1385_: u32;
+    var phi_1395_: u32;
+    var phi_1405_: u32;
+    var phi_1441_: u32;
     var phi_1454_: u32;
-    var phi_1455_: u32;
-    var phi_1456_: u32;
-    var phi_1326_: u32;
-    var phi_1329_: u32;
+    var phi_1459_: u32;
+    var phi_1460_: u32;
+    var phi_1461_: u32;
+    var phi_1331_: u32;
+    var phi_1334_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1514_: u32;
-    var phi_1517_: lt_bvh_Hit;
-    var phi_1572_: f32;
+    var phi_1519_: u32;
+    var phi_1522_: lt_bvh_Hit;
     var phi_1577_: f32;
     var phi_1582_: f32;
-    var phi_1590_: f32;
+    var phi_1587_: f32;
     var phi_1595_: f32;
     var phi_1600_: f32;
-    var phi_1756_: bool;
+    var phi_1605_: f32;
+    var phi_1737_: bool;
+    var phi_1738_: bool;
+    var phi_1739_: bool;
+    var phi_1740_: bool;
+    var phi_1744_: bool;
     var phi_1757_: bool;
     var phi_1758_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
     var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1766_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1771_: bool;
-    var phi_1772_: bool;
-    var phi_1773_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
     var phi_1777_: bool;
     var phi_1778_: bool;
     var phi_1779_: bool;
     var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1785_: bool;
+    var phi_1786_: bool;
     var phi_1787_: bool;
-    var phi_1857_: f32;
-    var phi_1864_: f32;
-    var phi_1871_: f32;
-    var phi_1878_: f32;
-    var phi_1885_: f32;
-    var phi_1892_: f32;
-    var phi_1909_: f32;
-    var phi_1914_: f32;
-    var phi_1919_: f32;
-    var phi_1947_: bool;
-    var phi_1948_: bool;
-    var phi_1956_: u32;
-    var phi_1957_: u32;
-    var phi_1968_: vec3<f32>;
-    var phi_1969_: vec3<f32>;
-    var phi_1982_: u32;
-    var phi_1987_: u32;
-    var phi_1992_: u32;
-    var phi_2106_: bool;
-    var phi_2107_: bool;
-    var phi_2138_: u32;
-    var phi_2140_: lt_bvh_Hit;
-    var phi_2143_: u32;
-    var phi_2224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2278_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2284_: u32;
-    var phi_2287_: u32;
-    var phi_2301_: u32;
-    var phi_2311_: u32;
-    var phi_2321_: u32;
-    var phi_2339_: u32;
-    var phi_2349_: u32;
-    var phi_2359_: u32;
-    var phi_2395_: u32;
-    var phi_2408_: u32;
-    var phi_2413_: u32;
-    var phi_2414_: u32;
-    var phi_2415_: u32;
-    var phi_2285_: u32;
-    var phi_2288_: u32;
+    var phi_1791_: bool;
+    var phi_1861_: f32;
+    var phi_1868_: f32;
+    var phi_1875_: f32;
+    var phi_1882_: f32;
+    var phi_1889_: f32;
+    var phi_1896_: f32;
+    var phi_1913_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1928_: f32;
+    var phi_1933_: f32;
+    var phi_1959_: bool;
+    var phi_1960_: bool;
+    var phi_1968_: u32;
+    var phi_1969_: u32;
+    var phi_1980_: vec3<f32>;
+    var phi_1981_: vec3<f32>;
+    var phi_1994_: u32;
+    var phi_1999_: u32;
+    var phi_2004_: u32;
+    var phi_2118_: bool;
+    var phi_2119_: bool;
+    var phi_2150_: u32;
+    var phi_2152_: lt_bvh_Hit;
+    var phi_2155_: u32;
+    var phi_2236_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2263_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2290_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2296_: u32;
+    var phi_2299_: u32;
+    var phi_2313_: u32;
+    var phi_2323_: u32;
+    var phi_2333_: u32;
+    var phi_2351_: u32;
+    var phi_2361_: u32;
+    var phi_2371_: u32;
+    var phi_2407_: u32;
+    var phi_2420_: u32;
+    var phi_2425_: u32;
+    var phi_2426_: u32;
+    var phi_2427_: u32;
+    var phi_2297_: u32;
+    var phi_2300_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_2473_: lt_bvh_Hit;
-    var phi_2476_: u32;
-    var phi_2520_: vec3<f32>;
-    var phi_2521_: vec3<f32>;
-    var phi_2550_: vec3<f32>;
-    var phi_2551_: vec3<f32>;
-    var phi_2580_: vec3<f32>;
-    var phi_2581_: vec3<f32>;
-    var phi_2599_: bool;
-    var phi_2600_: bool;
-    var phi_2604_: f32;
-    var phi_2605_: f32;
-    var phi_2606_: f32;
-    var phi_2607_: f32;
-    var phi_2615_: f32;
-    var phi_2625_: bool;
-    var phi_2626_: bool;
-    var phi_2630_: f32;
-    var phi_2631_: f32;
-    var phi_2632_: f32;
-    var phi_2633_: f32;
-    var phi_2641_: f32;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2656_: f32;
-    var phi_2657_: f32;
-    var phi_2658_: f32;
-    var phi_2659_: f32;
-    var phi_2667_: f32;
-    var phi_2682_: f32;
-    var phi_2683_: bool;
-    var phi_2684_: f32;
-    var phi_2685_: bool;
-    var phi_2686_: f32;
-    var phi_2687_: bool;
-    var phi_2705_: f32;
-    var phi_2706_: bool;
-    var phi_2707_: bool;
-    var phi_2708_: f32;
-    var phi_2709_: bool;
-    var phi_2710_: bool;
-    var phi_2714_: bool;
-    var phi_2715_: f32;
-    var phi_2716_: bool;
-    var phi_2744_: vec3<f32>;
-    var phi_2745_: vec3<f32>;
-    var phi_2770_: vec3<f32>;
-    var phi_2771_: vec3<f32>;
-    var phi_2796_: vec3<f32>;
-    var phi_2797_: vec3<f32>;
-    var phi_2853_: f32;
-    var phi_2862_: f32;
-    var phi_2871_: f32;
-    var phi_2880_: f32;
-    var phi_2887_: f32;
-    var phi_2894_: f32;
-    var phi_2907_: f32;
-    var phi_2916_: f32;
-    var phi_2925_: f32;
-    var phi_2934_: f32;
-    var phi_2941_: f32;
-    var phi_2948_: f32;
-    var phi_2965_: f32;
-    var phi_2970_: f32;
-    var phi_2975_: f32;
-    var phi_2983_: f32;
-    var phi_2988_: f32;
-    var phi_2993_: f32;
+    var phi_2485_: lt_bvh_Hit;
+    var phi_2488_: u32;
+    var phi_2532_: vec3<f32>;
+    var phi_2533_: vec3<f32>;
+    var phi_2562_: vec3<f32>;
+    var phi_2563_: vec3<f32>;
+    var phi_2592_: vec3<f32>;
+    var phi_2593_: vec3<f32>;
+    var phi_2611_: bool;
+    var phi_2612_: bool;
+    var phi_2616_: f32;
+    var phi_2617_: f32;
+    var phi_2618_: f32;
+    var phi_2619_: f32;
+    var phi_2627_: f32;
+    var phi_2637_: bool;
+    var phi_2638_: bool;
+    var phi_2642_: f32;
+    var phi_2643_: f32;
+    var phi_2644_: f32;
+    var phi_2645_: f32;
+    var phi_2653_: f32;
+    var phi_2663_: bool;
+    var phi_2664_: bool;
+    var phi_2668_: f32;
+    var phi_2669_: f32;
+    var phi_2670_: f32;
+    var phi_2671_: f32;
+    var phi_2679_: f32;
+    var phi_2694_: f32;
+    var phi_2695_: bool;
+    var phi_2696_: f32;
+    var phi_2697_: bool;
+    var phi_2698_: f32;
+    var phi_2699_: bool;
+    var phi_2717_: f32;
+    var phi_2718_: bool;
+    var phi_2719_: bool;
+    var phi_2720_: f32;
+    var phi_2721_: bool;
+    var phi_2722_: bool;
+    var phi_2726_: bool;
+    var phi_2727_: f32;
+    var phi_2728_: bool;
+    var phi_2756_: vec3<f32>;
+    var phi_2757_: vec3<f32>;
+    var phi_2782_: vec3<f32>;
+    var phi_2783_: vec3<f32>;
+    var phi_2808_: vec3<f32>;
+    var phi_2809_: vec3<f32>;
+    var phi_2865_: f32;
+    var phi_2874_: f32;
+    var phi_2883_: f32;
+    var phi_2892_: f32;
+    var phi_2899_: f32;
+    var phi_2906_: f32;
+    var phi_2919_: f32;
+    var phi_2928_: f32;
+    var phi_2937_: f32;
+    var phi_2946_: f32;
+    var phi_2953_: f32;
+    var phi_2960_: f32;
+    var phi_2977_: f32;
+    var phi_2982_: f32;
+    var phi_2987_: f32;
+    var phi_2995_: f32;
+    var phi_3000_: f32;
     var phi_3005_: f32;
-    var phi_3010_: f32;
-    var phi_3015_: f32;
-    var phi_3020_: f32;
-    var phi_3025_: lt_bvh_triangle_Intersection;
-    var phi_3026_: bool;
-    var phi_3027_: lt_bvh_triangle_Intersection;
-    var phi_3028_: bool;
-    var phi_3032_: lt_bvh_triangle_Intersection;
-    var phi_3033_: bool;
-    var phi_3034_: lt_bvh_triangle_Intersection;
-    var phi_3035_: bool;
-    var phi_3036_: bool;
+    var phi_3017_: f32;
+    var phi_3022_: f32;
+    var phi_3027_: f32;
+    var phi_3032_: f32;
+    var phi_3037_: lt_bvh_triangle_Intersection;
+    var phi_3038_: bool;
+    var phi_3039_: lt_bvh_triangle_Intersection;
     var phi_3040_: bool;
     var phi_3044_: lt_bvh_triangle_Intersection;
-    var phi_3082_: bool;
-    var phi_3083_: bool;
-    var phi_3084_: bool;
-    var phi_3085_: bool;
-    var phi_3086_: bool;
-    var phi_3087_: bool;
-    var phi_3091_: bool;
-    var phi_3092_: bool;
-    var phi_3295_: f32;
-    var phi_3298_: bool;
-    var phi_3299_: bool;
-    var phi_3303_: bool;
-    var phi_3311_: lt_bvh_Hit;
-    var phi_3312_: lt_bvh_Hit;
-    var phi_3313_: lt_bvh_Hit;
-    var phi_3314_: lt_bvh_Hit;
-    var phi_2474_: lt_bvh_Hit;
-    var phi_2477_: u32;
+    var phi_3045_: bool;
+    var phi_3046_: lt_bvh_triangle_Intersection;
+    var phi_3047_: bool;
+    var phi_3048_: bool;
+    var phi_3052_: bool;
+    var phi_3056_: lt_bvh_triangle_Intersection;
+    var phi_3094_: bool;
+    var phi_3095_: bool;
+    var phi_3096_: bool;
+    var phi_3097_: bool;
+    var phi_3098_: bool;
+    var phi_3099_: bool;
+    var phi_3103_: bool;
+    var phi_3104_: bool;
+    var phi_3307_: f32;
+    var phi_3310_: bool;
+    var phi_3311_: bool;
     var phi_3315_: bool;
-    var phi_3354_: bool;
-    var phi_3355_: bool;
-    var phi_3386_: u32;
-    var phi_2141_: lt_bvh_Hit;
-    var phi_2144_: u32;
-    var phi_3387_: lt_bvh_Hit;
-    var phi_3388_: lt_bvh_Hit;
-    var phi_3389_: bool;
-    var phi_3393_: lt_bvh_Hit;
-    var phi_3394_: lt_bvh_Hit;
-    var phi_3395_: lt_bvh_Hit;
-    var phi_3396_: lt_bvh_Hit;
-    var phi_1515_: u32;
-    var phi_1518_: lt_bvh_Hit;
-    var phi_3397_: bool;
-    var phi_3436_: bool;
-    var phi_3437_: bool;
-    var phi_3468_: u32;
-    var phi_1178_: u32;
-    var phi_1181_: lt_bvh_Hit;
-    var phi_3469_: lt_bvh_Hit;
-    var phi_3470_: lt_bvh_Hit;
-    var phi_3471_: bool;
-    var phi_3475_: lt_bvh_Hit;
-    var phi_3662_: f32;
-    var phi_3667_: f32;
-    var phi_3672_: f32;
-    var phi_3680_: f32;
-    var phi_3685_: f32;
-    var phi_3690_: f32;
-    var phi_3754_: vec3<f32>;
-    var phi_3997_: vec3<f32>;
-    var phi_4012_: u32;
-    var phi_4039_: f32;
-    var phi_4046_: f32;
-    var phi_4053_: f32;
-    var phi_4088_: f32;
-    var phi_4095_: f32;
-    var phi_4102_: f32;
-    var phi_4140_: f32;
-    var phi_4147_: f32;
-    var phi_4154_: f32;
-    var phi_4240_: vec3<f32>;
-    var phi_4241_: vec3<f32>;
-    var phi_4242_: vec3<f32>;
-    var phi_4251_: f32;
-    var phi_4252_: f32;
-    var phi_4262_: f32;
+    var phi_3323_: lt_bvh_Hit;
+    var phi_3324_: lt_bvh_Hit;
+    var phi_3325_: lt_bvh_Hit;
+    var phi_3326_: lt_bvh_Hit;
+    var phi_2486_: lt_bvh_Hit;
+    var phi_2489_: u32;
+    var phi_3327_: bool;
+    var phi_3366_: bool;
+    var phi_3367_: bool;
+    var phi_3398_: u32;
+    var phi_2153_: lt_bvh_Hit;
+    var phi_2156_: u32;
+    var phi_3399_: lt_bvh_Hit;
+    var phi_3400_: lt_bvh_Hit;
+    var phi_3401_: bool;
+    var phi_3405_: lt_bvh_Hit;
+    var phi_3406_: lt_bvh_Hit;
+    var phi_3407_: lt_bvh_Hit;
+    var phi_3408_: lt_bvh_Hit;
+    var phi_1520_: u32;
+    var phi_1523_: lt_bvh_Hit;
+    var phi_3409_: bool;
+    var phi_3448_: bool;
+    var phi_3449_: bool;
+    var phi_3480_: u32;
+    var phi_1183_: u32;
+    var phi_1186_: lt_bvh_Hit;
+    var phi_3481_: lt_bvh_Hit;
+    var phi_3482_: lt_bvh_Hit;
+    var phi_3483_: bool;
+    var phi_3487_: lt_bvh_Hit;
+    var phi_3674_: f32;
+    var phi_3679_: f32;
+    var phi_3684_: f32;
+    var phi_3692_: f32;
+    var phi_3697_: f32;
+    var phi_3702_: f32;
+    var phi_3766_: vec3<f32>;
+    var phi_4009_: vec3<f32>;
+    var phi_4024_: u32;
+    var phi_4051_: f32;
+    var phi_4058_: f32;
+    var phi_4065_: f32;
+    var phi_4100_: f32;
+    var phi_4107_: f32;
+    var phi_4114_: f32;
+    var phi_4152_: f32;
+    var phi_4159_: f32;
+    var phi_4166_: f32;
+    var phi_4252_: vec3<f32>;
+    var phi_4253_: vec3<f32>;
+    var phi_4254_: vec3<f32>;
     var phi_4263_: f32;
-    var phi_4273_: f32;
+    var phi_4264_: f32;
     var phi_4274_: f32;
-    var phi_4309_: abi_Sample;
-    var phi_4532_: vec3<f32>;
+    var phi_4275_: f32;
+    var phi_4285_: f32;
+    var phi_4286_: f32;
+    var phi_4321_: abi_Sample;
+    var phi_4544_: vec3<f32>;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -941,7 +937,7 @@ fn function_() {
     let _e110 = p.member.size[0u];
     let _e112 = p.member.size[1u];
     let _e113 = lt_shaders_entry_pixel_index(_e76, _e110, _e112);
-    if (bitcast<i32>(_e113.root) != 0i) {
+    if (bitcast<i32>(_e113.word) != 0i) {
         let _e119 = p.member.root;
         let _e123 = p.member.eye;
         let _e128 = p.member.size[0u];
@@ -953,2269 +949,2271 @@ fn function_() {
         let _e159 = p.member.up;
         let _e170 = _lt_bvh_ray_Ray_new(_e123, vec3<f32>(((_e143.x + (_e145.x * _e132)) + (_e159.x * _e141)), ((_e143.y + (_e145.y * _e132)) + (_e159.y * _e141)), ((_e143.z + (_e145.z * _e132)) + (_e159.z * _e141))));
         let _e172 = lt_bvh_Hit(_e170.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e182 = abs(_e170.direction.x);
-        let _e184 = abs(_e170.direction.y);
-        let _e186 = abs(_e170.direction.z);
+        let _e175 = abs(_e170.direction.x);
+        let _e177 = abs(_e170.direction.y);
+        let _e179 = abs(_e170.direction.z);
         if (abs(_e170.origin.x) < 1000000000000000f) {
             if (abs(_e170.origin.y) < 1000000000000000f) {
-                if (abs(_e170.origin.z) < 1000000000000000f) {
-                    if (_e182 < 1000000000000000f) {
-                        if (_e184 < 1000000000000000f) {
-                            if (_e186 < 1000000000000000f) {
-                                if (_e182 > 0f) {
-                                    phi_820_ = bool();
-                                    phi_821_ = true;
-                                } else {
-                                    let _e194 = (_e184 > 0f);
-                                    if _e194 {
-                                        phi_819_ = bool();
-                                    } else {
-                                        phi_819_ = (_e186 > 0f);
-                                    }
-                                    let _e197 = phi_819_;
-                                    phi_820_ = _e197;
-                                    phi_821_ = _e194;
-                                }
-                                let _e199 = phi_820_;
-                                let _e201 = phi_821_;
-                                if _e201 {
-                                    phi_825_ = true;
-                                } else {
-                                    phi_825_ = _e199;
-                                }
-                                let _e203 = phi_825_;
-                                phi_826_ = _e203;
-                                phi_827_ = false;
-                            } else {
-                                phi_826_ = bool();
-                                phi_827_ = true;
-                            }
-                            let _e205 = phi_826_;
-                            let _e207 = phi_827_;
-                            phi_828_ = _e205;
-                            phi_829_ = false;
-                            phi_830_ = _e207;
-                        } else {
-                            phi_828_ = bool();
-                            phi_829_ = true;
-                            phi_830_ = false;
-                        }
-                        let _e209 = phi_828_;
-                        let _e211 = phi_829_;
-                        let _e213 = phi_830_;
-                        phi_831_ = _e209;
-                        phi_832_ = _e211;
-                        phi_833_ = _e213;
-                    } else {
-                        phi_831_ = bool();
-                        phi_832_ = true;
-                        phi_833_ = false;
-                    }
-                    let _e215 = phi_831_;
-                    let _e217 = phi_832_;
-                    let _e219 = phi_833_;
-                    phi_834_ = _e215;
-                    phi_835_ = _e217;
-                    phi_836_ = _e219;
-                } else {
-                    phi_834_ = bool();
-                    phi_835_ = true;
-                    phi_836_ = false;
-                }
-                let _e221 = phi_834_;
-                let _e223 = phi_835_;
-                let _e225 = phi_836_;
-                phi_837_ = _e221;
-                phi_838_ = _e223;
-                phi_839_ = _e225;
+                phi_795_ = (abs(_e170.origin.z) < 1000000000000000f);
+                phi_796_ = false;
             } else {
-                phi_837_ = bool();
-                phi_838_ = true;
-                phi_839_ = false;
+                phi_795_ = bool();
+                phi_796_ = true;
             }
-            let _e227 = phi_837_;
-            let _e229 = phi_838_;
-            let _e231 = phi_839_;
-            phi_840_ = _e227;
-            phi_841_ = _e229;
-            phi_842_ = _e231;
+            let _e191 = phi_795_;
+            let _e193 = phi_796_;
+            phi_797_ = _e191;
+            phi_798_ = _e193;
         } else {
-            phi_840_ = bool();
-            phi_841_ = true;
-            phi_842_ = false;
+            phi_797_ = bool();
+            phi_798_ = true;
         }
-        let _e233 = phi_840_;
-        let _e235 = phi_841_;
-        let _e237 = phi_842_;
-        if _e235 {
-            phi_846_ = true;
+        let _e195 = phi_797_;
+        let _e197 = phi_798_;
+        if _e197 {
+            phi_802_ = false;
         } else {
-            phi_846_ = _e237;
+            phi_802_ = _e195;
         }
-        let _e239 = phi_846_;
-        if _e239 {
-            phi_850_ = false;
+        let _e199 = phi_802_;
+        if _e199 {
+            if (_e175 < 1000000000000000f) {
+                if (_e177 < 1000000000000000f) {
+                    phi_815_ = (_e179 < 1000000000000000f);
+                    phi_816_ = false;
+                } else {
+                    phi_815_ = bool();
+                    phi_816_ = true;
+                }
+                let _e204 = phi_815_;
+                let _e206 = phi_816_;
+                phi_817_ = _e204;
+                phi_818_ = _e206;
+            } else {
+                phi_817_ = bool();
+                phi_818_ = true;
+            }
+            let _e208 = phi_817_;
+            let _e210 = phi_818_;
+            if _e210 {
+                phi_822_ = false;
+            } else {
+                phi_822_ = _e208;
+            }
+            let _e212 = phi_822_;
+            if _e212 {
+                if (_e175 > 0f) {
+                    phi_836_ = bool();
+                    phi_837_ = true;
+                } else {
+                    let _e214 = (_e177 > 0f);
+                    if _e214 {
+                        phi_835_ = bool();
+                    } else {
+                        phi_835_ = (_e179 > 0f);
+                    }
+                    let _e217 = phi_835_;
+                    phi_836_ = _e217;
+                    phi_837_ = _e214;
+                }
+                let _e219 = phi_836_;
+                let _e221 = phi_837_;
+                if _e221 {
+                    phi_841_ = true;
+                } else {
+                    phi_841_ = _e219;
+                }
+                let _e223 = phi_841_;
+                phi_842_ = _e223;
+                phi_843_ = false;
+            } else {
+                phi_842_ = bool();
+                phi_843_ = true;
+            }
+            let _e225 = phi_842_;
+            let _e227 = phi_843_;
+            phi_844_ = _e225;
+            phi_845_ = _e227;
         } else {
-            phi_850_ = _e233;
+            phi_844_ = bool();
+            phi_845_ = true;
         }
-        let _e241 = phi_850_;
-        if _e241 {
-            let _e242 = (_e119 >= _e80);
-            if _e242 {
-                phi_3469_ = lt_bvh_Hit();
+        let _e229 = phi_844_;
+        let _e231 = phi_845_;
+        if _e231 {
+            phi_849_ = false;
+        } else {
+            phi_849_ = _e229;
+        }
+        let _e233 = phi_849_;
+        if _e233 {
+            let _e234 = (_e119 >= _e80);
+            if _e234 {
+                phi_3481_ = lt_bvh_Hit();
             } else {
                 if (_e119 < _e80) {
                 } else {
                     return;
                 }
-                let _e248 = nodes.member[(0u + _e119)].frame[0u];
-                let _e252 = nodes.member[(0u + _e119)].frame[1u];
-                let _e256 = nodes.member[(0u + _e119)].frame[2u];
-                let _e260 = nodes.member[(0u + _e119)].frame[0u];
-                let _e264 = nodes.member[(0u + _e119)].frame[1u];
-                let _e268 = nodes.member[(0u + _e119)].frame[2u];
-                let _e272 = nodes.member[(0u + _e119)].frame[3u];
-                let _e310 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170.direction.x), abs(_e170.direction.y));
-                let _e311 = core_intrinsics_maximum_number_nsz_f32_(_e310, abs(_e170.direction.z));
-                let _e312 = (_e311 * 0.0000000000009094947f);
-                if (abs(_e170.direction.x) < _e312) {
-                    phi_925_ = _e312;
+                let _e240 = nodes.member[(0u + _e119)].frame[0u];
+                let _e244 = nodes.member[(0u + _e119)].frame[1u];
+                let _e248 = nodes.member[(0u + _e119)].frame[2u];
+                let _e252 = nodes.member[(0u + _e119)].frame[0u];
+                let _e256 = nodes.member[(0u + _e119)].frame[1u];
+                let _e260 = nodes.member[(0u + _e119)].frame[2u];
+                let _e264 = nodes.member[(0u + _e119)].frame[3u];
+                let _e303 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170.direction.x), abs(_e170.direction.y));
+                let _e304 = core_intrinsics_maximum_number_nsz_f32_(_e303, abs(_e170.direction.z));
+                let _e305 = (_e304 * 0.0000000000009094947f);
+                if (abs(_e170.direction.x) < _e305) {
+                    phi_925_ = _e305;
                 } else {
                     phi_925_ = abs(_e170.direction.x);
                 }
-                let _e319 = phi_925_;
+                let _e311 = phi_925_;
                 if (_e170.direction.x < 0f) {
-                    phi_932_ = (-1f / _e319);
+                    phi_932_ = (-1f / _e311);
                 } else {
-                    phi_932_ = (1f / _e319);
+                    phi_932_ = (1f / _e311);
                 }
-                let _e324 = phi_932_;
-                if (abs(_e170.direction.y) < _e312) {
-                    phi_940_ = _e312;
+                let _e316 = phi_932_;
+                if (abs(_e170.direction.y) < _e305) {
+                    phi_940_ = _e305;
                 } else {
                     phi_940_ = abs(_e170.direction.y);
                 }
-                let _e331 = phi_940_;
+                let _e322 = phi_940_;
                 if (_e170.direction.y < 0f) {
-                    phi_947_ = (-1f / _e331);
+                    phi_947_ = (-1f / _e322);
                 } else {
-                    phi_947_ = (1f / _e331);
+                    phi_947_ = (1f / _e322);
                 }
-                let _e336 = phi_947_;
-                if (abs(_e170.direction.z) < _e312) {
-                    phi_955_ = _e312;
+                let _e327 = phi_947_;
+                if (abs(_e170.direction.z) < _e305) {
+                    phi_955_ = _e305;
                 } else {
                     phi_955_ = abs(_e170.direction.z);
                 }
-                let _e343 = phi_955_;
+                let _e333 = phi_955_;
                 if (_e170.direction.z < 0f) {
-                    phi_962_ = (-1f / _e343);
+                    phi_962_ = (-1f / _e333);
                 } else {
-                    phi_962_ = (1f / _e343);
+                    phi_962_ = (1f / _e333);
                 }
-                let _e348 = phi_962_;
-                let _e356 = abs((bitcast<f32>(_e248) - _e170.origin.x));
-                let _e357 = abs((bitcast<f32>(_e252) - _e170.origin.y));
-                let _e358 = abs((bitcast<f32>(_e256) - _e170.origin.z));
-                let _e366 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e272 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.x));
-                let _e367 = abs(((bitcast<f32>(_e264) + (bitcast<f32>((((_e272 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.y));
-                let _e368 = abs(((bitcast<f32>(_e268) + (bitcast<f32>((((_e272 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.z));
-                if (_e356 > _e366) {
-                    phi_987_ = _e356;
+                let _e338 = phi_962_;
+                let _e345 = abs((bitcast<f32>(_e240) - _e170.origin.x));
+                let _e346 = abs((bitcast<f32>(_e244) - _e170.origin.y));
+                let _e347 = abs((bitcast<f32>(_e248) - _e170.origin.z));
+                let _e354 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e264 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.x));
+                let _e355 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e264 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.y));
+                let _e356 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e264 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.z));
+                if (_e345 > _e354) {
+                    phi_985_ = _e345;
                 } else {
-                    phi_987_ = _e366;
+                    phi_985_ = _e354;
                 }
-                let _e371 = phi_987_;
-                if (_e357 > _e367) {
-                    phi_992_ = _e357;
+                let _e359 = phi_985_;
+                if (_e346 > _e355) {
+                    phi_990_ = _e346;
                 } else {
-                    phi_992_ = _e367;
+                    phi_990_ = _e355;
                 }
-                let _e374 = phi_992_;
-                if (_e358 > _e368) {
-                    phi_997_ = _e358;
+                let _e362 = phi_990_;
+                if (_e347 > _e356) {
+                    phi_995_ = _e347;
                 } else {
-                    phi_997_ = _e368;
+                    phi_995_ = _e356;
                 }
-                let _e377 = phi_997_;
-                let _e378 = core_intrinsics_maximum_number_nsz_f32_(_e371, _e374);
-                let _e379 = core_intrinsics_maximum_number_nsz_f32_(_e378, _e377);
-                let _e384 = (_e379 * 0.0000019073486f);
-                let _e385 = (abs(_e324) * _e384);
-                let _e386 = (abs(_e336) * _e384);
-                let _e387 = (abs(_e348) * _e384);
-                let _e391 = (_e379 * 0.0000009536743f);
-                let _e392 = (abs(_e324) * _e391);
-                let _e393 = (abs(_e336) * _e391);
-                let _e394 = (abs(_e348) * _e391);
-                if (_e324 < 0f) {
-                    phi_1019_ = 0u;
+                let _e365 = phi_995_;
+                if (_e359 > _e362) {
+                    phi_1000_ = _e359;
                 } else {
-                    phi_1019_ = 1u;
+                    phi_1000_ = _e362;
                 }
-                let _e397 = phi_1019_;
-                if (_e336 < 0f) {
+                let _e368 = phi_1000_;
+                if (_e368 > _e365) {
+                    phi_1005_ = _e368;
+                } else {
+                    phi_1005_ = _e365;
+                }
+                let _e371 = phi_1005_;
+                let _e375 = (_e371 * 0.0000019073486f);
+                let _e376 = (abs(_e316) * _e375);
+                let _e377 = (abs(_e327) * _e375);
+                let _e378 = (abs(_e338) * _e375);
+                let _e382 = (_e371 * 0.0000009536743f);
+                let _e383 = (abs(_e316) * _e382);
+                let _e384 = (abs(_e327) * _e382);
+                let _e385 = (abs(_e338) * _e382);
+                if (_e316 < 0f) {
                     phi_1024_ = 0u;
                 } else {
-                    phi_1024_ = 2u;
+                    phi_1024_ = 1u;
                 }
-                let _e400 = phi_1024_;
-                if (_e348 < 0f) {
+                let _e388 = phi_1024_;
+                if (_e327 < 0f) {
                     phi_1029_ = 0u;
                 } else {
-                    phi_1029_ = 4u;
+                    phi_1029_ = 2u;
                 }
-                let _e403 = phi_1029_;
-                let _e405 = ((_e397 | _e400) | _e403);
-                let _e406 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e119, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e406.first[0], _e406.first[1], _e406.first[2], _e406.first[3], _e406.first[4], _e406.first[5], _e406.first[6], _e406.first[7], _e406.first[8], _e406.first[9], _e406.first[10], _e406.first[11], _e406.first[12], _e406.first[13], _e406.first[14], _e406.first[15], _e406.first[16], _e406.first[17], _e406.first[18], _e406.first[19], _e406.first[20], _e406.first[21], _e406.first[22], _e406.first[23], _e406.first[24], _e406.first[25], _e406.first[26], _e406.first[27], _e406.first[28], _e406.first[29], _e406.first[30], _e406.first[31]), array<u32, 32>(_e406.mask[0], _e406.mask[1], _e406.mask[2], _e406.mask[3], _e406.mask[4], _e406.mask[5], _e406.mask[6], _e406.mask[7], _e406.mask[8], _e406.mask[9], _e406.mask[10], _e406.mask[11], _e406.mask[12], _e406.mask[13], _e406.mask[14], _e406.mask[15], _e406.mask[16], _e406.mask[17], _e406.mask[18], _e406.mask[19], _e406.mask[20], _e406.mask[21], _e406.mask[22], _e406.mask[23], _e406.mask[24], _e406.mask[25], _e406.mask[26], _e406.mask[27], _e406.mask[28], _e406.mask[29], _e406.mask[30], _e406.mask[31]), _e406.len, _e406.group, _e406.group_mask);
-                let _e480 = local_3.group_mask;
-                if ((_e480 & 4278190080u) == 0u) {
-                    let _e484 = local_3.len;
-                    if (_e484 == 0u) {
-                        phi_1143_ = false;
+                let _e391 = phi_1029_;
+                if (_e338 < 0f) {
+                    phi_1034_ = 0u;
+                } else {
+                    phi_1034_ = 4u;
+                }
+                let _e394 = phi_1034_;
+                let _e396 = ((_e388 | _e391) | _e394);
+                let _e397 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e119, 2147483648u);
+                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e397.first[0], _e397.first[1], _e397.first[2], _e397.first[3], _e397.first[4], _e397.first[5], _e397.first[6], _e397.first[7], _e397.first[8], _e397.first[9], _e397.first[10], _e397.first[11], _e397.first[12], _e397.first[13], _e397.first[14], _e397.first[15], _e397.first[16], _e397.first[17], _e397.first[18], _e397.first[19], _e397.first[20], _e397.first[21], _e397.first[22], _e397.first[23], _e397.first[24], _e397.first[25], _e397.first[26], _e397.first[27], _e397.first[28], _e397.first[29], _e397.first[30], _e397.first[31]), array<u32, 32>(_e397.mask[0], _e397.mask[1], _e397.mask[2], _e397.mask[3], _e397.mask[4], _e397.mask[5], _e397.mask[6], _e397.mask[7], _e397.mask[8], _e397.mask[9], _e397.mask[10], _e397.mask[11], _e397.mask[12], _e397.mask[13], _e397.mask[14], _e397.mask[15], _e397.mask[16], _e397.mask[17], _e397.mask[18], _e397.mask[19], _e397.mask[20], _e397.mask[21], _e397.mask[22], _e397.mask[23], _e397.mask[24], _e397.mask[25], _e397.mask[26], _e397.mask[27], _e397.mask[28], _e397.mask[29], _e397.mask[30], _e397.mask[31]), _e397.len, _e397.group, _e397.group_mask);
+                let _e471 = local_3.group_mask;
+                if ((_e471 & 4278190080u) == 0u) {
+                    let _e475 = local_3.len;
+                    if (_e475 == 0u) {
+                        phi_1148_ = false;
                     } else {
-                        let _e488 = local_3.len;
-                        local_3.len = (_e488 - 1u);
-                        let _e491 = local_3.len;
-                        if (_e491 < 32u) {
+                        let _e479 = local_3.len;
+                        local_3.len = (_e479 - 1u);
+                        let _e482 = local_3.len;
+                        if (_e482 < 32u) {
                         } else {
                             return;
                         }
-                        let _e496 = local_3.first[(0u + _e491)];
-                        local_3.group = _e496;
-                        let _e499 = local_3.len;
-                        if (_e499 < 32u) {
+                        let _e487 = local_3.first[(0u + _e482)];
+                        local_3.group = _e487;
+                        let _e490 = local_3.len;
+                        if (_e490 < 32u) {
                         } else {
                             return;
                         }
-                        let _e504 = local_3.mask[(0u + _e499)];
-                        local_3.group_mask = _e504;
-                        phi_1143_ = true;
+                        let _e495 = local_3.mask[(0u + _e490)];
+                        local_3.group_mask = _e495;
+                        phi_1148_ = true;
                     }
-                    let _e507 = phi_1143_;
-                    phi_1144_ = _e507;
+                    let _e498 = phi_1148_;
+                    phi_1149_ = _e498;
                 } else {
-                    phi_1144_ = true;
+                    phi_1149_ = true;
                 }
-                let _e509 = phi_1144_;
-                if _e509 {
-                    let _e511 = local_3.group_mask;
-                    let _e517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e511)), 32u, (_e511 == 0u)));
-                    let _e521 = local_3.group_mask;
-                    let _e535 = local_3.group_mask;
-                    local_3.group_mask = (_e535 & ~((1u << bitcast<u32>((_e517 & 31u)))));
-                    let _e538 = local_3.group;
-                    phi_1175_ = (_e538 + countOneBits(((_e521 & ~((4294967295u << bitcast<u32>((((_e517 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e500 = phi_1149_;
+                if _e500 {
+                    let _e502 = local_3.group_mask;
+                    let _e508 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e502)), 32u, (_e502 == 0u)));
+                    let _e512 = local_3.group_mask;
+                    let _e526 = local_3.group_mask;
+                    local_3.group_mask = (_e526 & ~((1u << bitcast<u32>((_e508 & 31u)))));
+                    let _e529 = local_3.group;
+                    phi_1180_ = (_e529 + countOneBits(((_e512 & ~((4294967295u << bitcast<u32>((((_e508 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1175_ = 4294967295u;
+                    phi_1180_ = 4294967295u;
                 }
-                let _e541 = phi_1175_;
-                phi_1177_ = _e541;
-                phi_1180_ = _e172;
+                let _e532 = phi_1180_;
+                phi_1182_ = _e532;
+                phi_1185_ = _e172;
                 loop {
-                    let _e543 = phi_1177_;
-                    let _e545 = phi_1180_;
-                    local_13 = _e545;
-                    let _e546 = (_e543 != 4294967295u);
-                    if _e546 {
-                        if (_e543 < _e80) {
+                    let _e534 = phi_1182_;
+                    let _e536 = phi_1185_;
+                    local_13 = _e536;
+                    let _e537 = (_e534 != 4294967295u);
+                    if _e537 {
+                        if (_e534 < _e80) {
                         } else {
                             return;
                         }
-                        let _e554 = nodes.member[(0u + _e543)].frame[3u];
-                        let _e579 = (bitcast<f32>((((_e554 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e580 = (bitcast<f32>((((_e554 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e336);
-                        let _e581 = (bitcast<f32>((((_e554 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e348);
-                        let _e584 = nodes.member[(0u + _e543)].frame[0u];
-                        let _e588 = nodes.member[(0u + _e543)].frame[1u];
-                        let _e592 = nodes.member[(0u + _e543)].frame[2u];
-                        let _e600 = ((bitcast<f32>(_e584) - _e170.origin.x) * _e324);
-                        let _e601 = ((bitcast<f32>(_e588) - _e170.origin.y) * _e336);
-                        let _e602 = ((bitcast<f32>(_e592) - _e170.origin.z) * _e348);
-                        let _e610 = nodes.member[(0u + _e543)].x;
-                        if (_e324 < 0f) {
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.unnamed.root, _e610.w), _e621.unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e610.x, _e627.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_bvh_traverse_Tree(_e633.unnamed_1.root, _e610.y));
+                        let _e545 = nodes.member[(0u + _e534)].frame[3u];
+                        let _e570 = (bitcast<f32>((((_e545 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
+                        let _e571 = (bitcast<f32>((((_e545 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e327);
+                        let _e572 = (bitcast<f32>((((_e545 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e338);
+                        let _e575 = nodes.member[(0u + _e534)].frame[0u];
+                        let _e579 = nodes.member[(0u + _e534)].frame[1u];
+                        let _e583 = nodes.member[(0u + _e534)].frame[2u];
+                        let _e591 = ((bitcast<f32>(_e575) - _e170.origin.x) * _e316);
+                        let _e592 = ((bitcast<f32>(_e579) - _e170.origin.y) * _e327);
+                        let _e593 = ((bitcast<f32>(_e583) - _e170.origin.z) * _e338);
+                        let _e601 = nodes.member[(0u + _e534)].x;
+                        if (_e316 < 0f) {
+                            let _e612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e601.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e612.unnamed.word, _e601.w), _e612.unnamed_1);
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e618.unnamed, lt_mask_LightPlace(_e601.x, _e618.unnamed_1.shift));
+                            phi_1270_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_mask_LightPlace(_e624.unnamed_1.word, _e601.y));
                         } else {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.unnamed.root, _e610.y), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e610.z, _e655.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e661.unnamed_1.root, _e610.w));
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e601.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.unnamed.word, _e601.y), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e601.z, _e646.unnamed_1.shift));
+                            phi_1270_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e652.unnamed_1.word, _e601.w));
                         }
-                        let _e669 = phi_1265_;
-                        let _e679 = nodes.member[(0u + _e543)].y;
-                        if (_e336 < 0f) {
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.unnamed.root, _e679.w), _e690.unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e679.x, _e696.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_bvh_traverse_Tree(_e702.unnamed_1.root, _e679.y));
+                        let _e660 = phi_1270_;
+                        let _e670 = nodes.member[(0u + _e534)].y;
+                        if (_e327 < 0f) {
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e670.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e681.unnamed.word, _e670.w), _e681.unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_mask_LightPlace(_e670.x, _e687.unnamed_1.shift));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_mask_LightPlace(_e693.unnamed_1.word, _e670.y));
                         } else {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.unnamed.root, _e679.y), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e679.z, _e724.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e730.unnamed_1.root, _e679.w));
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e670.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.unnamed.word, _e670.y), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e670.z, _e715.unnamed_1.shift));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e721.unnamed_1.word, _e670.w));
                         }
-                        let _e738 = phi_1292_;
-                        let _e748 = nodes.member[(0u + _e543)].z;
-                        if (_e348 < 0f) {
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.unnamed.root, _e748.w), _e759.unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e748.x, _e765.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_bvh_traverse_Tree(_e771.unnamed_1.root, _e748.y));
+                        let _e729 = phi_1297_;
+                        let _e739 = nodes.member[(0u + _e534)].z;
+                        if (_e338 < 0f) {
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e739.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e750.unnamed.word, _e739.w), _e750.unnamed_1);
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_mask_LightPlace(_e739.x, _e756.unnamed_1.shift));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_mask_LightPlace(_e762.unnamed_1.word, _e739.y));
                         } else {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.unnamed.root, _e748.y), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e748.z, _e793.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e799.unnamed_1.root, _e748.w));
+                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e739.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.unnamed.word, _e739.y), _e778.unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_mask_LightPlace(_e739.z, _e784.unnamed_1.shift));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e790.unnamed_1.word, _e739.w));
                         }
-                        let _e807 = phi_1319_;
-                        phi_1325_ = 0u;
-                        phi_1328_ = 0u;
+                        let _e798 = phi_1324_;
+                        phi_1330_ = 0u;
+                        phi_1333_ = 0u;
                         loop {
-                            let _e817 = phi_1325_;
-                            let _e819 = phi_1328_;
-                            local_4 = _e819;
-                            local_5 = _e819;
-                            local_6 = _e819;
-                            let _e820 = (_e817 < 8u);
-                            if _e820 {
-                                let _e822 = (_e817 >> bitcast<u32>(2i));
-                                let _e823 = (_e817 & 3u);
-                                if (_e822 == 0u) {
-                                    phi_1342_ = _e669.unnamed.root;
+                            let _e808 = phi_1330_;
+                            let _e810 = phi_1333_;
+                            local_4 = _e810;
+                            local_5 = _e810;
+                            local_6 = _e810;
+                            let _e811 = (_e808 < 8u);
+                            if _e811 {
+                                let _e813 = (_e808 >> bitcast<u32>(2i));
+                                let _e814 = (_e808 & 3u);
+                                if (_e813 == 0u) {
+                                    phi_1347_ = _e660.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e669.unnamed.first_primitive;
+                                    phi_1347_ = _e660.unnamed.shift;
                                 }
-                                let _e826 = phi_1342_;
-                                if (_e822 == 0u) {
-                                    phi_1352_ = _e738.unnamed.root;
+                                let _e817 = phi_1347_;
+                                if (_e813 == 0u) {
+                                    phi_1357_ = _e729.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e738.unnamed.first_primitive;
+                                    phi_1357_ = _e729.unnamed.shift;
                                 }
-                                let _e835 = phi_1352_;
-                                if (_e822 == 0u) {
-                                    phi_1362_ = _e807.unnamed.root;
+                                let _e826 = phi_1357_;
+                                if (_e813 == 0u) {
+                                    phi_1367_ = _e798.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e807.unnamed.first_primitive;
+                                    phi_1367_ = _e798.unnamed.shift;
                                 }
-                                let _e844 = phi_1362_;
-                                let _e857 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e826 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 - _e385)), ((f32(((_e835 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e386)));
-                                let _e858 = core_intrinsics_maximum_number_nsz_f32_(_e857, ((f32(((_e844 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e387)));
-                                if (_e822 == 0u) {
-                                    phi_1380_ = _e669.unnamed_1.root;
+                                let _e835 = phi_1367_;
+                                let _e848 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e817 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u)) * _e570) + (_e591 - _e376)), ((f32(((_e826 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)));
+                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(_e848, ((f32(((_e835 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
+                                if (_e813 == 0u) {
+                                    phi_1385_ = _e660.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e669.unnamed_1.first_primitive;
+                                    phi_1385_ = _e660.unnamed_1.shift;
                                 }
-                                let _e861 = phi_1380_;
-                                if (_e822 == 0u) {
-                                    phi_1390_ = _e738.unnamed_1.root;
+                                let _e852 = phi_1385_;
+                                if (_e813 == 0u) {
+                                    phi_1395_ = _e729.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e738.unnamed_1.first_primitive;
+                                    phi_1395_ = _e729.unnamed_1.shift;
                                 }
-                                let _e870 = phi_1390_;
-                                if (_e822 == 0u) {
-                                    phi_1400_ = _e807.unnamed_1.root;
+                                let _e861 = phi_1395_;
+                                if (_e813 == 0u) {
+                                    phi_1405_ = _e798.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e807.unnamed_1.first_primitive;
+                                    phi_1405_ = _e798.unnamed_1.shift;
                                 }
-                                let _e879 = phi_1400_;
-                                let _e892 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e861 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 + _e385)), ((f32(((_e870 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e386)));
-                                let _e893 = core_intrinsics_minimum_number_nsz_f32_(_e892, ((f32(((_e879 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 + _e387)));
-                                if (_e858 <= _e893) {
-                                    if (_e858 <= _e545.t) {
-                                        if (_e893 >= _e170.tmin) {
-                                            if (_e822 == 0u) {
-                                                let _e900 = nodes.member[(0u + _e543)].links[2u];
-                                                phi_1436_ = _e900;
+                                let _e870 = phi_1405_;
+                                let _e883 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e852 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u)) * _e570) + (_e591 + _e376)), ((f32(((_e861 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)));
+                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(_e883, ((f32(((_e870 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
+                                if (_e849 <= _e884) {
+                                    if (_e849 <= _e536.t) {
+                                        if (_e884 >= _e170.tmin) {
+                                            if (_e813 == 0u) {
+                                                let _e891 = nodes.member[(0u + _e534)].links[2u];
+                                                phi_1441_ = _e891;
                                             } else {
-                                                let _e903 = nodes.member[(0u + _e543)].links[3u];
-                                                phi_1436_ = _e903;
+                                                let _e894 = nodes.member[(0u + _e534)].links[3u];
+                                                phi_1441_ = _e894;
                                             }
-                                            let _e905 = phi_1436_;
-                                            let _e910 = ((_e905 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u);
-                                            let _e911 = (_e910 & 31u);
-                                            if (_e911 >= 24u) {
-                                                phi_1449_ = (24u + ((_e911 - 24u) ^ _e405));
+                                            let _e896 = phi_1441_;
+                                            let _e901 = ((_e896 >> bitcast<u32>(((_e814 * 8u) & 31u))) & 255u);
+                                            let _e902 = (_e901 & 31u);
+                                            if (_e902 >= 24u) {
+                                                phi_1454_ = (24u + ((_e902 - 24u) ^ _e396));
                                             } else {
-                                                phi_1449_ = _e911;
+                                                phi_1454_ = _e902;
                                             }
-                                            let _e917 = phi_1449_;
-                                            phi_1454_ = (_e819 | ((_e910 >> bitcast<u32>(5i)) << bitcast<u32>((_e917 & 31u))));
+                                            let _e908 = phi_1454_;
+                                            phi_1459_ = (_e810 | ((_e901 >> bitcast<u32>(5i)) << bitcast<u32>((_e908 & 31u))));
                                         } else {
-                                            phi_1454_ = _e819;
+                                            phi_1459_ = _e810;
                                         }
-                                        let _e925 = phi_1454_;
-                                        phi_1455_ = _e925;
+                                        let _e916 = phi_1459_;
+                                        phi_1460_ = _e916;
                                     } else {
-                                        phi_1455_ = _e819;
+                                        phi_1460_ = _e810;
                                     }
-                                    let _e927 = phi_1455_;
-                                    phi_1456_ = _e927;
+                                    let _e918 = phi_1460_;
+                                    phi_1461_ = _e918;
                                 } else {
-                                    phi_1456_ = _e819;
+                                    phi_1461_ = _e810;
                                 }
-                                let _e929 = phi_1456_;
-                                phi_1326_ = (_e817 + 1u);
-                                phi_1329_ = _e929;
+                                let _e920 = phi_1461_;
+                                phi_1331_ = (_e808 + 1u);
+                                phi_1334_ = _e920;
                             } else {
-                                phi_1326_ = u32();
-                                phi_1329_ = u32();
+                                phi_1331_ = u32();
+                                phi_1334_ = u32();
                             }
-                            let _e932 = phi_1326_;
-                            let _e934 = phi_1329_;
+                            let _e923 = phi_1331_;
+                            let _e925 = phi_1334_;
                             continue;
                             continuing {
-                                phi_1325_ = _e932;
-                                phi_1328_ = _e934;
-                                break if !(_e820);
+                                phi_1330_ = _e923;
+                                phi_1333_ = _e925;
+                                break if !(_e811);
                             }
                         }
-                        let _e938 = nodes.member[(0u + _e543)].links[0u];
-                        let _e942 = nodes.member[(0u + _e543)].frame[3u];
-                        let _e946 = local_4;
-                        if ((_e946 & 4278190080u) == 0u) {
+                        let _e929 = nodes.member[(0u + _e534)].links[0u];
+                        let _e933 = nodes.member[(0u + _e534)].frame[3u];
+                        let _e937 = local_4;
+                        if ((_e937 & 4278190080u) == 0u) {
                         } else {
-                            let _e950 = local_3.group_mask;
-                            if ((_e950 & 4278190080u) == 0u) {
+                            let _e941 = local_3.group_mask;
+                            if ((_e941 & 4278190080u) == 0u) {
                             } else {
-                                let _e954 = local_3.len;
-                                if (_e954 < 32u) {
-                                    let _e957 = local_3.group;
-                                    let _e959 = local_3.len;
-                                    if (_e959 < 32u) {
+                                let _e945 = local_3.len;
+                                if (_e945 < 32u) {
+                                    let _e948 = local_3.group;
+                                    let _e950 = local_3.len;
+                                    if (_e950 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e959)] = _e957;
-                                    let _e965 = local_3.group_mask;
-                                    let _e967 = local_3.len;
-                                    if (_e967 < 32u) {
+                                    local_3.first[(0u + _e950)] = _e948;
+                                    let _e956 = local_3.group_mask;
+                                    let _e958 = local_3.len;
+                                    if (_e958 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e967)] = _e965;
-                                    let _e974 = local_3.len;
-                                    local_3.len = (_e974 + 1u);
+                                    local_3.mask[(0u + _e958)] = _e956;
+                                    let _e965 = local_3.len;
+                                    local_3.len = (_e965 + 1u);
                                 }
                             }
-                            local_3.group = (_e119 + _e938);
-                            let _e978 = local_5;
-                            local_3.group_mask = ((_e978 & 4278190080u) | (_e942 >> bitcast<u32>(24i)));
+                            local_3.group = (_e119 + _e929);
+                            let _e969 = local_5;
+                            local_3.group_mask = ((_e969 & 4278190080u) | (_e933 >> bitcast<u32>(24i)));
                         }
-                        let _e983 = local_6;
-                        phi_1514_ = (_e983 & 16777215u);
-                        phi_1517_ = _e545;
+                        let _e974 = local_6;
+                        phi_1519_ = (_e974 & 16777215u);
+                        phi_1522_ = _e536;
                         loop {
-                            let _e986 = phi_1514_;
-                            let _e988 = phi_1517_;
-                            local_12 = _e988;
-                            if (_e986 == 0u) {
-                                phi_1515_ = u32();
-                                phi_1518_ = lt_bvh_Hit();
-                                phi_3397_ = false;
+                            let _e977 = phi_1519_;
+                            let _e979 = phi_1522_;
+                            local_12 = _e979;
+                            if (_e977 == 0u) {
+                                phi_1520_ = u32();
+                                phi_1523_ = lt_bvh_Hit();
+                                phi_3409_ = false;
                             } else {
-                                let _e992 = nodes.member[(0u + _e543)].links[1u];
-                                let _e996 = (_e992 + select(firstTrailingBit(_e986), 32u, (_e986 == 0u)));
-                                if (_e996 < _e95) {
+                                let _e983 = nodes.member[(0u + _e534)].links[1u];
+                                let _e987 = (_e983 + select(firstTrailingBit(_e977), 32u, (_e977 == 0u)));
+                                if (_e987 < _e95) {
                                 } else {
                                     return;
                                 }
-                                let _e1003 = instances.member[(0u + _e996)].low_world;
-                                let _e1005 = instances.member[(0u + _e996)].high_world;
-                                let _e1015 = ((_e1003.x - _e170.origin.x) * _e324);
-                                let _e1016 = ((_e1003.y - _e170.origin.y) * _e336);
-                                let _e1017 = ((_e1003.z - _e170.origin.z) * _e348);
-                                let _e1027 = ((_e1005.x - _e170.origin.x) * _e324);
-                                let _e1028 = ((_e1005.y - _e170.origin.y) * _e336);
-                                let _e1029 = ((_e1005.z - _e170.origin.z) * _e348);
-                                if (_e1015 < _e1027) {
-                                    phi_1572_ = _e1015;
+                                let _e994 = instances.member[(0u + _e987)].low_world;
+                                let _e996 = instances.member[(0u + _e987)].high_world;
+                                let _e1006 = ((_e994.x - _e170.origin.x) * _e316);
+                                let _e1007 = ((_e994.y - _e170.origin.y) * _e327);
+                                let _e1008 = ((_e994.z - _e170.origin.z) * _e338);
+                                let _e1018 = ((_e996.x - _e170.origin.x) * _e316);
+                                let _e1019 = ((_e996.y - _e170.origin.y) * _e327);
+                                let _e1020 = ((_e996.z - _e170.origin.z) * _e338);
+                                if (_e1006 < _e1018) {
+                                    phi_1577_ = _e1006;
                                 } else {
-                                    phi_1572_ = _e1027;
+                                    phi_1577_ = _e1018;
                                 }
-                                let _e1032 = phi_1572_;
-                                if (_e1016 < _e1028) {
-                                    phi_1577_ = _e1016;
+                                let _e1023 = phi_1577_;
+                                if (_e1007 < _e1019) {
+                                    phi_1582_ = _e1007;
                                 } else {
-                                    phi_1577_ = _e1028;
+                                    phi_1582_ = _e1019;
                                 }
-                                let _e1035 = phi_1577_;
-                                if (_e1017 < _e1029) {
-                                    phi_1582_ = _e1017;
+                                let _e1026 = phi_1582_;
+                                if (_e1008 < _e1020) {
+                                    phi_1587_ = _e1008;
                                 } else {
-                                    phi_1582_ = _e1029;
+                                    phi_1587_ = _e1020;
                                 }
-                                let _e1038 = phi_1582_;
-                                if (_e1015 > _e1027) {
-                                    phi_1590_ = _e1015;
+                                let _e1029 = phi_1587_;
+                                if (_e1006 > _e1018) {
+                                    phi_1595_ = _e1006;
                                 } else {
-                                    phi_1590_ = _e1027;
+                                    phi_1595_ = _e1018;
                                 }
-                                let _e1044 = phi_1590_;
-                                if (_e1016 > _e1028) {
-                                    phi_1595_ = _e1016;
+                                let _e1035 = phi_1595_;
+                                if (_e1007 > _e1019) {
+                                    phi_1600_ = _e1007;
                                 } else {
-                                    phi_1595_ = _e1028;
+                                    phi_1600_ = _e1019;
                                 }
-                                let _e1047 = phi_1595_;
-                                if (_e1017 > _e1029) {
-                                    phi_1600_ = _e1017;
+                                let _e1038 = phi_1600_;
+                                if (_e1008 > _e1020) {
+                                    phi_1605_ = _e1008;
                                 } else {
-                                    phi_1600_ = _e1029;
+                                    phi_1605_ = _e1020;
                                 }
-                                let _e1050 = phi_1600_;
-                                let _e1054 = core_intrinsics_maximum_number_nsz_f32_((_e1032 - _e392), (_e1035 - _e393));
-                                let _e1055 = core_intrinsics_maximum_number_nsz_f32_(_e1054, (_e1038 - _e394));
-                                let _e1056 = core_intrinsics_minimum_number_nsz_f32_((_e1044 + _e392), (_e1047 + _e393));
-                                let _e1057 = core_intrinsics_minimum_number_nsz_f32_(_e1056, (_e1050 + _e394));
-                                if (_e1055 <= _e1057) {
-                                    if (_e1055 <= _e988.t) {
-                                        if (_e1057 >= _e170.tmin) {
-                                            let _e1069 = instances.member[(0u + _e996)].world_to_object[0u];
-                                            let _e1080 = ((((_e1069.x * _e170.origin.x) + (_e1069.y * _e170.origin.y)) + (_e1069.z * _e170.origin.z)) + (_e1069.w * 1f));
-                                            let _e1082 = instances.member[(0u + _e996)].world_to_object[1u];
-                                            let _e1093 = ((((_e1082.x * _e170.origin.x) + (_e1082.y * _e170.origin.y)) + (_e1082.z * _e170.origin.z)) + (_e1082.w * 1f));
-                                            let _e1095 = instances.member[(0u + _e996)].world_to_object[2u];
-                                            let _e1106 = ((((_e1095.x * _e170.origin.x) + (_e1095.y * _e170.origin.y)) + (_e1095.z * _e170.origin.z)) + (_e1095.w * 1f));
-                                            let _e1113 = instances.member[(0u + _e996)].world_to_object[0u];
-                                            let _e1124 = ((((_e1113.x * _e170.direction.x) + (_e1113.y * _e170.direction.y)) + (_e1113.z * _e170.direction.z)) + (_e1113.w * 0f));
-                                            let _e1126 = instances.member[(0u + _e996)].world_to_object[1u];
-                                            let _e1137 = ((((_e1126.x * _e170.direction.x) + (_e1126.y * _e170.direction.y)) + (_e1126.z * _e170.direction.z)) + (_e1126.w * 0f));
-                                            let _e1139 = instances.member[(0u + _e996)].world_to_object[2u];
-                                            let _e1150 = ((((_e1139.x * _e170.direction.x) + (_e1139.y * _e170.direction.y)) + (_e1139.z * _e170.direction.z)) + (_e1139.w * 0f));
-                                            let _e1155 = instances.member[(0u + _e996)].root;
-                                            let _e1157 = instances.member[(0u + _e996)].first_triangle;
-                                            let _e1161 = abs(_e1124);
-                                            let _e1162 = abs(_e1137);
-                                            let _e1163 = abs(_e1150);
-                                            if (abs(_e1080) < 1000000000000000f) {
-                                                if (abs(_e1093) < 1000000000000000f) {
-                                                    if (abs(_e1106) < 1000000000000000f) {
-                                                        if (_e1161 < 1000000000000000f) {
-                                                            if (_e1162 < 1000000000000000f) {
-                                                                if (_e1163 < 1000000000000000f) {
-                                                                    if (_e1161 > 0f) {
-                                                                        phi_1757_ = bool();
-                                                                        phi_1758_ = true;
-                                                                    } else {
-                                                                        let _e1171 = (_e1162 > 0f);
-                                                                        if _e1171 {
-                                                                            phi_1756_ = bool();
-                                                                        } else {
-                                                                            phi_1756_ = (_e1163 > 0f);
-                                                                        }
-                                                                        let _e1174 = phi_1756_;
-                                                                        phi_1757_ = _e1174;
-                                                                        phi_1758_ = _e1171;
-                                                                    }
-                                                                    let _e1176 = phi_1757_;
-                                                                    let _e1178 = phi_1758_;
-                                                                    if _e1178 {
-                                                                        phi_1762_ = true;
-                                                                    } else {
-                                                                        phi_1762_ = _e1176;
-                                                                    }
-                                                                    let _e1180 = phi_1762_;
-                                                                    phi_1763_ = _e1180;
-                                                                    phi_1764_ = false;
-                                                                } else {
-                                                                    phi_1763_ = bool();
-                                                                    phi_1764_ = true;
-                                                                }
-                                                                let _e1182 = phi_1763_;
-                                                                let _e1184 = phi_1764_;
-                                                                phi_1765_ = _e1182;
-                                                                phi_1766_ = false;
-                                                                phi_1767_ = _e1184;
-                                                            } else {
-                                                                phi_1765_ = bool();
-                                                                phi_1766_ = true;
-                                                                phi_1767_ = false;
-                                                            }
-                                                            let _e1186 = phi_1765_;
-                                                            let _e1188 = phi_1766_;
-                                                            let _e1190 = phi_1767_;
-                                                            phi_1768_ = _e1186;
-                                                            phi_1769_ = _e1188;
-                                                            phi_1770_ = _e1190;
-                                                        } else {
-                                                            phi_1768_ = bool();
-                                                            phi_1769_ = true;
-                                                            phi_1770_ = false;
-                                                        }
-                                                        let _e1192 = phi_1768_;
-                                                        let _e1194 = phi_1769_;
-                                                        let _e1196 = phi_1770_;
-                                                        phi_1771_ = _e1192;
-                                                        phi_1772_ = _e1194;
-                                                        phi_1773_ = _e1196;
-                                                    } else {
-                                                        phi_1771_ = bool();
-                                                        phi_1772_ = true;
-                                                        phi_1773_ = false;
-                                                    }
-                                                    let _e1198 = phi_1771_;
-                                                    let _e1200 = phi_1772_;
-                                                    let _e1202 = phi_1773_;
-                                                    phi_1774_ = _e1198;
-                                                    phi_1775_ = _e1200;
-                                                    phi_1776_ = _e1202;
+                                let _e1041 = phi_1605_;
+                                let _e1045 = core_intrinsics_maximum_number_nsz_f32_((_e1023 - _e383), (_e1026 - _e384));
+                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_(_e1045, (_e1029 - _e385));
+                                let _e1047 = core_intrinsics_minimum_number_nsz_f32_((_e1035 + _e383), (_e1038 + _e384));
+                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_(_e1047, (_e1041 + _e385));
+                                if (_e1046 <= _e1048) {
+                                    if (_e1046 <= _e979.t) {
+                                        if (_e1048 >= _e170.tmin) {
+                                            let _e1060 = instances.member[(0u + _e987)].world_to_object[0u];
+                                            let _e1071 = ((((_e1060.x * _e170.origin.x) + (_e1060.y * _e170.origin.y)) + (_e1060.z * _e170.origin.z)) + (_e1060.w * 1f));
+                                            let _e1073 = instances.member[(0u + _e987)].world_to_object[1u];
+                                            let _e1084 = ((((_e1073.x * _e170.origin.x) + (_e1073.y * _e170.origin.y)) + (_e1073.z * _e170.origin.z)) + (_e1073.w * 1f));
+                                            let _e1086 = instances.member[(0u + _e987)].world_to_object[2u];
+                                            let _e1097 = ((((_e1086.x * _e170.origin.x) + (_e1086.y * _e170.origin.y)) + (_e1086.z * _e170.origin.z)) + (_e1086.w * 1f));
+                                            let _e1104 = instances.member[(0u + _e987)].world_to_object[0u];
+                                            let _e1115 = ((((_e1104.x * _e170.direction.x) + (_e1104.y * _e170.direction.y)) + (_e1104.z * _e170.direction.z)) + (_e1104.w * 0f));
+                                            let _e1117 = instances.member[(0u + _e987)].world_to_object[1u];
+                                            let _e1128 = ((((_e1117.x * _e170.direction.x) + (_e1117.y * _e170.direction.y)) + (_e1117.z * _e170.direction.z)) + (_e1117.w * 0f));
+                                            let _e1130 = instances.member[(0u + _e987)].world_to_object[2u];
+                                            let _e1141 = ((((_e1130.x * _e170.direction.x) + (_e1130.y * _e170.direction.y)) + (_e1130.z * _e170.direction.z)) + (_e1130.w * 0f));
+                                            let _e1146 = instances.member[(0u + _e987)].root;
+                                            let _e1148 = instances.member[(0u + _e987)].first_triangle;
+                                            let _e1149 = abs(_e1115);
+                                            let _e1150 = abs(_e1128);
+                                            let _e1151 = abs(_e1141);
+                                            if (abs(_e1071) < 1000000000000000f) {
+                                                if (abs(_e1084) < 1000000000000000f) {
+                                                    phi_1737_ = (abs(_e1097) < 1000000000000000f);
+                                                    phi_1738_ = false;
                                                 } else {
-                                                    phi_1774_ = bool();
-                                                    phi_1775_ = true;
-                                                    phi_1776_ = false;
+                                                    phi_1737_ = bool();
+                                                    phi_1738_ = true;
                                                 }
-                                                let _e1204 = phi_1774_;
-                                                let _e1206 = phi_1775_;
-                                                let _e1208 = phi_1776_;
-                                                phi_1777_ = _e1204;
-                                                phi_1778_ = _e1206;
-                                                phi_1779_ = _e1208;
+                                                let _e1159 = phi_1737_;
+                                                let _e1161 = phi_1738_;
+                                                phi_1739_ = _e1159;
+                                                phi_1740_ = _e1161;
                                             } else {
-                                                phi_1777_ = bool();
-                                                phi_1778_ = true;
-                                                phi_1779_ = false;
+                                                phi_1739_ = bool();
+                                                phi_1740_ = true;
                                             }
-                                            let _e1210 = phi_1777_;
-                                            let _e1212 = phi_1778_;
-                                            let _e1214 = phi_1779_;
-                                            if _e1212 {
-                                                phi_1783_ = true;
+                                            let _e1163 = phi_1739_;
+                                            let _e1165 = phi_1740_;
+                                            if _e1165 {
+                                                phi_1744_ = false;
                                             } else {
-                                                phi_1783_ = _e1214;
+                                                phi_1744_ = _e1163;
                                             }
-                                            let _e1216 = phi_1783_;
-                                            if _e1216 {
-                                                phi_1787_ = false;
-                                            } else {
-                                                phi_1787_ = _e1210;
-                                            }
-                                            let _e1218 = phi_1787_;
-                                            if _e1218 {
-                                                let _e1219 = (_e1155 >= _e80);
-                                                if _e1219 {
-                                                    phi_3387_ = lt_bvh_Hit();
+                                            let _e1167 = phi_1744_;
+                                            if _e1167 {
+                                                if (_e1149 < 1000000000000000f) {
+                                                    if (_e1150 < 1000000000000000f) {
+                                                        phi_1757_ = (_e1151 < 1000000000000000f);
+                                                        phi_1758_ = false;
+                                                    } else {
+                                                        phi_1757_ = bool();
+                                                        phi_1758_ = true;
+                                                    }
+                                                    let _e1172 = phi_1757_;
+                                                    let _e1174 = phi_1758_;
+                                                    phi_1759_ = _e1172;
+                                                    phi_1760_ = _e1174;
                                                 } else {
-                                                    if (_e1155 < _e80) {
+                                                    phi_1759_ = bool();
+                                                    phi_1760_ = true;
+                                                }
+                                                let _e1176 = phi_1759_;
+                                                let _e1178 = phi_1760_;
+                                                if _e1178 {
+                                                    phi_1764_ = false;
+                                                } else {
+                                                    phi_1764_ = _e1176;
+                                                }
+                                                let _e1180 = phi_1764_;
+                                                if _e1180 {
+                                                    if (_e1149 > 0f) {
+                                                        phi_1778_ = bool();
+                                                        phi_1779_ = true;
+                                                    } else {
+                                                        let _e1182 = (_e1150 > 0f);
+                                                        if _e1182 {
+                                                            phi_1777_ = bool();
+                                                        } else {
+                                                            phi_1777_ = (_e1151 > 0f);
+                                                        }
+                                                        let _e1185 = phi_1777_;
+                                                        phi_1778_ = _e1185;
+                                                        phi_1779_ = _e1182;
+                                                    }
+                                                    let _e1187 = phi_1778_;
+                                                    let _e1189 = phi_1779_;
+                                                    if _e1189 {
+                                                        phi_1783_ = true;
+                                                    } else {
+                                                        phi_1783_ = _e1187;
+                                                    }
+                                                    let _e1191 = phi_1783_;
+                                                    phi_1784_ = _e1191;
+                                                    phi_1785_ = false;
+                                                } else {
+                                                    phi_1784_ = bool();
+                                                    phi_1785_ = true;
+                                                }
+                                                let _e1193 = phi_1784_;
+                                                let _e1195 = phi_1785_;
+                                                phi_1786_ = _e1193;
+                                                phi_1787_ = _e1195;
+                                            } else {
+                                                phi_1786_ = bool();
+                                                phi_1787_ = true;
+                                            }
+                                            let _e1197 = phi_1786_;
+                                            let _e1199 = phi_1787_;
+                                            if _e1199 {
+                                                phi_1791_ = false;
+                                            } else {
+                                                phi_1791_ = _e1197;
+                                            }
+                                            let _e1201 = phi_1791_;
+                                            if _e1201 {
+                                                let _e1202 = (_e1146 >= _e80);
+                                                if _e1202 {
+                                                    phi_3399_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1146 < _e80) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1225 = nodes.member[(0u + _e1155)].frame[0u];
-                                                    let _e1229 = nodes.member[(0u + _e1155)].frame[1u];
-                                                    let _e1233 = nodes.member[(0u + _e1155)].frame[2u];
-                                                    let _e1237 = nodes.member[(0u + _e1155)].frame[0u];
-                                                    let _e1241 = nodes.member[(0u + _e1155)].frame[1u];
-                                                    let _e1245 = nodes.member[(0u + _e1155)].frame[2u];
-                                                    let _e1249 = nodes.member[(0u + _e1155)].frame[3u];
-                                                    let _e1283 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1124), abs(_e1137));
-                                                    let _e1284 = core_intrinsics_maximum_number_nsz_f32_(_e1283, abs(_e1150));
-                                                    let _e1285 = (_e1284 * 0.0000000000009094947f);
-                                                    if (abs(_e1124) < _e1285) {
-                                                        phi_1857_ = _e1285;
+                                                    let _e1208 = nodes.member[(0u + _e1146)].frame[0u];
+                                                    let _e1212 = nodes.member[(0u + _e1146)].frame[1u];
+                                                    let _e1216 = nodes.member[(0u + _e1146)].frame[2u];
+                                                    let _e1220 = nodes.member[(0u + _e1146)].frame[0u];
+                                                    let _e1224 = nodes.member[(0u + _e1146)].frame[1u];
+                                                    let _e1228 = nodes.member[(0u + _e1146)].frame[2u];
+                                                    let _e1232 = nodes.member[(0u + _e1146)].frame[3u];
+                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1115), abs(_e1128));
+                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1266, abs(_e1141));
+                                                    let _e1268 = (_e1267 * 0.0000000000009094947f);
+                                                    if (abs(_e1115) < _e1268) {
+                                                        phi_1861_ = _e1268;
                                                     } else {
-                                                        phi_1857_ = abs(_e1124);
+                                                        phi_1861_ = abs(_e1115);
                                                     }
-                                                    let _e1290 = phi_1857_;
-                                                    if (_e1124 < 0f) {
-                                                        phi_1864_ = (-1f / _e1290);
+                                                    let _e1273 = phi_1861_;
+                                                    if (_e1115 < 0f) {
+                                                        phi_1868_ = (-1f / _e1273);
                                                     } else {
-                                                        phi_1864_ = (1f / _e1290);
+                                                        phi_1868_ = (1f / _e1273);
                                                     }
-                                                    let _e1295 = phi_1864_;
-                                                    if (abs(_e1137) < _e1285) {
-                                                        phi_1871_ = _e1285;
+                                                    let _e1278 = phi_1868_;
+                                                    if (abs(_e1128) < _e1268) {
+                                                        phi_1875_ = _e1268;
                                                     } else {
-                                                        phi_1871_ = abs(_e1137);
+                                                        phi_1875_ = abs(_e1128);
                                                     }
-                                                    let _e1300 = phi_1871_;
-                                                    if (_e1137 < 0f) {
-                                                        phi_1878_ = (-1f / _e1300);
+                                                    let _e1283 = phi_1875_;
+                                                    if (_e1128 < 0f) {
+                                                        phi_1882_ = (-1f / _e1283);
                                                     } else {
-                                                        phi_1878_ = (1f / _e1300);
+                                                        phi_1882_ = (1f / _e1283);
                                                     }
-                                                    let _e1305 = phi_1878_;
-                                                    if (abs(_e1150) < _e1285) {
-                                                        phi_1885_ = _e1285;
+                                                    let _e1288 = phi_1882_;
+                                                    if (abs(_e1141) < _e1268) {
+                                                        phi_1889_ = _e1268;
                                                     } else {
-                                                        phi_1885_ = abs(_e1150);
+                                                        phi_1889_ = abs(_e1141);
                                                     }
-                                                    let _e1310 = phi_1885_;
-                                                    if (_e1150 < 0f) {
-                                                        phi_1892_ = (-1f / _e1310);
+                                                    let _e1293 = phi_1889_;
+                                                    if (_e1141 < 0f) {
+                                                        phi_1896_ = (-1f / _e1293);
                                                     } else {
-                                                        phi_1892_ = (1f / _e1310);
+                                                        phi_1896_ = (1f / _e1293);
                                                     }
-                                                    let _e1315 = phi_1892_;
-                                                    let _e1319 = abs((bitcast<f32>(_e1225) - _e1080));
-                                                    let _e1320 = abs((bitcast<f32>(_e1229) - _e1093));
-                                                    let _e1321 = abs((bitcast<f32>(_e1233) - _e1106));
-                                                    let _e1325 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1249 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
-                                                    let _e1326 = abs(((bitcast<f32>(_e1241) + (bitcast<f32>((((_e1249 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1093));
-                                                    let _e1327 = abs(((bitcast<f32>(_e1245) + (bitcast<f32>((((_e1249 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1106));
-                                                    if (_e1319 > _e1325) {
-                                                        phi_1909_ = _e1319;
+                                                    let _e1298 = phi_1896_;
+                                                    let _e1302 = abs((bitcast<f32>(_e1208) - _e1071));
+                                                    let _e1303 = abs((bitcast<f32>(_e1212) - _e1084));
+                                                    let _e1304 = abs((bitcast<f32>(_e1216) - _e1097));
+                                                    let _e1308 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1071));
+                                                    let _e1309 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1084));
+                                                    let _e1310 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1232 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1097));
+                                                    if (_e1302 > _e1308) {
+                                                        phi_1913_ = _e1302;
                                                     } else {
-                                                        phi_1909_ = _e1325;
+                                                        phi_1913_ = _e1308;
                                                     }
-                                                    let _e1330 = phi_1909_;
-                                                    if (_e1320 > _e1326) {
-                                                        phi_1914_ = _e1320;
+                                                    let _e1313 = phi_1913_;
+                                                    if (_e1303 > _e1309) {
+                                                        phi_1918_ = _e1303;
                                                     } else {
-                                                        phi_1914_ = _e1326;
+                                                        phi_1918_ = _e1309;
                                                     }
-                                                    let _e1333 = phi_1914_;
-                                                    if (_e1321 > _e1327) {
-                                                        phi_1919_ = _e1321;
+                                                    let _e1316 = phi_1918_;
+                                                    if (_e1304 > _e1310) {
+                                                        phi_1923_ = _e1304;
                                                     } else {
-                                                        phi_1919_ = _e1327;
+                                                        phi_1923_ = _e1310;
                                                     }
-                                                    let _e1336 = phi_1919_;
-                                                    let _e1337 = core_intrinsics_maximum_number_nsz_f32_(_e1330, _e1333);
-                                                    let _e1338 = core_intrinsics_maximum_number_nsz_f32_(_e1337, _e1336);
-                                                    let _e1342 = (_e1338 * 0.0000019073486f);
-                                                    let _e1343 = (abs(_e1295) * _e1342);
-                                                    let _e1344 = (abs(_e1305) * _e1342);
-                                                    let _e1345 = (abs(_e1315) * _e1342);
-                                                    let _e1349 = (_e1338 * 0.0000009536743f);
-                                                    let _e1350 = (abs(_e1295) * _e1349);
-                                                    let _e1351 = (abs(_e1305) * _e1349);
-                                                    let _e1352 = (abs(_e1315) * _e1349);
-                                                    let _e1353 = abs(_e1124);
-                                                    let _e1354 = abs(_e1137);
-                                                    let _e1355 = abs(_e1150);
-                                                    if (_e1353 >= _e1354) {
-                                                        if (_e1353 >= _e1355) {
-                                                            phi_1947_ = false;
+                                                    let _e1319 = phi_1923_;
+                                                    if (_e1313 > _e1316) {
+                                                        phi_1928_ = _e1313;
+                                                    } else {
+                                                        phi_1928_ = _e1316;
+                                                    }
+                                                    let _e1322 = phi_1928_;
+                                                    if (_e1322 > _e1319) {
+                                                        phi_1933_ = _e1322;
+                                                    } else {
+                                                        phi_1933_ = _e1319;
+                                                    }
+                                                    let _e1325 = phi_1933_;
+                                                    let _e1329 = (_e1325 * 0.0000019073486f);
+                                                    let _e1330 = (abs(_e1278) * _e1329);
+                                                    let _e1331 = (abs(_e1288) * _e1329);
+                                                    let _e1332 = (abs(_e1298) * _e1329);
+                                                    let _e1336 = (_e1325 * 0.0000009536743f);
+                                                    let _e1337 = (abs(_e1278) * _e1336);
+                                                    let _e1338 = (abs(_e1288) * _e1336);
+                                                    let _e1339 = (abs(_e1298) * _e1336);
+                                                    let _e1340 = abs(_e1115);
+                                                    let _e1341 = abs(_e1128);
+                                                    let _e1342 = abs(_e1141);
+                                                    if (_e1340 >= _e1341) {
+                                                        if (_e1340 >= _e1342) {
+                                                            phi_1959_ = false;
                                                         } else {
-                                                            phi_1947_ = true;
+                                                            phi_1959_ = true;
                                                         }
-                                                        let _e1359 = phi_1947_;
-                                                        phi_1948_ = _e1359;
+                                                        let _e1346 = phi_1959_;
+                                                        phi_1960_ = _e1346;
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1960_ = true;
                                                     }
-                                                    let _e1361 = phi_1948_;
-                                                    if _e1361 {
-                                                        if (_e1354 >= _e1355) {
-                                                            phi_1956_ = 1u;
+                                                    let _e1348 = phi_1960_;
+                                                    if _e1348 {
+                                                        if (_e1341 >= _e1342) {
+                                                            phi_1968_ = 1u;
                                                         } else {
-                                                            phi_1956_ = 2u;
+                                                            phi_1968_ = 2u;
                                                         }
-                                                        let _e1364 = phi_1956_;
-                                                        phi_1957_ = _e1364;
+                                                        let _e1351 = phi_1968_;
+                                                        phi_1969_ = _e1351;
                                                     } else {
-                                                        phi_1957_ = 0u;
+                                                        phi_1969_ = 0u;
                                                     }
-                                                    let _e1366 = phi_1957_;
-                                                    if (_e1366 == 0u) {
-                                                        phi_1969_ = vec3<f32>(_e1137, _e1150, _e1124);
+                                                    let _e1353 = phi_1969_;
+                                                    if (_e1353 == 0u) {
+                                                        phi_1981_ = vec3<f32>(_e1128, _e1141, _e1115);
                                                     } else {
-                                                        if (_e1366 == 1u) {
-                                                            phi_1968_ = vec3<f32>(_e1150, _e1124, _e1137);
+                                                        if (_e1353 == 1u) {
+                                                            phi_1980_ = vec3<f32>(_e1141, _e1115, _e1128);
                                                         } else {
-                                                            phi_1968_ = vec3<f32>(_e1124, _e1137, _e1150);
+                                                            phi_1980_ = vec3<f32>(_e1115, _e1128, _e1141);
                                                         }
-                                                        let _e1372 = phi_1968_;
-                                                        phi_1969_ = _e1372;
+                                                        let _e1359 = phi_1980_;
+                                                        phi_1981_ = _e1359;
                                                     }
-                                                    let _e1374 = phi_1969_;
-                                                    let _e1377 = (_e1374.x / _e1374.z);
-                                                    let _e1380 = (_e1374.y / _e1374.z);
-                                                    if (_e1295 < 0f) {
-                                                        phi_1982_ = 0u;
+                                                    let _e1361 = phi_1981_;
+                                                    let _e1364 = (_e1361.x / _e1361.z);
+                                                    let _e1367 = (_e1361.y / _e1361.z);
+                                                    if (_e1278 < 0f) {
+                                                        phi_1994_ = 0u;
                                                     } else {
-                                                        phi_1982_ = 1u;
+                                                        phi_1994_ = 1u;
                                                     }
-                                                    let _e1385 = phi_1982_;
-                                                    if (_e1305 < 0f) {
-                                                        phi_1987_ = 0u;
+                                                    let _e1372 = phi_1994_;
+                                                    if (_e1288 < 0f) {
+                                                        phi_1999_ = 0u;
                                                     } else {
-                                                        phi_1987_ = 2u;
+                                                        phi_1999_ = 2u;
                                                     }
-                                                    let _e1388 = phi_1987_;
-                                                    if (_e1315 < 0f) {
-                                                        phi_1992_ = 0u;
+                                                    let _e1375 = phi_1999_;
+                                                    if (_e1298 < 0f) {
+                                                        phi_2004_ = 0u;
                                                     } else {
-                                                        phi_1992_ = 4u;
+                                                        phi_2004_ = 4u;
                                                     }
-                                                    let _e1391 = phi_1992_;
-                                                    let _e1393 = ((_e1385 | _e1388) | _e1391);
-                                                    let _e1394 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1155, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1394.first[0], _e1394.first[1], _e1394.first[2], _e1394.first[3], _e1394.first[4], _e1394.first[5], _e1394.first[6], _e1394.first[7], _e1394.first[8], _e1394.first[9], _e1394.first[10], _e1394.first[11], _e1394.first[12], _e1394.first[13], _e1394.first[14], _e1394.first[15], _e1394.first[16], _e1394.first[17], _e1394.first[18], _e1394.first[19], _e1394.first[20], _e1394.first[21], _e1394.first[22], _e1394.first[23], _e1394.first[24], _e1394.first[25], _e1394.first[26], _e1394.first[27], _e1394.first[28], _e1394.first[29], _e1394.first[30], _e1394.first[31]), array<u32, 32>(_e1394.mask[0], _e1394.mask[1], _e1394.mask[2], _e1394.mask[3], _e1394.mask[4], _e1394.mask[5], _e1394.mask[6], _e1394.mask[7], _e1394.mask[8], _e1394.mask[9], _e1394.mask[10], _e1394.mask[11], _e1394.mask[12], _e1394.mask[13], _e1394.mask[14], _e1394.mask[15], _e1394.mask[16], _e1394.mask[17], _e1394.mask[18], _e1394.mask[19], _e1394.mask[20], _e1394.mask[21], _e1394.mask[22], _e1394.mask[23], _e1394.mask[24], _e1394.mask[25], _e1394.mask[26], _e1394.mask[27], _e1394.mask[28], _e1394.mask[29], _e1394.mask[30], _e1394.mask[31]), _e1394.len, _e1394.group, _e1394.group_mask);
-                                                    let _e1468 = local_2.group_mask;
-                                                    if ((_e1468 & 4278190080u) == 0u) {
-                                                        let _e1472 = local_2.len;
-                                                        if (_e1472 == 0u) {
-                                                            phi_2106_ = false;
+                                                    let _e1378 = phi_2004_;
+                                                    let _e1380 = ((_e1372 | _e1375) | _e1378);
+                                                    let _e1381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1146, 2147483648u);
+                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1381.first[0], _e1381.first[1], _e1381.first[2], _e1381.first[3], _e1381.first[4], _e1381.first[5], _e1381.first[6], _e1381.first[7], _e1381.first[8], _e1381.first[9], _e1381.first[10], _e1381.first[11], _e1381.first[12], _e1381.first[13], _e1381.first[14], _e1381.first[15], _e1381.first[16], _e1381.first[17], _e1381.first[18], _e1381.first[19], _e1381.first[20], _e1381.first[21], _e1381.first[22], _e1381.first[23], _e1381.first[24], _e1381.first[25], _e1381.first[26], _e1381.first[27], _e1381.first[28], _e1381.first[29], _e1381.first[30], _e1381.first[31]), array<u32, 32>(_e1381.mask[0], _e1381.mask[1], _e1381.mask[2], _e1381.mask[3], _e1381.mask[4], _e1381.mask[5], _e1381.mask[6], _e1381.mask[7], _e1381.mask[8], _e1381.mask[9], _e1381.mask[10], _e1381.mask[11], _e1381.mask[12], _e1381.mask[13], _e1381.mask[14], _e1381.mask[15], _e1381.mask[16], _e1381.mask[17], _e1381.mask[18], _e1381.mask[19], _e1381.mask[20], _e1381.mask[21], _e1381.mask[22], _e1381.mask[23], _e1381.mask[24], _e1381.mask[25], _e1381.mask[26], _e1381.mask[27], _e1381.mask[28], _e1381.mask[29], _e1381.mask[30], _e1381.mask[31]), _e1381.len, _e1381.group, _e1381.group_mask);
+                                                    let _e1455 = local_2.group_mask;
+                                                    if ((_e1455 & 4278190080u) == 0u) {
+                                                        let _e1459 = local_2.len;
+                                                        if (_e1459 == 0u) {
+                                                            phi_2118_ = false;
                                                         } else {
-                                                            let _e1476 = local_2.len;
-                                                            local_2.len = (_e1476 - 1u);
-                                                            let _e1479 = local_2.len;
-                                                            if (_e1479 < 32u) {
+                                                            let _e1463 = local_2.len;
+                                                            local_2.len = (_e1463 - 1u);
+                                                            let _e1466 = local_2.len;
+                                                            if (_e1466 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1484 = local_2.first[(0u + _e1479)];
-                                                            local_2.group = _e1484;
-                                                            let _e1487 = local_2.len;
-                                                            if (_e1487 < 32u) {
+                                                            let _e1471 = local_2.first[(0u + _e1466)];
+                                                            local_2.group = _e1471;
+                                                            let _e1474 = local_2.len;
+                                                            if (_e1474 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1492 = local_2.mask[(0u + _e1487)];
-                                                            local_2.group_mask = _e1492;
-                                                            phi_2106_ = true;
+                                                            let _e1479 = local_2.mask[(0u + _e1474)];
+                                                            local_2.group_mask = _e1479;
+                                                            phi_2118_ = true;
                                                         }
-                                                        let _e1495 = phi_2106_;
-                                                        phi_2107_ = _e1495;
+                                                        let _e1482 = phi_2118_;
+                                                        phi_2119_ = _e1482;
                                                     } else {
-                                                        phi_2107_ = true;
+                                                        phi_2119_ = true;
                                                     }
-                                                    let _e1497 = phi_2107_;
-                                                    if _e1497 {
-                                                        let _e1499 = local_2.group_mask;
-                                                        let _e1505 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1499)), 32u, (_e1499 == 0u)));
-                                                        let _e1509 = local_2.group_mask;
-                                                        let _e1523 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1523 & ~((1u << bitcast<u32>((_e1505 & 31u)))));
-                                                        let _e1526 = local_2.group;
-                                                        phi_2138_ = (_e1526 + countOneBits(((_e1509 & ~((4294967295u << bitcast<u32>((((_e1505 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1484 = phi_2119_;
+                                                    if _e1484 {
+                                                        let _e1486 = local_2.group_mask;
+                                                        let _e1492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1486)), 32u, (_e1486 == 0u)));
+                                                        let _e1496 = local_2.group_mask;
+                                                        let _e1510 = local_2.group_mask;
+                                                        local_2.group_mask = (_e1510 & ~((1u << bitcast<u32>((_e1492 & 31u)))));
+                                                        let _e1513 = local_2.group;
+                                                        phi_2150_ = (_e1513 + countOneBits(((_e1496 & ~((4294967295u << bitcast<u32>((((_e1492 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2138_ = 4294967295u;
+                                                        phi_2150_ = 4294967295u;
                                                     }
-                                                    let _e1529 = phi_2138_;
-                                                    phi_2140_ = _e988;
-                                                    phi_2143_ = _e1529;
+                                                    let _e1516 = phi_2150_;
+                                                    phi_2152_ = _e979;
+                                                    phi_2155_ = _e1516;
                                                     loop {
-                                                        let _e1531 = phi_2140_;
-                                                        let _e1533 = phi_2143_;
-                                                        local_11 = _e1531;
-                                                        let _e1534 = (_e1533 != 4294967295u);
-                                                        if _e1534 {
-                                                            if (_e1533 < _e80) {
+                                                        let _e1518 = phi_2152_;
+                                                        let _e1520 = phi_2155_;
+                                                        local_11 = _e1518;
+                                                        let _e1521 = (_e1520 != 4294967295u);
+                                                        if _e1521 {
+                                                            if (_e1520 < _e80) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1541 = nodes.member[(0u + _e1533)].frame[3u];
-                                                            let _e1566 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1295);
-                                                            let _e1567 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1305);
-                                                            let _e1568 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1315);
-                                                            let _e1571 = nodes.member[(0u + _e1533)].frame[0u];
-                                                            let _e1575 = nodes.member[(0u + _e1533)].frame[1u];
-                                                            let _e1579 = nodes.member[(0u + _e1533)].frame[2u];
-                                                            let _e1584 = ((bitcast<f32>(_e1571) - _e1080) * _e1295);
-                                                            let _e1585 = ((bitcast<f32>(_e1575) - _e1093) * _e1305);
-                                                            let _e1586 = ((bitcast<f32>(_e1579) - _e1106) * _e1315);
-                                                            let _e1594 = nodes.member[(0u + _e1533)].x;
-                                                            if (_e1295 < 0f) {
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1605.unnamed.root, _e1594.w), _e1605.unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1594.x, _e1611.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1617.unnamed_1.root, _e1594.y));
+                                                            let _e1528 = nodes.member[(0u + _e1520)].frame[3u];
+                                                            let _e1553 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1278);
+                                                            let _e1554 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1288);
+                                                            let _e1555 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1298);
+                                                            let _e1558 = nodes.member[(0u + _e1520)].frame[0u];
+                                                            let _e1562 = nodes.member[(0u + _e1520)].frame[1u];
+                                                            let _e1566 = nodes.member[(0u + _e1520)].frame[2u];
+                                                            let _e1571 = ((bitcast<f32>(_e1558) - _e1071) * _e1278);
+                                                            let _e1572 = ((bitcast<f32>(_e1562) - _e1084) * _e1288);
+                                                            let _e1573 = ((bitcast<f32>(_e1566) - _e1097) * _e1298);
+                                                            let _e1581 = nodes.member[(0u + _e1520)].x;
+                                                            if (_e1278 < 0f) {
+                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1592.unnamed.word, _e1581.w), _e1592.unnamed_1);
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_mask_LightPlace(_e1581.x, _e1598.unnamed_1.shift));
+                                                                phi_2236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_mask_LightPlace(_e1604.unnamed_1.word, _e1581.y));
                                                             } else {
-                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1633.unnamed.root, _e1594.y), _e1633.unnamed_1);
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_bvh_traverse_Tree(_e1594.z, _e1639.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_bvh_traverse_Tree(_e1645.unnamed_1.root, _e1594.w));
+                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1620.unnamed.word, _e1581.y), _e1620.unnamed_1);
+                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_mask_LightPlace(_e1581.z, _e1626.unnamed_1.shift));
+                                                                phi_2236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_mask_LightPlace(_e1632.unnamed_1.word, _e1581.w));
                                                             }
-                                                            let _e1653 = phi_2224_;
-                                                            let _e1663 = nodes.member[(0u + _e1533)].y;
-                                                            if (_e1305 < 0f) {
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1674.unnamed.root, _e1663.w), _e1674.unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1663.x, _e1680.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1686.unnamed_1.root, _e1663.y));
+                                                            let _e1640 = phi_2236_;
+                                                            let _e1650 = nodes.member[(0u + _e1520)].y;
+                                                            if (_e1288 < 0f) {
+                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1661.unnamed.word, _e1650.w), _e1661.unnamed_1);
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_mask_LightPlace(_e1650.x, _e1667.unnamed_1.shift));
+                                                                phi_2263_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_mask_LightPlace(_e1673.unnamed_1.word, _e1650.y));
                                                             } else {
-                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1702.unnamed.root, _e1663.y), _e1702.unnamed_1);
-                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_bvh_traverse_Tree(_e1663.z, _e1708.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_bvh_traverse_Tree(_e1714.unnamed_1.root, _e1663.w));
+                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1689.unnamed.word, _e1650.y), _e1689.unnamed_1);
+                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_mask_LightPlace(_e1650.z, _e1695.unnamed_1.shift));
+                                                                phi_2263_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_mask_LightPlace(_e1701.unnamed_1.word, _e1650.w));
                                                             }
-                                                            let _e1722 = phi_2251_;
-                                                            let _e1732 = nodes.member[(0u + _e1533)].z;
-                                                            if (_e1315 < 0f) {
-                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1743.unnamed.root, _e1732.w), _e1743.unnamed_1);
-                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_bvh_traverse_Tree(_e1732.x, _e1749.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_bvh_traverse_Tree(_e1755.unnamed_1.root, _e1732.y));
+                                                            let _e1709 = phi_2263_;
+                                                            let _e1719 = nodes.member[(0u + _e1520)].z;
+                                                            if (_e1298 < 0f) {
+                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1730.unnamed.word, _e1719.w), _e1730.unnamed_1);
+                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_mask_LightPlace(_e1719.x, _e1736.unnamed_1.shift));
+                                                                phi_2290_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_mask_LightPlace(_e1742.unnamed_1.word, _e1719.y));
                                                             } else {
-                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1771.unnamed.root, _e1732.y), _e1771.unnamed_1);
-                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_bvh_traverse_Tree(_e1732.z, _e1777.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_bvh_traverse_Tree(_e1783.unnamed_1.root, _e1732.w));
+                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1758.unnamed.word, _e1719.y), _e1758.unnamed_1);
+                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_mask_LightPlace(_e1719.z, _e1764.unnamed_1.shift));
+                                                                phi_2290_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_mask_LightPlace(_e1770.unnamed_1.word, _e1719.w));
                                                             }
-                                                            let _e1791 = phi_2278_;
-                                                            phi_2284_ = 0u;
-                                                            phi_2287_ = 0u;
+                                                            let _e1778 = phi_2290_;
+                                                            phi_2296_ = 0u;
+                                                            phi_2299_ = 0u;
                                                             loop {
-                                                                let _e1801 = phi_2284_;
-                                                                let _e1803 = phi_2287_;
-                                                                local_7 = _e1803;
-                                                                local_8 = _e1803;
-                                                                local_9 = _e1803;
-                                                                let _e1804 = (_e1801 < 8u);
-                                                                if _e1804 {
-                                                                    let _e1806 = (_e1801 >> bitcast<u32>(2i));
-                                                                    let _e1807 = (_e1801 & 3u);
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2301_ = _e1653.unnamed.root;
+                                                                let _e1788 = phi_2296_;
+                                                                let _e1790 = phi_2299_;
+                                                                local_7 = _e1790;
+                                                                local_8 = _e1790;
+                                                                local_9 = _e1790;
+                                                                let _e1791 = (_e1788 < 8u);
+                                                                if _e1791 {
+                                                                    let _e1793 = (_e1788 >> bitcast<u32>(2i));
+                                                                    let _e1794 = (_e1788 & 3u);
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2313_ = _e1640.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1653.unnamed.first_primitive;
+                                                                        phi_2313_ = _e1640.unnamed.shift;
                                                                     }
-                                                                    let _e1810 = phi_2301_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2311_ = _e1722.unnamed.root;
+                                                                    let _e1797 = phi_2313_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2323_ = _e1709.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1722.unnamed.first_primitive;
+                                                                        phi_2323_ = _e1709.unnamed.shift;
                                                                     }
-                                                                    let _e1819 = phi_2311_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2321_ = _e1791.unnamed.root;
+                                                                    let _e1806 = phi_2323_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2333_ = _e1778.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1791.unnamed.first_primitive;
+                                                                        phi_2333_ = _e1778.unnamed.shift;
                                                                     }
-                                                                    let _e1828 = phi_2321_;
-                                                                    let _e1841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1810 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 - _e1343)), ((f32(((_e1819 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 - _e1344)));
-                                                                    let _e1842 = core_intrinsics_maximum_number_nsz_f32_(_e1841, ((f32(((_e1828 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 - _e1345)));
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2339_ = _e1653.unnamed_1.root;
+                                                                    let _e1815 = phi_2333_;
+                                                                    let _e1828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1797 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 - _e1330)), ((f32(((_e1806 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)));
+                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(_e1828, ((f32(((_e1815 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2351_ = _e1640.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1653.unnamed_1.first_primitive;
+                                                                        phi_2351_ = _e1640.unnamed_1.shift;
                                                                     }
-                                                                    let _e1845 = phi_2339_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2349_ = _e1722.unnamed_1.root;
+                                                                    let _e1832 = phi_2351_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2361_ = _e1709.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1722.unnamed_1.first_primitive;
+                                                                        phi_2361_ = _e1709.unnamed_1.shift;
                                                                     }
-                                                                    let _e1854 = phi_2349_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2359_ = _e1791.unnamed_1.root;
+                                                                    let _e1841 = phi_2361_;
+                                                                    if (_e1793 == 0u) {
+                                                                        phi_2371_ = _e1778.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1791.unnamed_1.first_primitive;
+                                                                        phi_2371_ = _e1778.unnamed_1.shift;
                                                                     }
-                                                                    let _e1863 = phi_2359_;
-                                                                    let _e1876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1845 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 + _e1343)), ((f32(((_e1854 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 + _e1344)));
-                                                                    let _e1877 = core_intrinsics_minimum_number_nsz_f32_(_e1876, ((f32(((_e1863 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 + _e1345)));
-                                                                    if (_e1842 <= _e1877) {
-                                                                        if (_e1842 <= _e1531.t) {
-                                                                            if (_e1877 >= _e170.tmin) {
-                                                                                if (_e1806 == 0u) {
-                                                                                    let _e1884 = nodes.member[(0u + _e1533)].links[2u];
-                                                                                    phi_2395_ = _e1884;
+                                                                    let _e1850 = phi_2371_;
+                                                                    let _e1863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1832 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 + _e1330)), ((f32(((_e1841 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)));
+                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(_e1863, ((f32(((_e1850 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
+                                                                    if (_e1829 <= _e1864) {
+                                                                        if (_e1829 <= _e1518.t) {
+                                                                            if (_e1864 >= _e170.tmin) {
+                                                                                if (_e1793 == 0u) {
+                                                                                    let _e1871 = nodes.member[(0u + _e1520)].links[2u];
+                                                                                    phi_2407_ = _e1871;
                                                                                 } else {
-                                                                                    let _e1887 = nodes.member[(0u + _e1533)].links[3u];
-                                                                                    phi_2395_ = _e1887;
+                                                                                    let _e1874 = nodes.member[(0u + _e1520)].links[3u];
+                                                                                    phi_2407_ = _e1874;
                                                                                 }
-                                                                                let _e1889 = phi_2395_;
-                                                                                let _e1894 = ((_e1889 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u);
-                                                                                let _e1895 = (_e1894 & 31u);
-                                                                                if (_e1895 >= 24u) {
-                                                                                    phi_2408_ = (24u + ((_e1895 - 24u) ^ _e1393));
+                                                                                let _e1876 = phi_2407_;
+                                                                                let _e1881 = ((_e1876 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u);
+                                                                                let _e1882 = (_e1881 & 31u);
+                                                                                if (_e1882 >= 24u) {
+                                                                                    phi_2420_ = (24u + ((_e1882 - 24u) ^ _e1380));
                                                                                 } else {
-                                                                                    phi_2408_ = _e1895;
+                                                                                    phi_2420_ = _e1882;
                                                                                 }
-                                                                                let _e1901 = phi_2408_;
-                                                                                phi_2413_ = (_e1803 | ((_e1894 >> bitcast<u32>(5i)) << bitcast<u32>((_e1901 & 31u))));
+                                                                                let _e1888 = phi_2420_;
+                                                                                phi_2425_ = (_e1790 | ((_e1881 >> bitcast<u32>(5i)) << bitcast<u32>((_e1888 & 31u))));
                                                                             } else {
-                                                                                phi_2413_ = _e1803;
+                                                                                phi_2425_ = _e1790;
                                                                             }
-                                                                            let _e1909 = phi_2413_;
-                                                                            phi_2414_ = _e1909;
+                                                                            let _e1896 = phi_2425_;
+                                                                            phi_2426_ = _e1896;
                                                                         } else {
-                                                                            phi_2414_ = _e1803;
+                                                                            phi_2426_ = _e1790;
                                                                         }
-                                                                        let _e1911 = phi_2414_;
-                                                                        phi_2415_ = _e1911;
+                                                                        let _e1898 = phi_2426_;
+                                                                        phi_2427_ = _e1898;
                                                                     } else {
-                                                                        phi_2415_ = _e1803;
+                                                                        phi_2427_ = _e1790;
                                                                     }
-                                                                    let _e1913 = phi_2415_;
-                                                                    phi_2285_ = (_e1801 + 1u);
-                                                                    phi_2288_ = _e1913;
+                                                                    let _e1900 = phi_2427_;
+                                                                    phi_2297_ = (_e1788 + 1u);
+                                                                    phi_2300_ = _e1900;
                                                                 } else {
-                                                                    phi_2285_ = u32();
-                                                                    phi_2288_ = u32();
+                                                                    phi_2297_ = u32();
+                                                                    phi_2300_ = u32();
                                                                 }
-                                                                let _e1916 = phi_2285_;
-                                                                let _e1918 = phi_2288_;
+                                                                let _e1903 = phi_2297_;
+                                                                let _e1905 = phi_2300_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2284_ = _e1916;
-                                                                    phi_2287_ = _e1918;
-                                                                    break if !(_e1804);
+                                                                    phi_2296_ = _e1903;
+                                                                    phi_2299_ = _e1905;
+                                                                    break if !(_e1791);
                                                                 }
                                                             }
-                                                            let _e1922 = nodes.member[(0u + _e1533)].links[0u];
-                                                            let _e1926 = nodes.member[(0u + _e1533)].frame[3u];
-                                                            let _e1930 = local_7;
-                                                            if ((_e1930 & 4278190080u) == 0u) {
+                                                            let _e1909 = nodes.member[(0u + _e1520)].links[0u];
+                                                            let _e1913 = nodes.member[(0u + _e1520)].frame[3u];
+                                                            let _e1917 = local_7;
+                                                            if ((_e1917 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1934 = local_2.group_mask;
-                                                                if ((_e1934 & 4278190080u) == 0u) {
+                                                                let _e1921 = local_2.group_mask;
+                                                                if ((_e1921 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1938 = local_2.len;
-                                                                    if (_e1938 < 32u) {
-                                                                        let _e1941 = local_2.group;
-                                                                        let _e1943 = local_2.len;
-                                                                        if (_e1943 < 32u) {
+                                                                    let _e1925 = local_2.len;
+                                                                    if (_e1925 < 32u) {
+                                                                        let _e1928 = local_2.group;
+                                                                        let _e1930 = local_2.len;
+                                                                        if (_e1930 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1943)] = _e1941;
-                                                                        let _e1949 = local_2.group_mask;
-                                                                        let _e1951 = local_2.len;
-                                                                        if (_e1951 < 32u) {
+                                                                        local_2.first[(0u + _e1930)] = _e1928;
+                                                                        let _e1936 = local_2.group_mask;
+                                                                        let _e1938 = local_2.len;
+                                                                        if (_e1938 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1951)] = _e1949;
-                                                                        let _e1958 = local_2.len;
-                                                                        local_2.len = (_e1958 + 1u);
+                                                                        local_2.mask[(0u + _e1938)] = _e1936;
+                                                                        let _e1945 = local_2.len;
+                                                                        local_2.len = (_e1945 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1155 + _e1922);
-                                                                let _e1962 = local_8;
-                                                                local_2.group_mask = ((_e1962 & 4278190080u) | (_e1926 >> bitcast<u32>(24i)));
+                                                                local_2.group = (_e1146 + _e1909);
+                                                                let _e1949 = local_8;
+                                                                local_2.group_mask = ((_e1949 & 4278190080u) | (_e1913 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1967 = local_9;
-                                                            phi_2473_ = _e1531;
-                                                            phi_2476_ = (_e1967 & 16777215u);
+                                                            let _e1954 = local_9;
+                                                            phi_2485_ = _e1518;
+                                                            phi_2488_ = (_e1954 & 16777215u);
                                                             loop {
-                                                                let _e1970 = phi_2473_;
-                                                                let _e1972 = phi_2476_;
-                                                                local_10 = _e1970;
-                                                                if (_e1972 == 0u) {
-                                                                    phi_2474_ = lt_bvh_Hit();
-                                                                    phi_2477_ = u32();
-                                                                    phi_3315_ = false;
+                                                                let _e1957 = phi_2485_;
+                                                                let _e1959 = phi_2488_;
+                                                                local_10 = _e1957;
+                                                                if (_e1959 == 0u) {
+                                                                    phi_2486_ = lt_bvh_Hit();
+                                                                    phi_2489_ = u32();
+                                                                    phi_3327_ = false;
                                                                 } else {
-                                                                    let _e1976 = nodes.member[(0u + _e1533)].links[1u];
-                                                                    let _e1981 = ((_e1157 + _e1976) + select(firstTrailingBit(_e1972), 32u, (_e1972 == 0u)));
-                                                                    if (_e1981 < _e83) {
+                                                                    let _e1963 = nodes.member[(0u + _e1520)].links[1u];
+                                                                    let _e1968 = ((_e1148 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
+                                                                    if (_e1968 < _e83) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1988 = triangles.member[(0u + _e1981)].v0_;
-                                                                    let _e1990 = (_e1988.x - _e1080);
-                                                                    let _e1992 = (_e1988.y - _e1093);
-                                                                    let _e1994 = (_e1988.z - _e1106);
-                                                                    if (_e1366 == 0u) {
-                                                                        phi_2521_ = vec3<f32>(_e1992, _e1994, _e1990);
+                                                                    let _e1975 = triangles.member[(0u + _e1968)].v0_;
+                                                                    let _e1977 = (_e1975.x - _e1071);
+                                                                    let _e1979 = (_e1975.y - _e1084);
+                                                                    let _e1981 = (_e1975.z - _e1097);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2533_ = vec3<f32>(_e1979, _e1981, _e1977);
                                                                     } else {
-                                                                        if (_e1366 == 1u) {
-                                                                            phi_2520_ = vec3<f32>(_e1994, _e1990, _e1992);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2532_ = vec3<f32>(_e1981, _e1977, _e1979);
                                                                         } else {
-                                                                            phi_2520_ = (_e1988 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2532_ = (_e1975 - vec3<f32>(_e1071, _e1084, _e1097));
                                                                         }
-                                                                        let _e2002 = phi_2520_;
-                                                                        phi_2521_ = _e2002;
+                                                                        let _e1989 = phi_2532_;
+                                                                        phi_2533_ = _e1989;
                                                                     }
-                                                                    let _e2004 = phi_2521_;
-                                                                    let _e2008 = (_e2004.x - (_e1377 * _e2004.z));
-                                                                    let _e2012 = (_e2004.y - (_e1380 * _e2004.z));
-                                                                    let _e2014 = triangles.member[(0u + _e1981)].v1_;
-                                                                    let _e2016 = (_e2014.x - _e1080);
-                                                                    let _e2018 = (_e2014.y - _e1093);
-                                                                    let _e2020 = (_e2014.z - _e1106);
-                                                                    if (_e1366 == 0u) {
-                                                                        phi_2551_ = vec3<f32>(_e2018, _e2020, _e2016);
+                                                                    let _e1991 = phi_2533_;
+                                                                    let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
+                                                                    let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
+                                                                    let _e2001 = triangles.member[(0u + _e1968)].v1_;
+                                                                    let _e2003 = (_e2001.x - _e1071);
+                                                                    let _e2005 = (_e2001.y - _e1084);
+                                                                    let _e2007 = (_e2001.z - _e1097);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2563_ = vec3<f32>(_e2005, _e2007, _e2003);
                                                                     } else {
-                                                                        if (_e1366 == 1u) {
-                                                                            phi_2550_ = vec3<f32>(_e2020, _e2016, _e2018);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2562_ = vec3<f32>(_e2007, _e2003, _e2005);
                                                                         } else {
-                                                                            phi_2550_ = (_e2014 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2562_ = (_e2001 - vec3<f32>(_e1071, _e1084, _e1097));
                                                                         }
-                                                                        let _e2028 = phi_2550_;
-                                                                        phi_2551_ = _e2028;
+                                                                        let _e2015 = phi_2562_;
+                                                                        phi_2563_ = _e2015;
                                                                     }
-                                                                    let _e2030 = phi_2551_;
-                                                                    let _e2034 = (_e2030.x - (_e1377 * _e2030.z));
-                                                                    let _e2038 = (_e2030.y - (_e1380 * _e2030.z));
-                                                                    let _e2040 = triangles.member[(0u + _e1981)].v2_;
-                                                                    let _e2042 = (_e2040.x - _e1080);
-                                                                    let _e2044 = (_e2040.y - _e1093);
-                                                                    let _e2046 = (_e2040.z - _e1106);
-                                                                    if (_e1366 == 0u) {
-                                                                        phi_2581_ = vec3<f32>(_e2044, _e2046, _e2042);
+                                                                    let _e2017 = phi_2563_;
+                                                                    let _e2021 = (_e2017.x - (_e1364 * _e2017.z));
+                                                                    let _e2025 = (_e2017.y - (_e1367 * _e2017.z));
+                                                                    let _e2027 = triangles.member[(0u + _e1968)].v2_;
+                                                                    let _e2029 = (_e2027.x - _e1071);
+                                                                    let _e2031 = (_e2027.y - _e1084);
+                                                                    let _e2033 = (_e2027.z - _e1097);
+                                                                    if (_e1353 == 0u) {
+                                                                        phi_2593_ = vec3<f32>(_e2031, _e2033, _e2029);
                                                                     } else {
-                                                                        if (_e1366 == 1u) {
-                                                                            phi_2580_ = vec3<f32>(_e2046, _e2042, _e2044);
+                                                                        if (_e1353 == 1u) {
+                                                                            phi_2592_ = vec3<f32>(_e2033, _e2029, _e2031);
                                                                         } else {
-                                                                            phi_2580_ = (_e2040 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2592_ = (_e2027 - vec3<f32>(_e1071, _e1084, _e1097));
                                                                         }
-                                                                        let _e2054 = phi_2580_;
-                                                                        phi_2581_ = _e2054;
+                                                                        let _e2041 = phi_2592_;
+                                                                        phi_2593_ = _e2041;
                                                                     }
-                                                                    let _e2056 = phi_2581_;
-                                                                    let _e2060 = (_e2056.x - (_e1377 * _e2056.z));
-                                                                    let _e2064 = (_e2056.y - (_e1380 * _e2056.z));
-                                                                    if (_e2034 < _e2060) {
-                                                                        phi_2600_ = true;
+                                                                    let _e2043 = phi_2593_;
+                                                                    let _e2047 = (_e2043.x - (_e1364 * _e2043.z));
+                                                                    let _e2051 = (_e2043.y - (_e1367 * _e2043.z));
+                                                                    if (_e2021 < _e2047) {
+                                                                        phi_2612_ = true;
                                                                     } else {
-                                                                        if (_e2034 == _e2060) {
-                                                                            phi_2599_ = (_e2038 < _e2064);
+                                                                        if (_e2021 == _e2047) {
+                                                                            phi_2611_ = (_e2025 < _e2051);
                                                                         } else {
-                                                                            phi_2599_ = false;
+                                                                            phi_2611_ = false;
                                                                         }
-                                                                        let _e2069 = phi_2599_;
-                                                                        phi_2600_ = _e2069;
+                                                                        let _e2056 = phi_2611_;
+                                                                        phi_2612_ = _e2056;
                                                                     }
-                                                                    let _e2071 = phi_2600_;
-                                                                    if _e2071 {
-                                                                        phi_2604_ = _e2064;
-                                                                        phi_2605_ = _e2060;
-                                                                        phi_2606_ = _e2038;
-                                                                        phi_2607_ = _e2034;
+                                                                    let _e2058 = phi_2612_;
+                                                                    if _e2058 {
+                                                                        phi_2616_ = _e2051;
+                                                                        phi_2617_ = _e2047;
+                                                                        phi_2618_ = _e2025;
+                                                                        phi_2619_ = _e2021;
                                                                     } else {
-                                                                        phi_2604_ = _e2038;
-                                                                        phi_2605_ = _e2034;
-                                                                        phi_2606_ = _e2064;
-                                                                        phi_2607_ = _e2060;
+                                                                        phi_2616_ = _e2025;
+                                                                        phi_2617_ = _e2021;
+                                                                        phi_2618_ = _e2051;
+                                                                        phi_2619_ = _e2047;
                                                                     }
-                                                                    let _e2073 = phi_2604_;
-                                                                    let _e2075 = phi_2605_;
-                                                                    let _e2077 = phi_2606_;
-                                                                    let _e2079 = phi_2607_;
-                                                                    let _e2082 = ((_e2079 * _e2073) - (_e2077 * _e2075));
-                                                                    if _e2071 {
-                                                                        phi_2615_ = -(_e2082);
+                                                                    let _e2060 = phi_2616_;
+                                                                    let _e2062 = phi_2617_;
+                                                                    let _e2064 = phi_2618_;
+                                                                    let _e2066 = phi_2619_;
+                                                                    let _e2069 = ((_e2066 * _e2060) - (_e2064 * _e2062));
+                                                                    if _e2058 {
+                                                                        phi_2627_ = -(_e2069);
                                                                     } else {
-                                                                        phi_2615_ = _e2082;
+                                                                        phi_2627_ = _e2069;
                                                                     }
-                                                                    let _e2085 = phi_2615_;
-                                                                    if (_e2060 < _e2008) {
-                                                                        phi_2626_ = true;
+                                                                    let _e2072 = phi_2627_;
+                                                                    if (_e2047 < _e1995) {
+                                                                        phi_2638_ = true;
                                                                     } else {
-                                                                        if (_e2060 == _e2008) {
-                                                                            phi_2625_ = (_e2064 < _e2012);
+                                                                        if (_e2047 == _e1995) {
+                                                                            phi_2637_ = (_e2051 < _e1999);
                                                                         } else {
-                                                                            phi_2625_ = false;
+                                                                            phi_2637_ = false;
                                                                         }
-                                                                        let _e2090 = phi_2625_;
-                                                                        phi_2626_ = _e2090;
+                                                                        let _e2077 = phi_2637_;
+                                                                        phi_2638_ = _e2077;
                                                                     }
-                                                                    let _e2092 = phi_2626_;
-                                                                    if _e2092 {
-                                                                        phi_2630_ = _e2012;
-                                                                        phi_2631_ = _e2008;
-                                                                        phi_2632_ = _e2064;
-                                                                        phi_2633_ = _e2060;
+                                                                    let _e2079 = phi_2638_;
+                                                                    if _e2079 {
+                                                                        phi_2642_ = _e1999;
+                                                                        phi_2643_ = _e1995;
+                                                                        phi_2644_ = _e2051;
+                                                                        phi_2645_ = _e2047;
                                                                     } else {
-                                                                        phi_2630_ = _e2064;
-                                                                        phi_2631_ = _e2060;
-                                                                        phi_2632_ = _e2012;
-                                                                        phi_2633_ = _e2008;
+                                                                        phi_2642_ = _e2051;
+                                                                        phi_2643_ = _e2047;
+                                                                        phi_2644_ = _e1999;
+                                                                        phi_2645_ = _e1995;
                                                                     }
-                                                                    let _e2094 = phi_2630_;
-                                                                    let _e2096 = phi_2631_;
-                                                                    let _e2098 = phi_2632_;
-                                                                    let _e2100 = phi_2633_;
-                                                                    let _e2103 = ((_e2100 * _e2094) - (_e2098 * _e2096));
-                                                                    if _e2092 {
-                                                                        phi_2641_ = -(_e2103);
+                                                                    let _e2081 = phi_2642_;
+                                                                    let _e2083 = phi_2643_;
+                                                                    let _e2085 = phi_2644_;
+                                                                    let _e2087 = phi_2645_;
+                                                                    let _e2090 = ((_e2087 * _e2081) - (_e2085 * _e2083));
+                                                                    if _e2079 {
+                                                                        phi_2653_ = -(_e2090);
                                                                     } else {
-                                                                        phi_2641_ = _e2103;
+                                                                        phi_2653_ = _e2090;
                                                                     }
-                                                                    let _e2106 = phi_2641_;
-                                                                    if (_e2008 < _e2034) {
-                                                                        phi_2652_ = true;
+                                                                    let _e2093 = phi_2653_;
+                                                                    if (_e1995 < _e2021) {
+                                                                        phi_2664_ = true;
                                                                     } else {
-                                                                        if (_e2008 == _e2034) {
-                                                                            phi_2651_ = (_e2012 < _e2038);
+                                                                        if (_e1995 == _e2021) {
+                                                                            phi_2663_ = (_e1999 < _e2025);
                                                                         } else {
-                                                                            phi_2651_ = false;
+                                                                            phi_2663_ = false;
                                                                         }
-                                                                        let _e2111 = phi_2651_;
-                                                                        phi_2652_ = _e2111;
+                                                                        let _e2098 = phi_2663_;
+                                                                        phi_2664_ = _e2098;
                                                                     }
-                                                                    let _e2113 = phi_2652_;
-                                                                    if _e2113 {
-                                                                        phi_2656_ = _e2038;
-                                                                        phi_2657_ = _e2034;
-                                                                        phi_2658_ = _e2012;
-                                                                        phi_2659_ = _e2008;
+                                                                    let _e2100 = phi_2664_;
+                                                                    if _e2100 {
+                                                                        phi_2668_ = _e2025;
+                                                                        phi_2669_ = _e2021;
+                                                                        phi_2670_ = _e1999;
+                                                                        phi_2671_ = _e1995;
                                                                     } else {
-                                                                        phi_2656_ = _e2012;
-                                                                        phi_2657_ = _e2008;
-                                                                        phi_2658_ = _e2038;
-                                                                        phi_2659_ = _e2034;
+                                                                        phi_2668_ = _e1999;
+                                                                        phi_2669_ = _e1995;
+                                                                        phi_2670_ = _e2025;
+                                                                        phi_2671_ = _e2021;
                                                                     }
-                                                                    let _e2115 = phi_2656_;
-                                                                    let _e2117 = phi_2657_;
-                                                                    let _e2119 = phi_2658_;
-                                                                    let _e2121 = phi_2659_;
-                                                                    let _e2124 = ((_e2121 * _e2115) - (_e2119 * _e2117));
-                                                                    if _e2113 {
-                                                                        phi_2667_ = -(_e2124);
+                                                                    let _e2102 = phi_2668_;
+                                                                    let _e2104 = phi_2669_;
+                                                                    let _e2106 = phi_2670_;
+                                                                    let _e2108 = phi_2671_;
+                                                                    let _e2111 = ((_e2108 * _e2102) - (_e2106 * _e2104));
+                                                                    if _e2100 {
+                                                                        phi_2679_ = -(_e2111);
                                                                     } else {
-                                                                        phi_2667_ = _e2124;
+                                                                        phi_2679_ = _e2111;
                                                                     }
-                                                                    let _e2127 = phi_2667_;
-                                                                    if (_e2085 >= 0f) {
-                                                                        if (_e2106 >= 0f) {
-                                                                            if (_e2127 >= 0f) {
-                                                                                phi_2682_ = ((_e2085 + _e2106) + _e2127);
-                                                                                phi_2683_ = false;
+                                                                    let _e2114 = phi_2679_;
+                                                                    if (_e2072 >= 0f) {
+                                                                        if (_e2093 >= 0f) {
+                                                                            if (_e2114 >= 0f) {
+                                                                                phi_2694_ = ((_e2072 + _e2093) + _e2114);
+                                                                                phi_2695_ = false;
                                                                             } else {
-                                                                                phi_2682_ = f32();
-                                                                                phi_2683_ = true;
+                                                                                phi_2694_ = f32();
+                                                                                phi_2695_ = true;
                                                                             }
-                                                                            let _e2134 = phi_2682_;
-                                                                            let _e2136 = phi_2683_;
-                                                                            phi_2684_ = _e2134;
-                                                                            phi_2685_ = _e2136;
+                                                                            let _e2121 = phi_2694_;
+                                                                            let _e2123 = phi_2695_;
+                                                                            phi_2696_ = _e2121;
+                                                                            phi_2697_ = _e2123;
                                                                         } else {
-                                                                            phi_2684_ = f32();
-                                                                            phi_2685_ = true;
+                                                                            phi_2696_ = f32();
+                                                                            phi_2697_ = true;
                                                                         }
-                                                                        let _e2138 = phi_2684_;
-                                                                        let _e2140 = phi_2685_;
-                                                                        phi_2686_ = _e2138;
-                                                                        phi_2687_ = _e2140;
+                                                                        let _e2125 = phi_2696_;
+                                                                        let _e2127 = phi_2697_;
+                                                                        phi_2698_ = _e2125;
+                                                                        phi_2699_ = _e2127;
                                                                     } else {
-                                                                        phi_2686_ = f32();
-                                                                        phi_2687_ = true;
+                                                                        phi_2698_ = f32();
+                                                                        phi_2699_ = true;
                                                                     }
-                                                                    let _e2142 = phi_2686_;
-                                                                    let _e2144 = phi_2687_;
-                                                                    if _e2144 {
-                                                                        if (_e2085 <= 0f) {
-                                                                            if (_e2106 <= 0f) {
-                                                                                let _e2147 = (_e2127 <= 0f);
-                                                                                if _e2147 {
+                                                                    let _e2129 = phi_2698_;
+                                                                    let _e2131 = phi_2699_;
+                                                                    if _e2131 {
+                                                                        if (_e2072 <= 0f) {
+                                                                            if (_e2093 <= 0f) {
+                                                                                let _e2134 = (_e2114 <= 0f);
+                                                                                if _e2134 {
                                                                                 }
-                                                                                phi_2705_ = ((_e2085 + _e2106) + _e2127);
-                                                                                phi_2706_ = false;
-                                                                                phi_2707_ = _e2147;
+                                                                                phi_2717_ = ((_e2072 + _e2093) + _e2114);
+                                                                                phi_2718_ = false;
+                                                                                phi_2719_ = _e2134;
                                                                             } else {
-                                                                                phi_2705_ = f32();
-                                                                                phi_2706_ = true;
-                                                                                phi_2707_ = false;
+                                                                                phi_2717_ = f32();
+                                                                                phi_2718_ = true;
+                                                                                phi_2719_ = false;
                                                                             }
-                                                                            let _e2151 = phi_2705_;
-                                                                            let _e2153 = phi_2706_;
-                                                                            let _e2155 = phi_2707_;
-                                                                            phi_2708_ = _e2151;
-                                                                            phi_2709_ = _e2153;
-                                                                            phi_2710_ = _e2155;
+                                                                            let _e2138 = phi_2717_;
+                                                                            let _e2140 = phi_2718_;
+                                                                            let _e2142 = phi_2719_;
+                                                                            phi_2720_ = _e2138;
+                                                                            phi_2721_ = _e2140;
+                                                                            phi_2722_ = _e2142;
                                                                         } else {
-                                                                            phi_2708_ = f32();
-                                                                            phi_2709_ = true;
-                                                                            phi_2710_ = false;
+                                                                            phi_2720_ = f32();
+                                                                            phi_2721_ = true;
+                                                                            phi_2722_ = false;
                                                                         }
-                                                                        let _e2157 = phi_2708_;
-                                                                        let _e2159 = phi_2709_;
-                                                                        let _e2161 = phi_2710_;
-                                                                        if _e2159 {
-                                                                            phi_2714_ = false;
+                                                                        let _e2144 = phi_2720_;
+                                                                        let _e2146 = phi_2721_;
+                                                                        let _e2148 = phi_2722_;
+                                                                        if _e2146 {
+                                                                            phi_2726_ = false;
                                                                         } else {
-                                                                            phi_2714_ = _e2161;
+                                                                            phi_2726_ = _e2148;
                                                                         }
-                                                                        let _e2163 = phi_2714_;
-                                                                        phi_2715_ = _e2157;
-                                                                        phi_2716_ = _e2163;
+                                                                        let _e2150 = phi_2726_;
+                                                                        phi_2727_ = _e2144;
+                                                                        phi_2728_ = _e2150;
                                                                     } else {
-                                                                        phi_2715_ = _e2142;
-                                                                        phi_2716_ = true;
+                                                                        phi_2727_ = _e2129;
+                                                                        phi_2728_ = true;
                                                                     }
-                                                                    let _e2165 = phi_2715_;
-                                                                    let _e2167 = phi_2716_;
-                                                                    if _e2167 {
-                                                                        let _e2168 = (_e2165 == 0f);
-                                                                        if _e2168 {
-                                                                            phi_3032_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3033_ = false;
+                                                                    let _e2152 = phi_2727_;
+                                                                    let _e2154 = phi_2728_;
+                                                                    if _e2154 {
+                                                                        let _e2155 = (_e2152 == 0f);
+                                                                        if _e2155 {
+                                                                            phi_3044_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3045_ = false;
                                                                         } else {
-                                                                            let _e2170 = triangles.member[(0u + _e1981)].v0_;
-                                                                            let _e2172 = (_e2170.x - _e1080);
-                                                                            let _e2174 = (_e2170.y - _e1093);
-                                                                            let _e2176 = (_e2170.z - _e1106);
-                                                                            if (_e1366 == 0u) {
-                                                                                phi_2745_ = vec3<f32>(_e2174, _e2176, _e2172);
+                                                                            let _e2157 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2159 = (_e2157.x - _e1071);
+                                                                            let _e2161 = (_e2157.y - _e1084);
+                                                                            let _e2163 = (_e2157.z - _e1097);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2757_ = vec3<f32>(_e2161, _e2163, _e2159);
                                                                             } else {
-                                                                                if (_e1366 == 1u) {
-                                                                                    phi_2744_ = vec3<f32>(_e2176, _e2172, _e2174);
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2756_ = vec3<f32>(_e2163, _e2159, _e2161);
                                                                                 } else {
-                                                                                    phi_2744_ = (_e2170 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                                    phi_2756_ = (_e2157 - vec3<f32>(_e1071, _e1084, _e1097));
                                                                                 }
-                                                                                let _e2184 = phi_2744_;
-                                                                                phi_2745_ = _e2184;
+                                                                                let _e2171 = phi_2756_;
+                                                                                phi_2757_ = _e2171;
                                                                             }
-                                                                            let _e2186 = phi_2745_;
-                                                                            let _e2188 = triangles.member[(0u + _e1981)].v1_;
-                                                                            let _e2190 = triangles.member[(0u + _e1981)].v0_;
-                                                                            let _e2193 = (_e2188.x - _e2190.x);
-                                                                            let _e2196 = (_e2188.y - _e2190.y);
-                                                                            let _e2199 = (_e2188.z - _e2190.z);
-                                                                            if (_e1366 == 0u) {
-                                                                                phi_2771_ = vec3<f32>(_e2196, _e2199, _e2193);
+                                                                            let _e2173 = phi_2757_;
+                                                                            let _e2175 = triangles.member[(0u + _e1968)].v1_;
+                                                                            let _e2177 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2180 = (_e2175.x - _e2177.x);
+                                                                            let _e2183 = (_e2175.y - _e2177.y);
+                                                                            let _e2186 = (_e2175.z - _e2177.z);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2783_ = vec3<f32>(_e2183, _e2186, _e2180);
                                                                             } else {
-                                                                                if (_e1366 == 1u) {
-                                                                                    phi_2770_ = vec3<f32>(_e2199, _e2193, _e2196);
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2782_ = vec3<f32>(_e2186, _e2180, _e2183);
                                                                                 } else {
-                                                                                    phi_2770_ = (_e2188 - _e2190);
+                                                                                    phi_2782_ = (_e2175 - _e2177);
                                                                                 }
-                                                                                let _e2206 = phi_2770_;
-                                                                                phi_2771_ = _e2206;
+                                                                                let _e2193 = phi_2782_;
+                                                                                phi_2783_ = _e2193;
                                                                             }
-                                                                            let _e2208 = phi_2771_;
-                                                                            let _e2210 = triangles.member[(0u + _e1981)].v2_;
-                                                                            let _e2212 = triangles.member[(0u + _e1981)].v0_;
-                                                                            let _e2215 = (_e2210.x - _e2212.x);
-                                                                            let _e2218 = (_e2210.y - _e2212.y);
-                                                                            let _e2221 = (_e2210.z - _e2212.z);
-                                                                            if (_e1366 == 0u) {
-                                                                                phi_2797_ = vec3<f32>(_e2218, _e2221, _e2215);
+                                                                            let _e2195 = phi_2783_;
+                                                                            let _e2197 = triangles.member[(0u + _e1968)].v2_;
+                                                                            let _e2199 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2202 = (_e2197.x - _e2199.x);
+                                                                            let _e2205 = (_e2197.y - _e2199.y);
+                                                                            let _e2208 = (_e2197.z - _e2199.z);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2809_ = vec3<f32>(_e2205, _e2208, _e2202);
                                                                             } else {
-                                                                                if (_e1366 == 1u) {
-                                                                                    phi_2796_ = vec3<f32>(_e2221, _e2215, _e2218);
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2808_ = vec3<f32>(_e2208, _e2202, _e2205);
                                                                                 } else {
-                                                                                    phi_2796_ = (_e2210 - _e2212);
+                                                                                    phi_2808_ = (_e2197 - _e2199);
                                                                                 }
-                                                                                let _e2228 = phi_2796_;
-                                                                                phi_2797_ = _e2228;
+                                                                                let _e2215 = phi_2808_;
+                                                                                phi_2809_ = _e2215;
                                                                             }
-                                                                            let _e2230 = phi_2797_;
-                                                                            let _e2237 = ((_e2208.y * _e2230.z) - (_e2208.z * _e2230.y));
-                                                                            let _e2244 = ((_e2208.z * _e2230.x) - (_e2208.x * _e2230.z));
-                                                                            let _e2251 = ((_e2208.x * _e2230.y) - (_e2208.y * _e2230.x));
-                                                                            let _e2265 = (((1f / _e1374.z) * (((_e2237 * _e2186.x) + (_e2244 * _e2186.y)) + (_e2251 * _e2186.z))) / (((_e2237 * _e1377) + (_e2244 * _e1380)) + _e2251));
-                                                                            if (_e2265 > _e170.tmin) {
-                                                                                if (_e2265 < _e170.tmax) {
-                                                                                    let _e2269 = triangles.member[(0u + _e1981)].v0_;
-                                                                                    let _e2271 = triangles.member[(0u + _e1981)].v1_;
-                                                                                    if (_e2269.x < _e2271.x) {
-                                                                                        phi_2853_ = _e2269.x;
+                                                                            let _e2217 = phi_2809_;
+                                                                            let _e2224 = ((_e2195.y * _e2217.z) - (_e2195.z * _e2217.y));
+                                                                            let _e2231 = ((_e2195.z * _e2217.x) - (_e2195.x * _e2217.z));
+                                                                            let _e2238 = ((_e2195.x * _e2217.y) - (_e2195.y * _e2217.x));
+                                                                            let _e2252 = (((1f / _e1361.z) * (((_e2224 * _e2173.x) + (_e2231 * _e2173.y)) + (_e2238 * _e2173.z))) / (((_e2224 * _e1364) + (_e2231 * _e1367)) + _e2238));
+                                                                            if (_e2252 > _e170.tmin) {
+                                                                                if (_e2252 < _e170.tmax) {
+                                                                                    let _e2256 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2258 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2256.x < _e2258.x) {
+                                                                                        phi_2865_ = _e2256.x;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2271.x;
+                                                                                        phi_2865_ = _e2258.x;
                                                                                     }
-                                                                                    let _e2278 = phi_2853_;
-                                                                                    if (_e2269.y < _e2271.y) {
-                                                                                        phi_2862_ = _e2269.y;
+                                                                                    let _e2265 = phi_2865_;
+                                                                                    if (_e2256.y < _e2258.y) {
+                                                                                        phi_2874_ = _e2256.y;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2271.y;
+                                                                                        phi_2874_ = _e2258.y;
                                                                                     }
-                                                                                    let _e2285 = phi_2862_;
-                                                                                    if (_e2269.z < _e2271.z) {
-                                                                                        phi_2871_ = _e2269.z;
+                                                                                    let _e2272 = phi_2874_;
+                                                                                    if (_e2256.z < _e2258.z) {
+                                                                                        phi_2883_ = _e2256.z;
                                                                                     } else {
-                                                                                        phi_2871_ = _e2271.z;
+                                                                                        phi_2883_ = _e2258.z;
                                                                                     }
-                                                                                    let _e2292 = phi_2871_;
-                                                                                    let _e2294 = triangles.member[(0u + _e1981)].v2_;
-                                                                                    if (_e2278 < _e2294.x) {
-                                                                                        phi_2880_ = _e2278;
+                                                                                    let _e2279 = phi_2883_;
+                                                                                    let _e2281 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2265 < _e2281.x) {
+                                                                                        phi_2892_ = _e2265;
                                                                                     } else {
-                                                                                        phi_2880_ = _e2294.x;
+                                                                                        phi_2892_ = _e2281.x;
                                                                                     }
-                                                                                    let _e2299 = phi_2880_;
-                                                                                    if (_e2285 < _e2294.y) {
-                                                                                        phi_2887_ = _e2285;
+                                                                                    let _e2286 = phi_2892_;
+                                                                                    if (_e2272 < _e2281.y) {
+                                                                                        phi_2899_ = _e2272;
                                                                                     } else {
-                                                                                        phi_2887_ = _e2294.y;
+                                                                                        phi_2899_ = _e2281.y;
                                                                                     }
-                                                                                    let _e2304 = phi_2887_;
-                                                                                    if (_e2292 < _e2294.z) {
-                                                                                        phi_2894_ = _e2292;
+                                                                                    let _e2291 = phi_2899_;
+                                                                                    if (_e2279 < _e2281.z) {
+                                                                                        phi_2906_ = _e2279;
                                                                                     } else {
-                                                                                        phi_2894_ = _e2294.z;
+                                                                                        phi_2906_ = _e2281.z;
                                                                                     }
-                                                                                    let _e2309 = phi_2894_;
-                                                                                    let _e2311 = triangles.member[(0u + _e1981)].v0_;
-                                                                                    let _e2313 = triangles.member[(0u + _e1981)].v1_;
-                                                                                    if (_e2311.x > _e2313.x) {
-                                                                                        phi_2907_ = _e2311.x;
+                                                                                    let _e2296 = phi_2906_;
+                                                                                    let _e2298 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2300 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2298.x > _e2300.x) {
+                                                                                        phi_2919_ = _e2298.x;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2313.x;
+                                                                                        phi_2919_ = _e2300.x;
                                                                                     }
-                                                                                    let _e2320 = phi_2907_;
-                                                                                    if (_e2311.y > _e2313.y) {
-                                                                                        phi_2916_ = _e2311.y;
+                                                                                    let _e2307 = phi_2919_;
+                                                                                    if (_e2298.y > _e2300.y) {
+                                                                                        phi_2928_ = _e2298.y;
                                                                                     } else {
-                                                                                        phi_2916_ = _e2313.y;
+                                                                                        phi_2928_ = _e2300.y;
                                                                                     }
-                                                                                    let _e2327 = phi_2916_;
-                                                                                    if (_e2311.z > _e2313.z) {
-                                                                                        phi_2925_ = _e2311.z;
+                                                                                    let _e2314 = phi_2928_;
+                                                                                    if (_e2298.z > _e2300.z) {
+                                                                                        phi_2937_ = _e2298.z;
                                                                                     } else {
-                                                                                        phi_2925_ = _e2313.z;
+                                                                                        phi_2937_ = _e2300.z;
                                                                                     }
-                                                                                    let _e2334 = phi_2925_;
-                                                                                    let _e2336 = triangles.member[(0u + _e1981)].v2_;
-                                                                                    if (_e2320 > _e2336.x) {
-                                                                                        phi_2934_ = _e2320;
+                                                                                    let _e2321 = phi_2937_;
+                                                                                    let _e2323 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2307 > _e2323.x) {
+                                                                                        phi_2946_ = _e2307;
                                                                                     } else {
-                                                                                        phi_2934_ = _e2336.x;
+                                                                                        phi_2946_ = _e2323.x;
                                                                                     }
-                                                                                    let _e2341 = phi_2934_;
-                                                                                    if (_e2327 > _e2336.y) {
-                                                                                        phi_2941_ = _e2327;
+                                                                                    let _e2328 = phi_2946_;
+                                                                                    if (_e2314 > _e2323.y) {
+                                                                                        phi_2953_ = _e2314;
                                                                                     } else {
-                                                                                        phi_2941_ = _e2336.y;
+                                                                                        phi_2953_ = _e2323.y;
                                                                                     }
-                                                                                    let _e2346 = phi_2941_;
-                                                                                    if (_e2334 > _e2336.z) {
-                                                                                        phi_2948_ = _e2334;
+                                                                                    let _e2333 = phi_2953_;
+                                                                                    if (_e2321 > _e2323.z) {
+                                                                                        phi_2960_ = _e2321;
                                                                                     } else {
-                                                                                        phi_2948_ = _e2336.z;
+                                                                                        phi_2960_ = _e2323.z;
                                                                                     }
-                                                                                    let _e2351 = phi_2948_;
-                                                                                    let _e2355 = ((_e2299 - _e1080) * _e1295);
-                                                                                    let _e2356 = ((_e2304 - _e1093) * _e1305);
-                                                                                    let _e2357 = ((_e2309 - _e1106) * _e1315);
-                                                                                    let _e2361 = ((_e2341 - _e1080) * _e1295);
-                                                                                    let _e2362 = ((_e2346 - _e1093) * _e1305);
-                                                                                    let _e2363 = ((_e2351 - _e1106) * _e1315);
-                                                                                    if (_e2355 < _e2361) {
-                                                                                        phi_2965_ = _e2355;
+                                                                                    let _e2338 = phi_2960_;
+                                                                                    let _e2342 = ((_e2286 - _e1071) * _e1278);
+                                                                                    let _e2343 = ((_e2291 - _e1084) * _e1288);
+                                                                                    let _e2344 = ((_e2296 - _e1097) * _e1298);
+                                                                                    let _e2348 = ((_e2328 - _e1071) * _e1278);
+                                                                                    let _e2349 = ((_e2333 - _e1084) * _e1288);
+                                                                                    let _e2350 = ((_e2338 - _e1097) * _e1298);
+                                                                                    if (_e2342 < _e2348) {
+                                                                                        phi_2977_ = _e2342;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2361;
+                                                                                        phi_2977_ = _e2348;
                                                                                     }
-                                                                                    let _e2366 = phi_2965_;
-                                                                                    if (_e2356 < _e2362) {
-                                                                                        phi_2970_ = _e2356;
+                                                                                    let _e2353 = phi_2977_;
+                                                                                    if (_e2343 < _e2349) {
+                                                                                        phi_2982_ = _e2343;
                                                                                     } else {
-                                                                                        phi_2970_ = _e2362;
+                                                                                        phi_2982_ = _e2349;
                                                                                     }
-                                                                                    let _e2369 = phi_2970_;
-                                                                                    if (_e2357 < _e2363) {
-                                                                                        phi_2975_ = _e2357;
+                                                                                    let _e2356 = phi_2982_;
+                                                                                    if (_e2344 < _e2350) {
+                                                                                        phi_2987_ = _e2344;
                                                                                     } else {
-                                                                                        phi_2975_ = _e2363;
+                                                                                        phi_2987_ = _e2350;
                                                                                     }
-                                                                                    let _e2372 = phi_2975_;
-                                                                                    if (_e2355 > _e2361) {
-                                                                                        phi_2983_ = _e2355;
+                                                                                    let _e2359 = phi_2987_;
+                                                                                    if (_e2342 > _e2348) {
+                                                                                        phi_2995_ = _e2342;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2361;
+                                                                                        phi_2995_ = _e2348;
                                                                                     }
-                                                                                    let _e2378 = phi_2983_;
-                                                                                    if (_e2356 > _e2362) {
-                                                                                        phi_2988_ = _e2356;
+                                                                                    let _e2365 = phi_2995_;
+                                                                                    if (_e2343 > _e2349) {
+                                                                                        phi_3000_ = _e2343;
                                                                                     } else {
-                                                                                        phi_2988_ = _e2362;
+                                                                                        phi_3000_ = _e2349;
                                                                                     }
-                                                                                    let _e2381 = phi_2988_;
-                                                                                    if (_e2357 > _e2363) {
-                                                                                        phi_2993_ = _e2357;
+                                                                                    let _e2368 = phi_3000_;
+                                                                                    if (_e2344 > _e2350) {
+                                                                                        phi_3005_ = _e2344;
                                                                                     } else {
-                                                                                        phi_2993_ = _e2363;
+                                                                                        phi_3005_ = _e2350;
                                                                                     }
-                                                                                    let _e2384 = phi_2993_;
-                                                                                    let _e2388 = core_intrinsics_maximum_number_nsz_f32_((_e2366 - _e1350), (_e2369 - _e1351));
-                                                                                    let _e2389 = core_intrinsics_maximum_number_nsz_f32_(_e2388, (_e2372 - _e1352));
-                                                                                    let _e2390 = core_intrinsics_minimum_number_nsz_f32_((_e2378 + _e1350), (_e2381 + _e1351));
-                                                                                    let _e2391 = core_intrinsics_minimum_number_nsz_f32_(_e2390, (_e2384 + _e1352));
-                                                                                    if (_e2389 > _e1055) {
-                                                                                        phi_3005_ = _e2389;
+                                                                                    let _e2371 = phi_3005_;
+                                                                                    let _e2375 = core_intrinsics_maximum_number_nsz_f32_((_e2353 - _e1337), (_e2356 - _e1338));
+                                                                                    let _e2376 = core_intrinsics_maximum_number_nsz_f32_(_e2375, (_e2359 - _e1339));
+                                                                                    let _e2377 = core_intrinsics_minimum_number_nsz_f32_((_e2365 + _e1337), (_e2368 + _e1338));
+                                                                                    let _e2378 = core_intrinsics_minimum_number_nsz_f32_(_e2377, (_e2371 + _e1339));
+                                                                                    if (_e2376 > _e1046) {
+                                                                                        phi_3017_ = _e2376;
                                                                                     } else {
-                                                                                        phi_3005_ = _e1055;
+                                                                                        phi_3017_ = _e1046;
                                                                                     }
-                                                                                    let _e2394 = phi_3005_;
-                                                                                    if (_e2391 < _e1057) {
-                                                                                        phi_3010_ = _e2391;
+                                                                                    let _e2381 = phi_3017_;
+                                                                                    if (_e2378 < _e1048) {
+                                                                                        phi_3022_ = _e2378;
                                                                                     } else {
-                                                                                        phi_3010_ = _e1057;
+                                                                                        phi_3022_ = _e1048;
                                                                                     }
-                                                                                    let _e2397 = phi_3010_;
-                                                                                    if (_e2265 < _e2394) {
-                                                                                        phi_3015_ = _e2394;
+                                                                                    let _e2384 = phi_3022_;
+                                                                                    if (_e2252 < _e2381) {
+                                                                                        phi_3027_ = _e2381;
                                                                                     } else {
-                                                                                        phi_3015_ = _e2265;
+                                                                                        phi_3027_ = _e2252;
                                                                                     }
-                                                                                    let _e2400 = phi_3015_;
-                                                                                    if (_e2400 > _e2397) {
-                                                                                        phi_3020_ = _e2397;
+                                                                                    let _e2387 = phi_3027_;
+                                                                                    if (_e2387 > _e2384) {
+                                                                                        phi_3032_ = _e2384;
                                                                                     } else {
-                                                                                        phi_3020_ = _e2400;
+                                                                                        phi_3032_ = _e2387;
                                                                                     }
-                                                                                    let _e2403 = phi_3020_;
-                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2403, (_e2106 / _e2165), (_e2127 / _e2165), (_e2394 <= _e2397));
-                                                                                    phi_3026_ = false;
+                                                                                    let _e2390 = phi_3032_;
+                                                                                    phi_3037_ = lt_bvh_triangle_Intersection(_e2390, (_e2093 / _e2152), (_e2114 / _e2152), (_e2381 <= _e2384));
+                                                                                    phi_3038_ = false;
                                                                                 } else {
-                                                                                    phi_3025_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3026_ = true;
+                                                                                    phi_3037_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3038_ = true;
                                                                                 }
-                                                                                let _e2409 = phi_3025_;
-                                                                                let _e2411 = phi_3026_;
-                                                                                phi_3027_ = _e2409;
-                                                                                phi_3028_ = _e2411;
+                                                                                let _e2396 = phi_3037_;
+                                                                                let _e2398 = phi_3038_;
+                                                                                phi_3039_ = _e2396;
+                                                                                phi_3040_ = _e2398;
                                                                             } else {
-                                                                                phi_3027_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3028_ = true;
+                                                                                phi_3039_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3040_ = true;
                                                                             }
-                                                                            let _e2413 = phi_3027_;
-                                                                            let _e2415 = phi_3028_;
-                                                                            if _e2415 {
+                                                                            let _e2400 = phi_3039_;
+                                                                            let _e2402 = phi_3040_;
+                                                                            if _e2402 {
                                                                             }
-                                                                            phi_3032_ = _e2413;
-                                                                            phi_3033_ = _e2415;
+                                                                            phi_3044_ = _e2400;
+                                                                            phi_3045_ = _e2402;
                                                                         }
-                                                                        let _e2417 = phi_3032_;
-                                                                        let _e2419 = phi_3033_;
-                                                                        phi_3034_ = _e2417;
-                                                                        phi_3035_ = _e2168;
-                                                                        phi_3036_ = _e2419;
+                                                                        let _e2404 = phi_3044_;
+                                                                        let _e2406 = phi_3045_;
+                                                                        phi_3046_ = _e2404;
+                                                                        phi_3047_ = _e2155;
+                                                                        phi_3048_ = _e2406;
                                                                     } else {
-                                                                        phi_3034_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3035_ = true;
-                                                                        phi_3036_ = false;
+                                                                        phi_3046_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3047_ = true;
+                                                                        phi_3048_ = false;
                                                                     }
-                                                                    let _e2421 = phi_3034_;
-                                                                    let _e2423 = phi_3035_;
-                                                                    let _e2425 = phi_3036_;
-                                                                    if _e2423 {
-                                                                        phi_3040_ = true;
+                                                                    let _e2408 = phi_3046_;
+                                                                    let _e2410 = phi_3047_;
+                                                                    let _e2412 = phi_3048_;
+                                                                    if _e2410 {
+                                                                        phi_3052_ = true;
                                                                     } else {
-                                                                        phi_3040_ = _e2425;
+                                                                        phi_3052_ = _e2412;
                                                                     }
-                                                                    let _e2427 = phi_3040_;
-                                                                    if _e2427 {
-                                                                        phi_3044_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2414 = phi_3052_;
+                                                                    if _e2414 {
+                                                                        phi_3056_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3044_ = _e2421;
+                                                                        phi_3056_ = _e2408;
                                                                     }
-                                                                    let _e2429 = phi_3044_;
-                                                                    if _e2429.is_hit {
-                                                                        if (_e2429.t > _e170.tmin) {
-                                                                            if (_e2429.t < _e1970.t) {
-                                                                                phi_3092_ = true;
+                                                                    let _e2416 = phi_3056_;
+                                                                    if _e2416.is_hit {
+                                                                        if (_e2416.t > _e170.tmin) {
+                                                                            if (_e2416.t < _e1957.t) {
+                                                                                phi_3104_ = true;
                                                                             } else {
-                                                                                if (_e2429.t == _e1970.t) {
-                                                                                    if (_e1970.triangle != 4294967295u) {
-                                                                                        if (_e1981 < _e1970.triangle) {
-                                                                                            phi_3083_ = true;
+                                                                                if (_e2416.t == _e1957.t) {
+                                                                                    if (_e1957.triangle != 4294967295u) {
+                                                                                        if (_e1968 < _e1957.triangle) {
+                                                                                            phi_3095_ = true;
                                                                                         } else {
-                                                                                            if (_e1981 == _e1970.triangle) {
-                                                                                                phi_3082_ = (_e996 < _e1970.instance);
+                                                                                            if (_e1968 == _e1957.triangle) {
+                                                                                                phi_3094_ = (_e987 < _e1957.instance);
                                                                                             } else {
-                                                                                                phi_3082_ = false;
+                                                                                                phi_3094_ = false;
                                                                                             }
-                                                                                            let _e2447 = phi_3082_;
-                                                                                            phi_3083_ = _e2447;
+                                                                                            let _e2434 = phi_3094_;
+                                                                                            phi_3095_ = _e2434;
                                                                                         }
-                                                                                        let _e2449 = phi_3083_;
-                                                                                        phi_3084_ = _e2449;
-                                                                                        phi_3085_ = false;
+                                                                                        let _e2436 = phi_3095_;
+                                                                                        phi_3096_ = _e2436;
+                                                                                        phi_3097_ = false;
                                                                                     } else {
-                                                                                        phi_3084_ = bool();
-                                                                                        phi_3085_ = true;
+                                                                                        phi_3096_ = bool();
+                                                                                        phi_3097_ = true;
                                                                                     }
-                                                                                    let _e2451 = phi_3084_;
-                                                                                    let _e2453 = phi_3085_;
-                                                                                    phi_3086_ = _e2451;
-                                                                                    phi_3087_ = _e2453;
+                                                                                    let _e2438 = phi_3096_;
+                                                                                    let _e2440 = phi_3097_;
+                                                                                    phi_3098_ = _e2438;
+                                                                                    phi_3099_ = _e2440;
                                                                                 } else {
-                                                                                    phi_3086_ = bool();
-                                                                                    phi_3087_ = true;
+                                                                                    phi_3098_ = bool();
+                                                                                    phi_3099_ = true;
                                                                                 }
-                                                                                let _e2455 = phi_3086_;
-                                                                                let _e2457 = phi_3087_;
-                                                                                if _e2457 {
-                                                                                    phi_3091_ = false;
+                                                                                let _e2442 = phi_3098_;
+                                                                                let _e2444 = phi_3099_;
+                                                                                if _e2444 {
+                                                                                    phi_3103_ = false;
                                                                                 } else {
-                                                                                    phi_3091_ = _e2455;
+                                                                                    phi_3103_ = _e2442;
                                                                                 }
-                                                                                let _e2459 = phi_3091_;
-                                                                                phi_3092_ = _e2459;
+                                                                                let _e2446 = phi_3103_;
+                                                                                phi_3104_ = _e2446;
                                                                             }
-                                                                            let _e2461 = phi_3092_;
-                                                                            if _e2461 {
-                                                                                let _e2463 = triangles.member[(0u + _e1981)].i0_;
-                                                                                if ((_e2463 & 2147483648u) == 0u) {
-                                                                                    phi_3303_ = true;
+                                                                            let _e2448 = phi_3104_;
+                                                                            if _e2448 {
+                                                                                let _e2450 = triangles.member[(0u + _e1968)].i0_;
+                                                                                if ((_e2450 & 2147483648u) == 0u) {
+                                                                                    phi_3315_ = true;
                                                                                 } else {
-                                                                                    if (_e1981 < _e83) {
+                                                                                    if (_e1968 < _e83) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2472 = triangles.member[(0u + _e1981)].i0_;
-                                                                                    let _e2473 = (_e2472 & 2147483647u);
-                                                                                    let _e2475 = triangles.member[(0u + _e1981)].i1_;
-                                                                                    let _e2477 = triangles.member[(0u + _e1981)].i2_;
-                                                                                    if (_e2473 < _e86) {
+                                                                                    let _e2459 = triangles.member[(0u + _e1968)].i0_;
+                                                                                    let _e2460 = (_e2459 & 2147483647u);
+                                                                                    let _e2462 = triangles.member[(0u + _e1968)].i1_;
+                                                                                    let _e2464 = triangles.member[(0u + _e1968)].i2_;
+                                                                                    if (_e2460 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2481 = vertices.member[(0u + _e2473)];
-                                                                                    if (_e2475 < _e86) {
+                                                                                    let _e2468 = vertices.member[(0u + _e2460)];
+                                                                                    if (_e2462 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2485 = vertices.member[(0u + _e2475)];
-                                                                                    if (_e2477 < _e86) {
+                                                                                    let _e2472 = vertices.member[(0u + _e2462)];
+                                                                                    if (_e2464 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2489 = vertices.member[(0u + _e2477)];
-                                                                                    let _e2490 = array<abi_Vertex, 3>(_e2481, _e2485, _e2489);
-                                                                                    if (_e2490[0].material < _e89) {
+                                                                                    let _e2476 = vertices.member[(0u + _e2464)];
+                                                                                    let _e2477 = array<abi_Vertex, 3>(_e2468, _e2472, _e2476);
+                                                                                    if (_e2477[0].material < _e89) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2496 = materials.member[(0u + _e2490[0].material)];
-                                                                                    if ((_e2496.flags & 0u) == 0u) {
-                                                                                        let _e2501 = ((1f - _e2429.u) - _e2429.v);
-                                                                                        if (_e2496.cutoff <= 0f) {
-                                                                                            phi_3298_ = true;
+                                                                                    let _e2483 = materials.member[(0u + _e2477[0].material)];
+                                                                                    if ((_e2483.flags & 0u) == 0u) {
+                                                                                        let _e2488 = ((1f - _e2416.u) - _e2416.v);
+                                                                                        if (_e2483.cutoff <= 0f) {
+                                                                                            phi_3310_ = true;
                                                                                         } else {
-                                                                                            let _e2528 = (_e2496.base_color.w * ((((f32((_e2490[0].color >> bitcast<u32>(24i))) * _e2501) + (f32((_e2490[1].color >> bitcast<u32>(24i))) * _e2429.u)) + (f32((_e2490[2].color >> bitcast<u32>(24i))) * _e2429.v)) * (1f / 255f)));
-                                                                                            if (_e2496.alpha_size == 0u) {
-                                                                                                phi_3295_ = _e2528;
+                                                                                            let _e2515 = (_e2483.base_color.w * ((((f32((_e2477[0].color >> bitcast<u32>(24i))) * _e2488) + (f32((_e2477[1].color >> bitcast<u32>(24i))) * _e2416.u)) + (f32((_e2477[2].color >> bitcast<u32>(24i))) * _e2416.v)) * (1f / 255f)));
+                                                                                            if (_e2483.alpha_size == 0u) {
+                                                                                                phi_3307_ = _e2515;
                                                                                             } else {
-                                                                                                local_1.offset = _e2496.alpha_offset;
-                                                                                                local_1.size = _e2496.alpha_size;
-                                                                                                local_1.flags = _e2496.flags;
-                                                                                                let _e2559 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2490[0].u * _e2501) + (_e2490[1].u * _e2429.u)) + (_e2490[2].u * _e2429.v)), (((_e2490[0].v * _e2501) + (_e2490[1].v * _e2429.u)) + (_e2490[2].v * _e2429.v)));
-                                                                                                let _e2563 = (_e2559.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2563 < _e98) {
+                                                                                                local_1.offset = _e2483.alpha_offset;
+                                                                                                local_1.size = _e2483.alpha_size;
+                                                                                                local_1.flags = _e2483.flags;
+                                                                                                let _e2546 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2477[0].u * _e2488) + (_e2477[1].u * _e2416.u)) + (_e2477[2].u * _e2416.v)), (((_e2477[0].v * _e2488) + (_e2477[1].v * _e2416.u)) + (_e2477[2].v * _e2416.v)));
+                                                                                                let _e2550 = (_e2546.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2550 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2567 = alpha_texels.member[(0u + _e2563)];
-                                                                                                let _e2583 = (_e2559.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2583 < _e98) {
+                                                                                                let _e2554 = alpha_texels.member[(0u + _e2550)];
+                                                                                                let _e2570 = (_e2546.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2570 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2587 = alpha_texels.member[(0u + _e2583)];
-                                                                                                let _e2604 = (_e2559.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2604 < _e98) {
+                                                                                                let _e2574 = alpha_texels.member[(0u + _e2570)];
+                                                                                                let _e2591 = (_e2546.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2591 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2608 = alpha_texels.member[(0u + _e2604)];
-                                                                                                let _e2625 = (_e2559.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2625 < _e98) {
+                                                                                                let _e2595 = alpha_texels.member[(0u + _e2591)];
+                                                                                                let _e2612 = (_e2546.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2612 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2629 = alpha_texels.member[(0u + _e2625)];
-                                                                                                phi_3295_ = (_e2528 * (((((f32(((_e2567 >> bitcast<u32>((((_e2559.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.x) + ((f32(((_e2587 >> bitcast<u32>((((_e2559.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.y)) + ((f32(((_e2608 >> bitcast<u32>((((_e2559.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.z)) + ((f32(((_e2629 >> bitcast<u32>((((_e2559.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.w)));
+                                                                                                let _e2616 = alpha_texels.member[(0u + _e2612)];
+                                                                                                phi_3307_ = (_e2515 * (((((f32(((_e2554 >> bitcast<u32>((((_e2546.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.x) + ((f32(((_e2574 >> bitcast<u32>((((_e2546.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.y)) + ((f32(((_e2595 >> bitcast<u32>((((_e2546.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.z)) + ((f32(((_e2616 >> bitcast<u32>((((_e2546.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.w)));
                                                                                             }
-                                                                                            let _e2645 = phi_3295_;
-                                                                                            phi_3298_ = (_e2645 >= _e2496.cutoff);
+                                                                                            let _e2632 = phi_3307_;
+                                                                                            phi_3310_ = (_e2632 >= _e2483.cutoff);
                                                                                         }
-                                                                                        let _e2649 = phi_3298_;
-                                                                                        phi_3299_ = _e2649;
+                                                                                        let _e2636 = phi_3310_;
+                                                                                        phi_3311_ = _e2636;
                                                                                     } else {
-                                                                                        phi_3299_ = false;
+                                                                                        phi_3311_ = false;
                                                                                     }
-                                                                                    let _e2651 = phi_3299_;
-                                                                                    if _e2651 {
+                                                                                    let _e2638 = phi_3311_;
+                                                                                    if _e2638 {
                                                                                     }
-                                                                                    phi_3303_ = _e2651;
+                                                                                    phi_3315_ = _e2638;
                                                                                 }
-                                                                                let _e2653 = phi_3303_;
-                                                                                if _e2653 {
-                                                                                    phi_3311_ = lt_bvh_Hit(_e2429.t, _e2429.u, _e2429.v, _e1981, _e996);
+                                                                                let _e2640 = phi_3315_;
+                                                                                if _e2640 {
+                                                                                    phi_3323_ = lt_bvh_Hit(_e2416.t, _e2416.u, _e2416.v, _e1968, _e987);
                                                                                 } else {
-                                                                                    phi_3311_ = _e1970;
+                                                                                    phi_3323_ = _e1957;
                                                                                 }
-                                                                                let _e2659 = phi_3311_;
-                                                                                phi_3312_ = _e2659;
+                                                                                let _e2646 = phi_3323_;
+                                                                                phi_3324_ = _e2646;
                                                                             } else {
-                                                                                phi_3312_ = _e1970;
+                                                                                phi_3324_ = _e1957;
                                                                             }
-                                                                            let _e2661 = phi_3312_;
-                                                                            phi_3313_ = _e2661;
+                                                                            let _e2648 = phi_3324_;
+                                                                            phi_3325_ = _e2648;
                                                                         } else {
-                                                                            phi_3313_ = _e1970;
+                                                                            phi_3325_ = _e1957;
                                                                         }
-                                                                        let _e2663 = phi_3313_;
-                                                                        phi_3314_ = _e2663;
+                                                                        let _e2650 = phi_3325_;
+                                                                        phi_3326_ = _e2650;
                                                                     } else {
-                                                                        phi_3314_ = _e1970;
+                                                                        phi_3326_ = _e1957;
                                                                     }
-                                                                    let _e2665 = phi_3314_;
-                                                                    phi_2474_ = _e2665;
-                                                                    phi_2477_ = (_e1972 & (_e1972 - 1u));
-                                                                    phi_3315_ = true;
+                                                                    let _e2652 = phi_3326_;
+                                                                    phi_2486_ = _e2652;
+                                                                    phi_2489_ = (_e1959 & (_e1959 - 1u));
+                                                                    phi_3327_ = true;
                                                                 }
-                                                                let _e2667 = phi_2474_;
-                                                                let _e2669 = phi_2477_;
-                                                                let _e2671 = phi_3315_;
+                                                                let _e2654 = phi_2486_;
+                                                                let _e2656 = phi_2489_;
+                                                                let _e2658 = phi_3327_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2473_ = _e2667;
-                                                                    phi_2476_ = _e2669;
-                                                                    break if !(_e2671);
+                                                                    phi_2485_ = _e2654;
+                                                                    phi_2488_ = _e2656;
+                                                                    break if !(_e2658);
                                                                 }
                                                             }
-                                                            let _e2674 = local_2.group_mask;
-                                                            if ((_e2674 & 4278190080u) == 0u) {
-                                                                let _e2678 = local_2.len;
-                                                                if (_e2678 == 0u) {
-                                                                    phi_3354_ = false;
+                                                            let _e2661 = local_2.group_mask;
+                                                            if ((_e2661 & 4278190080u) == 0u) {
+                                                                let _e2665 = local_2.len;
+                                                                if (_e2665 == 0u) {
+                                                                    phi_3366_ = false;
                                                                 } else {
-                                                                    let _e2682 = local_2.len;
-                                                                    local_2.len = (_e2682 - 1u);
-                                                                    let _e2685 = local_2.len;
-                                                                    if (_e2685 < 32u) {
+                                                                    let _e2669 = local_2.len;
+                                                                    local_2.len = (_e2669 - 1u);
+                                                                    let _e2672 = local_2.len;
+                                                                    if (_e2672 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2690 = local_2.first[(0u + _e2685)];
-                                                                    local_2.group = _e2690;
-                                                                    let _e2693 = local_2.len;
-                                                                    if (_e2693 < 32u) {
+                                                                    let _e2677 = local_2.first[(0u + _e2672)];
+                                                                    local_2.group = _e2677;
+                                                                    let _e2680 = local_2.len;
+                                                                    if (_e2680 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2698 = local_2.mask[(0u + _e2693)];
-                                                                    local_2.group_mask = _e2698;
-                                                                    phi_3354_ = true;
+                                                                    let _e2685 = local_2.mask[(0u + _e2680)];
+                                                                    local_2.group_mask = _e2685;
+                                                                    phi_3366_ = true;
                                                                 }
-                                                                let _e2701 = phi_3354_;
-                                                                phi_3355_ = _e2701;
+                                                                let _e2688 = phi_3366_;
+                                                                phi_3367_ = _e2688;
                                                             } else {
-                                                                phi_3355_ = true;
+                                                                phi_3367_ = true;
                                                             }
-                                                            let _e2703 = phi_3355_;
-                                                            if _e2703 {
-                                                                let _e2705 = local_2.group_mask;
-                                                                let _e2711 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2705)), 32u, (_e2705 == 0u)));
-                                                                let _e2715 = local_2.group_mask;
-                                                                let _e2729 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2729 & ~((1u << bitcast<u32>((_e2711 & 31u)))));
-                                                                let _e2732 = local_2.group;
-                                                                phi_3386_ = (_e2732 + countOneBits(((_e2715 & ~((4294967295u << bitcast<u32>((((_e2711 - 24u) ^ _e1393) & 31u))))) & 255u)));
+                                                            let _e2690 = phi_3367_;
+                                                            if _e2690 {
+                                                                let _e2692 = local_2.group_mask;
+                                                                let _e2698 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2692)), 32u, (_e2692 == 0u)));
+                                                                let _e2702 = local_2.group_mask;
+                                                                let _e2716 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2716 & ~((1u << bitcast<u32>((_e2698 & 31u)))));
+                                                                let _e2719 = local_2.group;
+                                                                phi_3398_ = (_e2719 + countOneBits(((_e2702 & ~((4294967295u << bitcast<u32>((((_e2698 - 24u) ^ _e1380) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3386_ = 4294967295u;
+                                                                phi_3398_ = 4294967295u;
                                                             }
-                                                            let _e2735 = phi_3386_;
-                                                            let _e4061 = local_10;
-                                                            phi_2141_ = _e4061;
-                                                            phi_2144_ = _e2735;
+                                                            let _e2722 = phi_3398_;
+                                                            let _e4044 = local_10;
+                                                            phi_2153_ = _e4044;
+                                                            phi_2156_ = _e2722;
                                                         } else {
-                                                            phi_2141_ = lt_bvh_Hit();
-                                                            phi_2144_ = u32();
+                                                            phi_2153_ = lt_bvh_Hit();
+                                                            phi_2156_ = u32();
                                                         }
-                                                        let _e2737 = phi_2141_;
-                                                        let _e2739 = phi_2144_;
+                                                        let _e2724 = phi_2153_;
+                                                        let _e2726 = phi_2156_;
                                                         continue;
                                                         continuing {
-                                                            phi_2140_ = _e2737;
-                                                            phi_2143_ = _e2739;
-                                                            break if !(_e1534);
+                                                            phi_2152_ = _e2724;
+                                                            phi_2155_ = _e2726;
+                                                            break if !(_e1521);
                                                         }
                                                     }
-                                                    let _e4065 = local_11;
-                                                    phi_3387_ = _e4065;
+                                                    let _e4048 = local_11;
+                                                    phi_3399_ = _e4048;
                                                 }
-                                                let _e2742 = phi_3387_;
-                                                phi_3388_ = _e2742;
-                                                phi_3389_ = _e1219;
+                                                let _e2729 = phi_3399_;
+                                                phi_3400_ = _e2729;
+                                                phi_3401_ = _e1202;
                                             } else {
-                                                phi_3388_ = lt_bvh_Hit();
-                                                phi_3389_ = true;
+                                                phi_3400_ = lt_bvh_Hit();
+                                                phi_3401_ = true;
                                             }
-                                            let _e2744 = phi_3388_;
-                                            let _e2746 = phi_3389_;
-                                            if _e2746 {
-                                                phi_3393_ = _e988;
+                                            let _e2731 = phi_3400_;
+                                            let _e2733 = phi_3401_;
+                                            if _e2733 {
+                                                phi_3405_ = _e979;
                                             } else {
-                                                phi_3393_ = _e2744;
+                                                phi_3405_ = _e2731;
                                             }
-                                            let _e2748 = phi_3393_;
-                                            phi_3394_ = _e2748;
+                                            let _e2735 = phi_3405_;
+                                            phi_3406_ = _e2735;
                                         } else {
-                                            phi_3394_ = _e988;
+                                            phi_3406_ = _e979;
                                         }
-                                        let _e2750 = phi_3394_;
-                                        phi_3395_ = _e2750;
+                                        let _e2737 = phi_3406_;
+                                        phi_3407_ = _e2737;
                                     } else {
-                                        phi_3395_ = _e988;
+                                        phi_3407_ = _e979;
                                     }
-                                    let _e2752 = phi_3395_;
-                                    phi_3396_ = _e2752;
+                                    let _e2739 = phi_3407_;
+                                    phi_3408_ = _e2739;
                                 } else {
-                                    phi_3396_ = _e988;
+                                    phi_3408_ = _e979;
                                 }
-                                let _e2754 = phi_3396_;
-                                phi_1515_ = (_e986 & (_e986 - 1u));
-                                phi_1518_ = _e2754;
-                                phi_3397_ = true;
+                                let _e2741 = phi_3408_;
+                                phi_1520_ = (_e977 & (_e977 - 1u));
+                                phi_1523_ = _e2741;
+                                phi_3409_ = true;
                             }
-                            let _e2756 = phi_1515_;
-                            let _e2758 = phi_1518_;
-                            let _e2760 = phi_3397_;
+                            let _e2743 = phi_1520_;
+                            let _e2745 = phi_1523_;
+                            let _e2747 = phi_3409_;
                             continue;
                             continuing {
-                                phi_1514_ = _e2756;
-                                phi_1517_ = _e2758;
-                                break if !(_e2760);
+                                phi_1519_ = _e2743;
+                                phi_1522_ = _e2745;
+                                break if !(_e2747);
                             }
                         }
-                        let _e2763 = local_3.group_mask;
-                        if ((_e2763 & 4278190080u) == 0u) {
-                            let _e2767 = local_3.len;
-                            if (_e2767 == 0u) {
-                                phi_3436_ = false;
+                        let _e2750 = local_3.group_mask;
+                        if ((_e2750 & 4278190080u) == 0u) {
+                            let _e2754 = local_3.len;
+                            if (_e2754 == 0u) {
+                                phi_3448_ = false;
                             } else {
-                                let _e2771 = local_3.len;
-                                local_3.len = (_e2771 - 1u);
-                                let _e2774 = local_3.len;
-                                if (_e2774 < 32u) {
+                                let _e2758 = local_3.len;
+                                local_3.len = (_e2758 - 1u);
+                                let _e2761 = local_3.len;
+                                if (_e2761 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2779 = local_3.first[(0u + _e2774)];
-                                local_3.group = _e2779;
-                                let _e2782 = local_3.len;
-                                if (_e2782 < 32u) {
+                                let _e2766 = local_3.first[(0u + _e2761)];
+                                local_3.group = _e2766;
+                                let _e2769 = local_3.len;
+                                if (_e2769 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2787 = local_3.mask[(0u + _e2782)];
-                                local_3.group_mask = _e2787;
-                                phi_3436_ = true;
+                                let _e2774 = local_3.mask[(0u + _e2769)];
+                                local_3.group_mask = _e2774;
+                                phi_3448_ = true;
                             }
-                            let _e2790 = phi_3436_;
-                            phi_3437_ = _e2790;
+                            let _e2777 = phi_3448_;
+                            phi_3449_ = _e2777;
                         } else {
-                            phi_3437_ = true;
+                            phi_3449_ = true;
                         }
-                        let _e2792 = phi_3437_;
-                        if _e2792 {
-                            let _e2794 = local_3.group_mask;
-                            let _e2800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2794)), 32u, (_e2794 == 0u)));
-                            let _e2804 = local_3.group_mask;
-                            let _e2818 = local_3.group_mask;
-                            local_3.group_mask = (_e2818 & ~((1u << bitcast<u32>((_e2800 & 31u)))));
-                            let _e2821 = local_3.group;
-                            phi_3468_ = (_e2821 + countOneBits(((_e2804 & ~((4294967295u << bitcast<u32>((((_e2800 - 24u) ^ _e405) & 31u))))) & 255u)));
+                        let _e2779 = phi_3449_;
+                        if _e2779 {
+                            let _e2781 = local_3.group_mask;
+                            let _e2787 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2781)), 32u, (_e2781 == 0u)));
+                            let _e2791 = local_3.group_mask;
+                            let _e2805 = local_3.group_mask;
+                            local_3.group_mask = (_e2805 & ~((1u << bitcast<u32>((_e2787 & 31u)))));
+                            let _e2808 = local_3.group;
+                            phi_3480_ = (_e2808 + countOneBits(((_e2791 & ~((4294967295u << bitcast<u32>((((_e2787 - 24u) ^ _e396) & 31u))))) & 255u)));
                         } else {
-                            phi_3468_ = 4294967295u;
+                            phi_3480_ = 4294967295u;
                         }
-                        let _e2824 = phi_3468_;
-                        phi_1178_ = _e2824;
-                        let _e4081 = local_12;
-                        phi_1181_ = _e4081;
+                        let _e2811 = phi_3480_;
+                        phi_1183_ = _e2811;
+                        let _e4064 = local_12;
+                        phi_1186_ = _e4064;
                     } else {
-                        phi_1178_ = u32();
-                        phi_1181_ = lt_bvh_Hit();
+                        phi_1183_ = u32();
+                        phi_1186_ = lt_bvh_Hit();
                     }
-                    let _e2826 = phi_1178_;
-                    let _e2828 = phi_1181_;
+                    let _e2813 = phi_1183_;
+                    let _e2815 = phi_1186_;
                     continue;
                     continuing {
-                        phi_1177_ = _e2826;
-                        phi_1180_ = _e2828;
-                        break if !(_e546);
+                        phi_1182_ = _e2813;
+                        phi_1185_ = _e2815;
+                        break if !(_e537);
                     }
                 }
-                let _e4084 = local_13;
-                phi_3469_ = _e4084;
+                let _e4067 = local_13;
+                phi_3481_ = _e4067;
             }
-            let _e2831 = phi_3469_;
-            phi_3470_ = _e2831;
-            phi_3471_ = _e242;
+            let _e2818 = phi_3481_;
+            phi_3482_ = _e2818;
+            phi_3483_ = _e234;
         } else {
-            phi_3470_ = lt_bvh_Hit();
-            phi_3471_ = true;
+            phi_3482_ = lt_bvh_Hit();
+            phi_3483_ = true;
         }
-        let _e2833 = phi_3470_;
-        let _e2835 = phi_3471_;
-        if _e2835 {
-            phi_3475_ = _e172;
+        let _e2820 = phi_3482_;
+        let _e2822 = phi_3483_;
+        if _e2822 {
+            phi_3487_ = _e172;
         } else {
-            phi_3475_ = _e2833;
+            phi_3487_ = _e2820;
         }
-        let _e2837 = phi_3475_;
-        if (_e2837.triangle != 4294967295u) {
-            let _e2843 = ((1f - _e2837.u) - _e2837.v);
-            if (_e2837.triangle < _e83) {
+        let _e2824 = phi_3487_;
+        if (_e2824.triangle != 4294967295u) {
+            let _e2830 = ((1f - _e2824.u) - _e2824.v);
+            if (_e2824.triangle < _e83) {
             } else {
                 return;
             }
-            let _e2848 = triangles.member[(0u + _e2837.triangle)];
-            if (_e2837.instance < _e95) {
+            let _e2835 = triangles.member[(0u + _e2824.triangle)];
+            if (_e2824.instance < _e95) {
             } else {
                 return;
             }
-            let _e2859 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e2870 = ((((_e2859.x * _e2848.v0_.x) + (_e2859.y * _e2848.v0_.y)) + (_e2859.z * _e2848.v0_.z)) + (_e2859.w * 1f));
-            let _e2872 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e2883 = ((((_e2872.x * _e2848.v0_.x) + (_e2872.y * _e2848.v0_.y)) + (_e2872.z * _e2848.v0_.z)) + (_e2872.w * 1f));
-            let _e2885 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            let _e2896 = ((((_e2885.x * _e2848.v0_.x) + (_e2885.y * _e2848.v0_.y)) + (_e2885.z * _e2848.v0_.z)) + (_e2885.w * 1f));
-            let _e2903 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e2914 = ((((_e2903.x * _e2848.v1_.x) + (_e2903.y * _e2848.v1_.y)) + (_e2903.z * _e2848.v1_.z)) + (_e2903.w * 1f));
-            let _e2916 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e2927 = ((((_e2916.x * _e2848.v1_.x) + (_e2916.y * _e2848.v1_.y)) + (_e2916.z * _e2848.v1_.z)) + (_e2916.w * 1f));
-            let _e2929 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            let _e2940 = ((((_e2929.x * _e2848.v1_.x) + (_e2929.y * _e2848.v1_.y)) + (_e2929.z * _e2848.v1_.z)) + (_e2929.w * 1f));
-            let _e2947 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e2958 = ((((_e2947.x * _e2848.v2_.x) + (_e2947.y * _e2848.v2_.y)) + (_e2947.z * _e2848.v2_.z)) + (_e2947.w * 1f));
-            let _e2960 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e2971 = ((((_e2960.x * _e2848.v2_.x) + (_e2960.y * _e2848.v2_.y)) + (_e2960.z * _e2848.v2_.z)) + (_e2960.w * 1f));
-            let _e2973 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            let _e2984 = ((((_e2973.x * _e2848.v2_.x) + (_e2973.y * _e2848.v2_.y)) + (_e2973.z * _e2848.v2_.z)) + (_e2973.w * 1f));
-            let _e2997 = (((_e2870 * _e2843) + (_e2914 * _e2837.u)) + (_e2958 * _e2837.v));
-            let _e2998 = (((_e2883 * _e2843) + (_e2927 * _e2837.u)) + (_e2971 * _e2837.v));
-            let _e2999 = (((_e2896 * _e2843) + (_e2940 * _e2837.u)) + (_e2984 * _e2837.v));
-            let _e3001 = abs(_e2870);
-            let _e3002 = abs(_e2883);
-            let _e3003 = abs(_e2896);
-            let _e3004 = abs(_e2914);
-            let _e3005 = abs(_e2927);
-            let _e3006 = abs(_e2940);
-            if (_e3001 > _e3004) {
-                phi_3662_ = _e3001;
+            let _e2846 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e2857 = ((((_e2846.x * _e2835.v0_.x) + (_e2846.y * _e2835.v0_.y)) + (_e2846.z * _e2835.v0_.z)) + (_e2846.w * 1f));
+            let _e2859 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e2870 = ((((_e2859.x * _e2835.v0_.x) + (_e2859.y * _e2835.v0_.y)) + (_e2859.z * _e2835.v0_.z)) + (_e2859.w * 1f));
+            let _e2872 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            let _e2883 = ((((_e2872.x * _e2835.v0_.x) + (_e2872.y * _e2835.v0_.y)) + (_e2872.z * _e2835.v0_.z)) + (_e2872.w * 1f));
+            let _e2890 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e2901 = ((((_e2890.x * _e2835.v1_.x) + (_e2890.y * _e2835.v1_.y)) + (_e2890.z * _e2835.v1_.z)) + (_e2890.w * 1f));
+            let _e2903 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e2914 = ((((_e2903.x * _e2835.v1_.x) + (_e2903.y * _e2835.v1_.y)) + (_e2903.z * _e2835.v1_.z)) + (_e2903.w * 1f));
+            let _e2916 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            let _e2927 = ((((_e2916.x * _e2835.v1_.x) + (_e2916.y * _e2835.v1_.y)) + (_e2916.z * _e2835.v1_.z)) + (_e2916.w * 1f));
+            let _e2934 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e2945 = ((((_e2934.x * _e2835.v2_.x) + (_e2934.y * _e2835.v2_.y)) + (_e2934.z * _e2835.v2_.z)) + (_e2934.w * 1f));
+            let _e2947 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e2958 = ((((_e2947.x * _e2835.v2_.x) + (_e2947.y * _e2835.v2_.y)) + (_e2947.z * _e2835.v2_.z)) + (_e2947.w * 1f));
+            let _e2960 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            let _e2971 = ((((_e2960.x * _e2835.v2_.x) + (_e2960.y * _e2835.v2_.y)) + (_e2960.z * _e2835.v2_.z)) + (_e2960.w * 1f));
+            let _e2984 = (((_e2857 * _e2830) + (_e2901 * _e2824.u)) + (_e2945 * _e2824.v));
+            let _e2985 = (((_e2870 * _e2830) + (_e2914 * _e2824.u)) + (_e2958 * _e2824.v));
+            let _e2986 = (((_e2883 * _e2830) + (_e2927 * _e2824.u)) + (_e2971 * _e2824.v));
+            let _e2988 = abs(_e2857);
+            let _e2989 = abs(_e2870);
+            let _e2990 = abs(_e2883);
+            let _e2991 = abs(_e2901);
+            let _e2992 = abs(_e2914);
+            let _e2993 = abs(_e2927);
+            if (_e2988 > _e2991) {
+                phi_3674_ = _e2988;
             } else {
-                phi_3662_ = _e3004;
+                phi_3674_ = _e2991;
             }
-            let _e3009 = phi_3662_;
+            let _e2996 = phi_3674_;
+            if (_e2989 > _e2992) {
+                phi_3679_ = _e2989;
+            } else {
+                phi_3679_ = _e2992;
+            }
+            let _e2999 = phi_3679_;
+            if (_e2990 > _e2993) {
+                phi_3684_ = _e2990;
+            } else {
+                phi_3684_ = _e2993;
+            }
+            let _e3002 = phi_3684_;
+            let _e3003 = abs(_e2945);
+            let _e3004 = abs(_e2958);
+            let _e3005 = abs(_e2971);
+            if (_e2996 > _e3003) {
+                phi_3692_ = _e2996;
+            } else {
+                phi_3692_ = _e3003;
+            }
+            let _e3008 = phi_3692_;
+            if (_e2999 > _e3004) {
+                phi_3697_ = _e2999;
+            } else {
+                phi_3697_ = _e3004;
+            }
+            let _e3011 = phi_3697_;
             if (_e3002 > _e3005) {
-                phi_3667_ = _e3002;
+                phi_3702_ = _e3002;
             } else {
-                phi_3667_ = _e3005;
+                phi_3702_ = _e3005;
             }
-            let _e3012 = phi_3667_;
-            if (_e3003 > _e3006) {
-                phi_3672_ = _e3003;
+            let _e3014 = phi_3702_;
+            let _e3015 = (_e2901 - _e2857);
+            let _e3016 = (_e2914 - _e2870);
+            let _e3017 = (_e2927 - _e2883);
+            let _e3018 = (_e2945 - _e2857);
+            let _e3019 = (_e2958 - _e2870);
+            let _e3020 = (_e2971 - _e2883);
+            let _e3024 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3016), abs(_e3017));
+            let _e3025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3015), _e3024);
+            let _e3026 = (_e3015 / _e3025);
+            let _e3027 = (_e3016 / _e3025);
+            let _e3028 = (_e3017 / _e3025);
+            let _e3032 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3019), abs(_e3020));
+            let _e3033 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3018), _e3032);
+            let _e3034 = (_e3018 / _e3033);
+            let _e3035 = (_e3019 / _e3033);
+            let _e3036 = (_e3020 / _e3033);
+            let _e3039 = ((_e3027 * _e3036) - (_e3035 * _e3028));
+            let _e3042 = ((_e3028 * _e3034) - (_e3036 * _e3026));
+            let _e3045 = ((_e3026 * _e3035) - (_e3034 * _e3027));
+            let _e3047 = p.member.eye;
+            let _e3060 = (1f / sqrt((((_e3039 * _e3039) + (_e3042 * _e3042)) + (_e3045 * _e3045))));
+            let _e3061 = (_e3039 * _e3060);
+            let _e3062 = (_e3042 * _e3060);
+            let _e3063 = (_e3045 * _e3060);
+            if ((((_e3061 * (_e3047.x - _e2984)) + (_e3062 * (_e3047.y - _e2985))) + (_e3063 * (_e3047.z - _e2986))) < 0f) {
+                phi_3766_ = vec3<f32>(-(_e3061), -(_e3062), -(_e3063));
             } else {
-                phi_3672_ = _e3006;
+                phi_3766_ = vec3<f32>(_e3061, _e3062, _e3063);
             }
-            let _e3015 = phi_3672_;
-            let _e3016 = abs(_e2958);
-            let _e3017 = abs(_e2971);
-            let _e3018 = abs(_e2984);
-            if (_e3009 > _e3016) {
-                phi_3680_ = _e3009;
-            } else {
-                phi_3680_ = _e3016;
-            }
-            let _e3021 = phi_3680_;
-            if (_e3012 > _e3017) {
-                phi_3685_ = _e3012;
-            } else {
-                phi_3685_ = _e3017;
-            }
-            let _e3024 = phi_3685_;
-            if (_e3015 > _e3018) {
-                phi_3690_ = _e3015;
-            } else {
-                phi_3690_ = _e3018;
-            }
-            let _e3027 = phi_3690_;
-            let _e3028 = (_e2914 - _e2870);
-            let _e3029 = (_e2927 - _e2883);
-            let _e3030 = (_e2940 - _e2896);
-            let _e3031 = (_e2958 - _e2870);
-            let _e3032 = (_e2971 - _e2883);
-            let _e3033 = (_e2984 - _e2896);
-            let _e3037 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3029), abs(_e3030));
-            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), _e3037);
-            let _e3039 = (_e3028 / _e3038);
-            let _e3040 = (_e3029 / _e3038);
-            let _e3041 = (_e3030 / _e3038);
-            let _e3045 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3032), abs(_e3033));
-            let _e3046 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3031), _e3045);
-            let _e3047 = (_e3031 / _e3046);
-            let _e3048 = (_e3032 / _e3046);
-            let _e3049 = (_e3033 / _e3046);
-            let _e3052 = ((_e3040 * _e3049) - (_e3048 * _e3041));
-            let _e3055 = ((_e3041 * _e3047) - (_e3049 * _e3039));
-            let _e3058 = ((_e3039 * _e3048) - (_e3047 * _e3040));
-            let _e3060 = p.member.eye;
-            let _e3073 = (1f / sqrt((((_e3052 * _e3052) + (_e3055 * _e3055)) + (_e3058 * _e3058))));
-            let _e3074 = (_e3052 * _e3073);
-            let _e3075 = (_e3055 * _e3073);
-            let _e3076 = (_e3058 * _e3073);
-            if ((((_e3074 * (_e3060.x - _e2997)) + (_e3075 * (_e3060.y - _e2998))) + (_e3076 * (_e3060.z - _e2999))) < 0f) {
-                phi_3754_ = vec3<f32>(-(_e3074), -(_e3075), -(_e3076));
-            } else {
-                phi_3754_ = vec3<f32>(_e3074, _e3075, _e3076);
-            }
-            let _e3089 = phi_3754_;
-            if (_e2837.triangle < _e83) {
+            let _e3076 = phi_3766_;
+            if (_e2824.triangle < _e83) {
             } else {
                 return;
             }
-            let _e3094 = triangles.member[(0u + _e2837.triangle)];
-            let _e3096 = (_e3094.i0_ & 2147483647u);
-            if (_e3096 < _e86) {
+            let _e3081 = triangles.member[(0u + _e2824.triangle)];
+            let _e3083 = (_e3081.i0_ & 2147483647u);
+            if (_e3083 < _e86) {
             } else {
                 return;
             }
-            let _e3102 = vertices.member[(0u + _e3096)];
-            if (_e3094.i1_ < _e86) {
+            let _e3089 = vertices.member[(0u + _e3083)];
+            if (_e3081.i1_ < _e86) {
             } else {
                 return;
             }
-            let _e3106 = vertices.member[(0u + _e3094.i1_)];
-            if (_e3094.i2_ < _e86) {
+            let _e3093 = vertices.member[(0u + _e3081.i1_)];
+            if (_e3081.i2_ < _e86) {
             } else {
                 return;
             }
-            let _e3110 = vertices.member[(0u + _e3094.i2_)];
-            let _e3111 = array<abi_Vertex, 3>(_e3102, _e3106, _e3110);
-            if (_e3111[0].material < _e89) {
+            let _e3097 = vertices.member[(0u + _e3081.i2_)];
+            let _e3098 = array<abi_Vertex, 3>(_e3089, _e3093, _e3097);
+            if (_e3098[0].material < _e89) {
             } else {
                 return;
             }
-            let _e3117 = materials.member[(0u + _e3111[0].material)];
-            let _e3134 = (1f / 255f);
-            let _e3153 = (1f / 255f);
-            let _e3175 = (1f / 255f);
-            if (_e3117.color_size == 0u) {
-                phi_3997_ = vec3<f32>(1f, 1f, 1f);
+            let _e3104 = materials.member[(0u + _e3098[0].material)];
+            let _e3121 = (1f / 255f);
+            let _e3140 = (1f / 255f);
+            let _e3162 = (1f / 255f);
+            if (_e3104.color_size == 0u) {
+                phi_4009_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3117.color_offset;
-                local.size = _e3117.color_size;
-                local.flags = _e3117.flags;
-                let _e3218 = _lt_shaders_texture_TextureView_quad((&local), (((_e3111[0].u * _e2843) + (_e3111[1].u * _e2837.u)) + (_e3111[2].u * _e2837.v)), (((_e3111[0].v * _e2843) + (_e3111[1].v * _e2837.u)) + (_e3111[2].v * _e2837.v)));
-                if (_e3218.indices[0] < _e101) {
+                local.offset = _e3104.color_offset;
+                local.size = _e3104.color_size;
+                local.flags = _e3104.flags;
+                let _e3205 = _lt_shaders_texture_TextureView_quad((&local), (((_e3098[0].u * _e2830) + (_e3098[1].u * _e2824.u)) + (_e3098[2].u * _e2824.v)), (((_e3098[0].v * _e2830) + (_e3098[1].v * _e2824.u)) + (_e3098[2].v * _e2824.v)));
+                if (_e3205.indices[0] < _e101) {
                 } else {
                     return;
                 }
-                let _e3224 = color_texels.member[(0u + _e3218.indices[0])];
-                let _e3235 = (1f / 255f);
-                if (_e3218.indices[1] < _e101) {
+                let _e3211 = color_texels.member[(0u + _e3205.indices[0])];
+                let _e3222 = (1f / 255f);
+                if (_e3205.indices[1] < _e101) {
                 } else {
                     return;
                 }
-                let _e3249 = color_texels.member[(0u + _e3218.indices[1])];
-                let _e3260 = (1f / 255f);
-                if (_e3218.indices[2] < _e101) {
+                let _e3236 = color_texels.member[(0u + _e3205.indices[1])];
+                let _e3247 = (1f / 255f);
+                if (_e3205.indices[2] < _e101) {
                 } else {
                     return;
                 }
-                let _e3277 = color_texels.member[(0u + _e3218.indices[2])];
-                let _e3288 = (1f / 255f);
-                if (_e3218.indices[3] < _e101) {
+                let _e3264 = color_texels.member[(0u + _e3205.indices[2])];
+                let _e3275 = (1f / 255f);
+                if (_e3205.indices[3] < _e101) {
                 } else {
                     return;
                 }
-                let _e3305 = color_texels.member[(0u + _e3218.indices[3])];
-                let _e3316 = (1f / 255f);
-                let _e3325 = (((((f32((_e3224 & 255u)) * _e3235) * _e3218.weights.x) + ((f32((_e3249 & 255u)) * _e3260) * _e3218.weights.y)) + ((f32((_e3277 & 255u)) * _e3288) * _e3218.weights.z)) + ((f32((_e3305 & 255u)) * _e3316) * _e3218.weights.w));
-                let _e3326 = (((((f32(((_e3224 >> bitcast<u32>(8i)) & 255u)) * _e3235) * _e3218.weights.x) + ((f32(((_e3249 >> bitcast<u32>(8i)) & 255u)) * _e3260) * _e3218.weights.y)) + ((f32(((_e3277 >> bitcast<u32>(8i)) & 255u)) * _e3288) * _e3218.weights.z)) + ((f32(((_e3305 >> bitcast<u32>(8i)) & 255u)) * _e3316) * _e3218.weights.w));
-                let _e3327 = (((((f32(((_e3224 >> bitcast<u32>(16i)) & 255u)) * _e3235) * _e3218.weights.x) + ((f32(((_e3249 >> bitcast<u32>(16i)) & 255u)) * _e3260) * _e3218.weights.y)) + ((f32(((_e3277 >> bitcast<u32>(16i)) & 255u)) * _e3288) * _e3218.weights.z)) + ((f32(((_e3305 >> bitcast<u32>(16i)) & 255u)) * _e3316) * _e3218.weights.w));
-                phi_3997_ = vec3<f32>((_e3325 * _e3325), (_e3326 * _e3326), (_e3327 * _e3327));
+                let _e3292 = color_texels.member[(0u + _e3205.indices[3])];
+                let _e3303 = (1f / 255f);
+                let _e3312 = (((((f32((_e3211 & 255u)) * _e3222) * _e3205.weights.x) + ((f32((_e3236 & 255u)) * _e3247) * _e3205.weights.y)) + ((f32((_e3264 & 255u)) * _e3275) * _e3205.weights.z)) + ((f32((_e3292 & 255u)) * _e3303) * _e3205.weights.w));
+                let _e3313 = (((((f32(((_e3211 >> bitcast<u32>(8i)) & 255u)) * _e3222) * _e3205.weights.x) + ((f32(((_e3236 >> bitcast<u32>(8i)) & 255u)) * _e3247) * _e3205.weights.y)) + ((f32(((_e3264 >> bitcast<u32>(8i)) & 255u)) * _e3275) * _e3205.weights.z)) + ((f32(((_e3292 >> bitcast<u32>(8i)) & 255u)) * _e3303) * _e3205.weights.w));
+                let _e3314 = (((((f32(((_e3211 >> bitcast<u32>(16i)) & 255u)) * _e3222) * _e3205.weights.x) + ((f32(((_e3236 >> bitcast<u32>(16i)) & 255u)) * _e3247) * _e3205.weights.y)) + ((f32(((_e3264 >> bitcast<u32>(16i)) & 255u)) * _e3275) * _e3205.weights.z)) + ((f32(((_e3292 >> bitcast<u32>(16i)) & 255u)) * _e3303) * _e3205.weights.w));
+                phi_4009_ = vec3<f32>((_e3312 * _e3312), (_e3313 * _e3313), (_e3314 * _e3314));
             }
-            let _e3333 = phi_3997_;
-            let _e3335 = ((_e3117.base_color.x * ((((f32((_e3111[0].color & 255u)) * _e3134) * _e2843) + ((f32((_e3111[1].color & 255u)) * _e3153) * _e2837.u)) + ((f32((_e3111[2].color & 255u)) * _e3175) * _e2837.v))) * _e3333.x);
-            let _e3337 = ((_e3117.base_color.y * ((((f32(((_e3111[0].color >> bitcast<u32>(8i)) & 255u)) * _e3134) * _e2843) + ((f32(((_e3111[1].color >> bitcast<u32>(8i)) & 255u)) * _e3153) * _e2837.u)) + ((f32(((_e3111[2].color >> bitcast<u32>(8i)) & 255u)) * _e3175) * _e2837.v))) * _e3333.y);
-            let _e3339 = ((_e3117.base_color.z * ((((f32(((_e3111[0].color >> bitcast<u32>(16i)) & 255u)) * _e3134) * _e2843) + ((f32(((_e3111[1].color >> bitcast<u32>(16i)) & 255u)) * _e3153) * _e2837.u)) + ((f32(((_e3111[2].color >> bitcast<u32>(16i)) & 255u)) * _e3175) * _e2837.v))) * _e3333.z);
-            let _e3340 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3024, _e3027);
-            let _e3341 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3021, _e3340);
-            if ((_e3117.flags & 2u) == 0u) {
-                phi_4012_ = 0u;
+            let _e3320 = phi_4009_;
+            let _e3322 = ((_e3104.base_color.x * ((((f32((_e3098[0].color & 255u)) * _e3121) * _e2830) + ((f32((_e3098[1].color & 255u)) * _e3140) * _e2824.u)) + ((f32((_e3098[2].color & 255u)) * _e3162) * _e2824.v))) * _e3320.x);
+            let _e3324 = ((_e3104.base_color.y * ((((f32(((_e3098[0].color >> bitcast<u32>(8i)) & 255u)) * _e3121) * _e2830) + ((f32(((_e3098[1].color >> bitcast<u32>(8i)) & 255u)) * _e3140) * _e2824.u)) + ((f32(((_e3098[2].color >> bitcast<u32>(8i)) & 255u)) * _e3162) * _e2824.v))) * _e3320.y);
+            let _e3326 = ((_e3104.base_color.z * ((((f32(((_e3098[0].color >> bitcast<u32>(16i)) & 255u)) * _e3121) * _e2830) + ((f32(((_e3098[1].color >> bitcast<u32>(16i)) & 255u)) * _e3140) * _e2824.u)) + ((f32(((_e3098[2].color >> bitcast<u32>(16i)) & 255u)) * _e3162) * _e2824.v))) * _e3320.z);
+            let _e3327 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3011, _e3014);
+            let _e3328 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3008, _e3327);
+            if ((_e3104.flags & 2u) == 0u) {
+                phi_4024_ = 0u;
             } else {
-                phi_4012_ = 1u;
+                phi_4024_ = 1u;
             }
-            let _e3346 = phi_4012_;
-            if (_e3111[0].normal == 2147516416u) {
-                phi_4242_ = _e3089;
+            let _e3333 = phi_4024_;
+            if (_e3098[0].normal == 2147516416u) {
+                phi_4254_ = _e3076;
             } else {
-                let _e3359 = (f32((bitcast<i32>((_e3111[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3365 = (f32((bitcast<i32>(_e3111[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3369 = ((1f - abs(_e3359)) - abs(_e3365));
-                if (_e3369 < 0f) {
-                    phi_4039_ = -(_e3369);
+                let _e3346 = (f32((bitcast<i32>((_e3098[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3352 = (f32((bitcast<i32>(_e3098[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3356 = ((1f - abs(_e3346)) - abs(_e3352));
+                if (_e3356 < 0f) {
+                    phi_4051_ = -(_e3356);
                 } else {
-                    phi_4039_ = 0f;
+                    phi_4051_ = 0f;
                 }
-                let _e3373 = phi_4039_;
-                if (_e3359 < 0f) {
-                    phi_4046_ = (_e3359 + _e3373);
+                let _e3360 = phi_4051_;
+                if (_e3346 < 0f) {
+                    phi_4058_ = (_e3346 + _e3360);
                 } else {
-                    phi_4046_ = (_e3359 - _e3373);
+                    phi_4058_ = (_e3346 - _e3360);
                 }
-                let _e3378 = phi_4046_;
-                if (_e3365 < 0f) {
-                    phi_4053_ = (_e3365 + _e3373);
+                let _e3365 = phi_4058_;
+                if (_e3352 < 0f) {
+                    phi_4065_ = (_e3352 + _e3360);
                 } else {
-                    phi_4053_ = (_e3365 - _e3373);
+                    phi_4065_ = (_e3352 - _e3360);
                 }
-                let _e3383 = phi_4053_;
-                let _e3390 = (1f / sqrt((((_e3378 * _e3378) + (_e3383 * _e3383)) + (_e3369 * _e3369))));
-                let _e3406 = (f32((bitcast<i32>((_e3111[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3412 = (f32((bitcast<i32>(_e3111[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3416 = ((1f - abs(_e3406)) - abs(_e3412));
-                if (_e3416 < 0f) {
-                    phi_4088_ = -(_e3416);
+                let _e3370 = phi_4065_;
+                let _e3377 = (1f / sqrt((((_e3365 * _e3365) + (_e3370 * _e3370)) + (_e3356 * _e3356))));
+                let _e3393 = (f32((bitcast<i32>((_e3098[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3399 = (f32((bitcast<i32>(_e3098[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3403 = ((1f - abs(_e3393)) - abs(_e3399));
+                if (_e3403 < 0f) {
+                    phi_4100_ = -(_e3403);
                 } else {
-                    phi_4088_ = 0f;
+                    phi_4100_ = 0f;
                 }
-                let _e3420 = phi_4088_;
-                if (_e3406 < 0f) {
-                    phi_4095_ = (_e3406 + _e3420);
+                let _e3407 = phi_4100_;
+                if (_e3393 < 0f) {
+                    phi_4107_ = (_e3393 + _e3407);
                 } else {
-                    phi_4095_ = (_e3406 - _e3420);
+                    phi_4107_ = (_e3393 - _e3407);
                 }
-                let _e3425 = phi_4095_;
-                if (_e3412 < 0f) {
-                    phi_4102_ = (_e3412 + _e3420);
+                let _e3412 = phi_4107_;
+                if (_e3399 < 0f) {
+                    phi_4114_ = (_e3399 + _e3407);
                 } else {
-                    phi_4102_ = (_e3412 - _e3420);
+                    phi_4114_ = (_e3399 - _e3407);
                 }
-                let _e3430 = phi_4102_;
-                let _e3437 = (1f / sqrt((((_e3425 * _e3425) + (_e3430 * _e3430)) + (_e3416 * _e3416))));
-                let _e3456 = (f32((bitcast<i32>((_e3111[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3462 = (f32((bitcast<i32>(_e3111[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3466 = ((1f - abs(_e3456)) - abs(_e3462));
-                if (_e3466 < 0f) {
-                    phi_4140_ = -(_e3466);
+                let _e3417 = phi_4114_;
+                let _e3424 = (1f / sqrt((((_e3412 * _e3412) + (_e3417 * _e3417)) + (_e3403 * _e3403))));
+                let _e3443 = (f32((bitcast<i32>((_e3098[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3449 = (f32((bitcast<i32>(_e3098[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3453 = ((1f - abs(_e3443)) - abs(_e3449));
+                if (_e3453 < 0f) {
+                    phi_4152_ = -(_e3453);
                 } else {
-                    phi_4140_ = 0f;
+                    phi_4152_ = 0f;
                 }
-                let _e3470 = phi_4140_;
-                if (_e3456 < 0f) {
-                    phi_4147_ = (_e3456 + _e3470);
+                let _e3457 = phi_4152_;
+                if (_e3443 < 0f) {
+                    phi_4159_ = (_e3443 + _e3457);
                 } else {
-                    phi_4147_ = (_e3456 - _e3470);
+                    phi_4159_ = (_e3443 - _e3457);
                 }
-                let _e3475 = phi_4147_;
-                if (_e3462 < 0f) {
-                    phi_4154_ = (_e3462 + _e3470);
+                let _e3462 = phi_4159_;
+                if (_e3449 < 0f) {
+                    phi_4166_ = (_e3449 + _e3457);
                 } else {
-                    phi_4154_ = (_e3462 - _e3470);
+                    phi_4166_ = (_e3449 - _e3457);
                 }
-                let _e3480 = phi_4154_;
-                let _e3487 = (1f / sqrt((((_e3475 * _e3475) + (_e3480 * _e3480)) + (_e3466 * _e3466))));
-                let _e3494 = ((((_e3378 * _e3390) * _e2843) + ((_e3425 * _e3437) * _e2837.u)) + ((_e3475 * _e3487) * _e2837.v));
-                let _e3495 = ((((_e3383 * _e3390) * _e2843) + ((_e3430 * _e3437) * _e2837.u)) + ((_e3480 * _e3487) * _e2837.v));
-                let _e3496 = ((((_e3369 * _e3390) * _e2843) + ((_e3416 * _e3437) * _e2837.u)) + ((_e3466 * _e3487) * _e2837.v));
-                if (_e2837.instance < _e95) {
+                let _e3467 = phi_4166_;
+                let _e3474 = (1f / sqrt((((_e3462 * _e3462) + (_e3467 * _e3467)) + (_e3453 * _e3453))));
+                let _e3481 = ((((_e3365 * _e3377) * _e2830) + ((_e3412 * _e3424) * _e2824.u)) + ((_e3462 * _e3474) * _e2824.v));
+                let _e3482 = ((((_e3370 * _e3377) * _e2830) + ((_e3417 * _e3424) * _e2824.u)) + ((_e3467 * _e3474) * _e2824.v));
+                let _e3483 = ((((_e3356 * _e3377) * _e2830) + ((_e3403 * _e3424) * _e2824.u)) + ((_e3453 * _e3474) * _e2824.v));
+                if (_e2824.instance < _e95) {
                 } else {
                     return;
                 }
-                let _e3503 = instances.member[(0u + _e2837.instance)].world_to_object[0u];
-                let _e3512 = instances.member[(0u + _e2837.instance)].world_to_object[1u];
-                let _e3524 = instances.member[(0u + _e2837.instance)].world_to_object[2u];
-                let _e3531 = (((_e3503.x * _e3494) + (_e3512.x * _e3495)) + (_e3524.x * _e3496));
-                let _e3532 = (((_e3503.y * _e3494) + (_e3512.y * _e3495)) + (_e3524.y * _e3496));
-                let _e3533 = (((_e3503.z * _e3494) + (_e3512.z * _e3495)) + (_e3524.z * _e3496));
-                let _e3539 = sqrt((((_e3531 * _e3531) + (_e3532 * _e3532)) + (_e3533 * _e3533)));
-                if (_e3539 > 0f) {
-                    let _e3541 = (_e3531 / _e3539);
-                    let _e3542 = (_e3532 / _e3539);
-                    let _e3543 = (_e3533 / _e3539);
-                    if ((((_e3541 * _e3089.x) + (_e3542 * _e3089.y)) + (_e3543 * _e3089.z)) < 0f) {
-                        phi_4240_ = vec3<f32>(-(_e3541), -(_e3542), -(_e3543));
+                let _e3490 = instances.member[(0u + _e2824.instance)].world_to_object[0u];
+                let _e3499 = instances.member[(0u + _e2824.instance)].world_to_object[1u];
+                let _e3511 = instances.member[(0u + _e2824.instance)].world_to_object[2u];
+                let _e3518 = (((_e3490.x * _e3481) + (_e3499.x * _e3482)) + (_e3511.x * _e3483));
+                let _e3519 = (((_e3490.y * _e3481) + (_e3499.y * _e3482)) + (_e3511.y * _e3483));
+                let _e3520 = (((_e3490.z * _e3481) + (_e3499.z * _e3482)) + (_e3511.z * _e3483));
+                let _e3526 = sqrt((((_e3518 * _e3518) + (_e3519 * _e3519)) + (_e3520 * _e3520)));
+                if (_e3526 > 0f) {
+                    let _e3528 = (_e3518 / _e3526);
+                    let _e3529 = (_e3519 / _e3526);
+                    let _e3530 = (_e3520 / _e3526);
+                    if ((((_e3528 * _e3076.x) + (_e3529 * _e3076.y)) + (_e3530 * _e3076.z)) < 0f) {
+                        phi_4252_ = vec3<f32>(-(_e3528), -(_e3529), -(_e3530));
                     } else {
-                        phi_4240_ = vec3<f32>(_e3541, _e3542, _e3543);
+                        phi_4252_ = vec3<f32>(_e3528, _e3529, _e3530);
                     }
-                    let _e3559 = phi_4240_;
-                    phi_4241_ = _e3559;
+                    let _e3546 = phi_4252_;
+                    phi_4253_ = _e3546;
                 } else {
-                    phi_4241_ = _e3089;
+                    phi_4253_ = _e3076;
                 }
-                let _e3561 = phi_4241_;
-                phi_4242_ = _e3561;
+                let _e3548 = phi_4253_;
+                phi_4254_ = _e3548;
             }
-            let _e3563 = phi_4242_;
-            if (_e3335 > 0f) {
-                if (_e3335 < 1f) {
-                    phi_4251_ = _e3335;
+            let _e3550 = phi_4254_;
+            if (_e3322 > 0f) {
+                if (_e3322 < 1f) {
+                    phi_4263_ = _e3322;
                 } else {
-                    phi_4251_ = 1f;
+                    phi_4263_ = 1f;
                 }
-                let _e3567 = phi_4251_;
-                phi_4252_ = _e3567;
+                let _e3554 = phi_4263_;
+                phi_4264_ = _e3554;
             } else {
-                phi_4252_ = 0f;
+                phi_4264_ = 0f;
             }
-            let _e3569 = phi_4252_;
-            if (_e3337 > 0f) {
-                if (_e3337 < 1f) {
-                    phi_4262_ = _e3337;
+            let _e3556 = phi_4264_;
+            if (_e3324 > 0f) {
+                if (_e3324 < 1f) {
+                    phi_4274_ = _e3324;
                 } else {
-                    phi_4262_ = 1f;
+                    phi_4274_ = 1f;
                 }
-                let _e3574 = phi_4262_;
-                phi_4263_ = _e3574;
+                let _e3561 = phi_4274_;
+                phi_4275_ = _e3561;
             } else {
-                phi_4263_ = 0f;
+                phi_4275_ = 0f;
             }
-            let _e3576 = phi_4263_;
-            if (_e3339 > 0f) {
-                if (_e3339 < 1f) {
-                    phi_4273_ = _e3339;
+            let _e3563 = phi_4275_;
+            if (_e3326 > 0f) {
+                if (_e3326 < 1f) {
+                    phi_4285_ = _e3326;
                 } else {
-                    phi_4273_ = 1f;
+                    phi_4285_ = 1f;
                 }
-                let _e3581 = phi_4273_;
-                phi_4274_ = _e3581;
+                let _e3568 = phi_4285_;
+                phi_4286_ = _e3568;
             } else {
-                phi_4274_ = 0f;
+                phi_4286_ = 0f;
             }
-            let _e3583 = phi_4274_;
-            let _e3586 = ((sqrt(_e3569) * 255f) + 0.5f);
-            let _e3595 = ((sqrt(_e3576) * 255f) + 0.5f);
-            let _e3607 = ((sqrt(_e3583) * 255f) + 0.5f);
-            phi_4309_ = abi_Sample(vec3<f32>(_e2997, _e2998, _e2999), _e3341, _e3089, _e3346, _e3563, ((select(select(u32(_e3586), 0u, (_e3586 < bitcast<f32>(0u))), 4294967295u, (_e3586 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3595), 0u, (_e3595 < bitcast<f32>(0u))), 4294967295u, (_e3595 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3607), 0u, (_e3607 < bitcast<f32>(0u))), 4294967295u, (_e3607 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3570 = phi_4286_;
+            let _e3573 = ((sqrt(_e3556) * 255f) + 0.5f);
+            let _e3582 = ((sqrt(_e3563) * 255f) + 0.5f);
+            let _e3594 = ((sqrt(_e3570) * 255f) + 0.5f);
+            phi_4321_ = abi_Sample(vec3<f32>(_e2984, _e2985, _e2986), _e3328, _e3076, _e3333, _e3550, ((select(select(u32(_e3573), 0u, (_e3573 < bitcast<f32>(0u))), 4294967295u, (_e3573 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3582), 0u, (_e3582 < bitcast<f32>(0u))), 4294967295u, (_e3582 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3594), 0u, (_e3594 < bitcast<f32>(0u))), 4294967295u, (_e3594 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4309_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4321_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3621 = phi_4309_;
-        if (_e113.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e113.first_primitive)] = _e3621;
-        if (_e2837.triangle != 4294967295u) {
-            let _e3630 = ((1f - _e2837.u) - _e2837.v);
-            if (_e2837.triangle < _e83) {
-            } else {
-                return;
-            }
-            let _e3635 = triangles.member[(0u + _e2837.triangle)];
-            let _e3637 = (_e3635.i0_ & 2147483647u);
-            if (_e3637 < _e104) {
-            } else {
-                return;
-            }
-            let _e3643 = before.member[(0u + _e3637)];
-            if (_e3635.i1_ < _e104) {
-            } else {
-                return;
-            }
-            let _e3647 = before.member[(0u + _e3635.i1_)];
-            if (_e3635.i2_ < _e104) {
-            } else {
-                return;
-            }
-            let _e3651 = before.member[(0u + _e3635.i2_)];
-            if (_e2837.instance < _e95) {
-            } else {
-                return;
-            }
-            let _e3661 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3674 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3687 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            if (_e2837.instance < _e95) {
-            } else {
-                return;
-            }
-            let _e3711 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3724 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3737 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            if (_e2837.instance < _e95) {
-            } else {
-                return;
-            }
-            let _e3764 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3777 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3790 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            phi_4532_ = vec3<f32>((((((((_e3661.x * _e3643.x) + (_e3661.y * _e3643.y)) + (_e3661.z * _e3643.z)) + (_e3661.w * 1f)) * _e3630) + (((((_e3711.x * _e3647.x) + (_e3711.y * _e3647.y)) + (_e3711.z * _e3647.z)) + (_e3711.w * 1f)) * _e2837.u)) + (((((_e3764.x * _e3651.x) + (_e3764.y * _e3651.y)) + (_e3764.z * _e3651.z)) + (_e3764.w * 1f)) * _e2837.v)), (((((((_e3674.x * _e3643.x) + (_e3674.y * _e3643.y)) + (_e3674.z * _e3643.z)) + (_e3674.w * 1f)) * _e3630) + (((((_e3724.x * _e3647.x) + (_e3724.y * _e3647.y)) + (_e3724.z * _e3647.z)) + (_e3724.w * 1f)) * _e2837.u)) + (((((_e3777.x * _e3651.x) + (_e3777.y * _e3651.y)) + (_e3777.z * _e3651.z)) + (_e3777.w * 1f)) * _e2837.v)), (((((((_e3687.x * _e3643.x) + (_e3687.y * _e3643.y)) + (_e3687.z * _e3643.z)) + (_e3687.w * 1f)) * _e3630) + (((((_e3737.x * _e3647.x) + (_e3737.y * _e3647.y)) + (_e3737.z * _e3647.z)) + (_e3737.w * 1f)) * _e2837.u)) + (((((_e3790.x * _e3651.x) + (_e3790.y * _e3651.y)) + (_e3790.z * _e3651.z)) + (_e3790.w * 1f)) * _e2837.v)));
-        } else {
-            phi_4532_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e3810 = phi_4532_;
-        if (_e113.first_primitive < arrayLength((&past.member))) {
+        let _e3608 = phi_4321_;
+        if (_e113.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3810.x, _e3810.y, _e3810.z, 1f);
+        samples.member[(0u + _e113.shift)] = _e3608;
+        if (_e2824.triangle != 4294967295u) {
+            let _e3617 = ((1f - _e2824.u) - _e2824.v);
+            if (_e2824.triangle < _e83) {
+            } else {
+                return;
+            }
+            let _e3622 = triangles.member[(0u + _e2824.triangle)];
+            let _e3624 = (_e3622.i0_ & 2147483647u);
+            if (_e3624 < _e104) {
+            } else {
+                return;
+            }
+            let _e3630 = before.member[(0u + _e3624)];
+            if (_e3622.i1_ < _e104) {
+            } else {
+                return;
+            }
+            let _e3634 = before.member[(0u + _e3622.i1_)];
+            if (_e3622.i2_ < _e104) {
+            } else {
+                return;
+            }
+            let _e3638 = before.member[(0u + _e3622.i2_)];
+            if (_e2824.instance < _e95) {
+            } else {
+                return;
+            }
+            let _e3648 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e3661 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e3674 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            if (_e2824.instance < _e95) {
+            } else {
+                return;
+            }
+            let _e3698 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e3711 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e3724 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            if (_e2824.instance < _e95) {
+            } else {
+                return;
+            }
+            let _e3751 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e3764 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e3777 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            phi_4544_ = vec3<f32>((((((((_e3648.x * _e3630.x) + (_e3648.y * _e3630.y)) + (_e3648.z * _e3630.z)) + (_e3648.w * 1f)) * _e3617) + (((((_e3698.x * _e3634.x) + (_e3698.y * _e3634.y)) + (_e3698.z * _e3634.z)) + (_e3698.w * 1f)) * _e2824.u)) + (((((_e3751.x * _e3638.x) + (_e3751.y * _e3638.y)) + (_e3751.z * _e3638.z)) + (_e3751.w * 1f)) * _e2824.v)), (((((((_e3661.x * _e3630.x) + (_e3661.y * _e3630.y)) + (_e3661.z * _e3630.z)) + (_e3661.w * 1f)) * _e3617) + (((((_e3711.x * _e3634.x) + (_e3711.y * _e3634.y)) + (_e3711.z * _e3634.z)) + (_e3711.w * 1f)) * _e2824.u)) + (((((_e3764.x * _e3638.x) + (_e3764.y * _e3638.y)) + (_e3764.z * _e3638.z)) + (_e3764.w * 1f)) * _e2824.v)), (((((((_e3674.x * _e3630.x) + (_e3674.y * _e3630.y)) + (_e3674.z * _e3630.z)) + (_e3674.w * 1f)) * _e3617) + (((((_e3724.x * _e3634.x) + (_e3724.y * _e3634.y)) + (_e3724.z * _e3634.z)) + (_e3724.w * 1f)) * _e2824.u)) + (((((_e3777.x * _e3638.x) + (_e3777.y * _e3638.y)) + (_e3777.z * _e3638.z)) + (_e3777.w * 1f)) * _e2824.v)));
+        } else {
+            phi_4544_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3797 = phi_4544_;
+        if (_e113.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e113.shift)] = vec4<f32>(_e3797.x, _e3797.y, _e3797.z, 1f);
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -175,19 +175,19 @@ var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_223_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_223_: lt_mask_LightPlace;
     var phi_224_: bool;
-    var phi_225_: lt_bvh_traverse_Tree;
+    var phi_225_: lt_mask_LightPlace;
     var phi_226_: bool;
-    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_231_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_223_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_224_ = false;
         } else {
-            phi_223_ = lt_bvh_traverse_Tree();
+            phi_223_ = lt_mask_LightPlace();
             phi_224_ = true;
         }
         let _e82 = phi_223_;
@@ -195,18 +195,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_225_ = _e82;
         phi_226_ = _e84;
     } else {
-        phi_225_ = lt_bvh_traverse_Tree();
+        phi_225_ = lt_mask_LightPlace();
         phi_226_ = true;
     }
     let _e86 = phi_225_;
     let _e88 = phi_226_;
     if _e88 {
-        phi_231_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_231_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_231_ = _e86;
     }
     let _e93 = phi_231_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -626,295 +626,291 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_792_: bool;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_812_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
     var phi_831_: bool;
     var phi_832_: bool;
-    var phi_836_: bool;
-    var phi_840_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_839_: bool;
     var phi_915_: f32;
     var phi_922_: f32;
     var phi_930_: f32;
     var phi_937_: f32;
     var phi_945_: f32;
     var phi_952_: f32;
-    var phi_977_: f32;
-    var phi_982_: f32;
-    var phi_987_: f32;
-    var phi_1009_: u32;
+    var phi_975_: f32;
+    var phi_980_: f32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_995_: f32;
     var phi_1014_: u32;
     var phi_1019_: u32;
-    var phi_1133_: bool;
-    var phi_1134_: bool;
-    var phi_1165_: u32;
-    var phi_1167_: u32;
-    var phi_1170_: lt_bvh_Hit;
-    var phi_1255_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1282_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1309_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1315_: u32;
-    var phi_1318_: u32;
-    var phi_1332_: u32;
-    var phi_1342_: u32;
-    var phi_1352_: u32;
-    var phi_1370_: u32;
-    var phi_1380_: u32;
-    var phi_1390_: u32;
-    var phi_1426_: u32;
-    var phi_1439_: u32;
+    var phi_1024_: u32;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1170_: u32;
+    var phi_1172_: u32;
+    var phi_1175_: lt_bvh_Hit;
+    var phi_1260_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1287_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1314_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1320_: u32;
+    var phi_1323_: u32;
+    var phi_1337_: u32;
+    var phi_1347_: u32;
+    var phi_1357_: u32;
+    var phi_1375_: u32;
+    var phi_1385_: u32;
+    var phi_1395_: u32;
+    var phi_1431_: u32;
     var phi_1444_: u32;
-    var phi_1445_: u32;
-    var phi_1446_: u32;
-    var phi_1316_: u32;
-    var phi_1319_: u32;
+    var phi_1449_: u32;
+    var phi_1450_: u32;
+    var phi_1451_: u32;
+    var phi_1321_: u32;
+    var phi_1324_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1504_: u32;
-    var phi_1507_: lt_bvh_Hit;
-    var phi_1562_: f32;
+    var phi_1509_: u32;
+    var phi_1512_: lt_bvh_Hit;
     var phi_1567_: f32;
     var phi_1572_: f32;
-    var phi_1580_: f32;
+    var phi_1577_: f32;
     var phi_1585_: f32;
     var phi_1590_: f32;
-    var phi_1746_: bool;
+    var phi_1595_: f32;
+    var phi_1727_: bool;
+    var phi_1728_: bool;
+    var phi_1729_: bool;
+    var phi_1730_: bool;
+    var phi_1734_: bool;
     var phi_1747_: bool;
     var phi_1748_: bool;
-    var phi_1752_: bool;
-    var phi_1753_: bool;
+    var phi_1749_: bool;
+    var phi_1750_: bool;
     var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1766_: bool;
     var phi_1767_: bool;
     var phi_1768_: bool;
     var phi_1769_: bool;
     var phi_1773_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
+    var phi_1776_: bool;
     var phi_1777_: bool;
-    var phi_1847_: f32;
-    var phi_1854_: f32;
-    var phi_1861_: f32;
-    var phi_1868_: f32;
-    var phi_1875_: f32;
-    var phi_1882_: f32;
-    var phi_1899_: f32;
-    var phi_1904_: f32;
-    var phi_1909_: f32;
-    var phi_1937_: bool;
-    var phi_1938_: bool;
-    var phi_1946_: u32;
-    var phi_1947_: u32;
-    var phi_1958_: vec3<f32>;
-    var phi_1959_: vec3<f32>;
-    var phi_1972_: u32;
-    var phi_1977_: u32;
-    var phi_1982_: u32;
-    var phi_2096_: bool;
-    var phi_2097_: bool;
-    var phi_2128_: u32;
-    var phi_2130_: lt_bvh_Hit;
-    var phi_2133_: u32;
-    var phi_2214_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2241_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2268_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2274_: u32;
-    var phi_2277_: u32;
-    var phi_2291_: u32;
-    var phi_2301_: u32;
-    var phi_2311_: u32;
-    var phi_2329_: u32;
-    var phi_2339_: u32;
-    var phi_2349_: u32;
-    var phi_2385_: u32;
-    var phi_2398_: u32;
-    var phi_2403_: u32;
-    var phi_2404_: u32;
-    var phi_2405_: u32;
-    var phi_2275_: u32;
-    var phi_2278_: u32;
+    var phi_1781_: bool;
+    var phi_1851_: f32;
+    var phi_1858_: f32;
+    var phi_1865_: f32;
+    var phi_1872_: f32;
+    var phi_1879_: f32;
+    var phi_1886_: f32;
+    var phi_1903_: f32;
+    var phi_1908_: f32;
+    var phi_1913_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1949_: bool;
+    var phi_1950_: bool;
+    var phi_1958_: u32;
+    var phi_1959_: u32;
+    var phi_1970_: vec3<f32>;
+    var phi_1971_: vec3<f32>;
+    var phi_1984_: u32;
+    var phi_1989_: u32;
+    var phi_1994_: u32;
+    var phi_2108_: bool;
+    var phi_2109_: bool;
+    var phi_2140_: u32;
+    var phi_2142_: lt_bvh_Hit;
+    var phi_2145_: u32;
+    var phi_2226_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2253_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2280_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2286_: u32;
+    var phi_2289_: u32;
+    var phi_2303_: u32;
+    var phi_2313_: u32;
+    var phi_2323_: u32;
+    var phi_2341_: u32;
+    var phi_2351_: u32;
+    var phi_2361_: u32;
+    var phi_2397_: u32;
+    var phi_2410_: u32;
+    var phi_2415_: u32;
+    var phi_2416_: u32;
+    var phi_2417_: u32;
+    var phi_2287_: u32;
+    var phi_2290_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2463_: lt_bvh_Hit;
-    var phi_2466_: u32;
-    var phi_2510_: vec3<f32>;
-    var phi_2511_: vec3<f32>;
-    var phi_2540_: vec3<f32>;
-    var phi_2541_: vec3<f32>;
-    var phi_2570_: vec3<f32>;
-    var phi_2571_: vec3<f32>;
-    var phi_2589_: bool;
-    var phi_2590_: bool;
-    var phi_2594_: f32;
-    var phi_2595_: f32;
-    var phi_2596_: f32;
-    var phi_2597_: f32;
-    var phi_2605_: f32;
-    var phi_2615_: bool;
-    var phi_2616_: bool;
-    var phi_2620_: f32;
-    var phi_2621_: f32;
-    var phi_2622_: f32;
-    var phi_2623_: f32;
-    var phi_2631_: f32;
-    var phi_2641_: bool;
-    var phi_2642_: bool;
-    var phi_2646_: f32;
-    var phi_2647_: f32;
-    var phi_2648_: f32;
-    var phi_2649_: f32;
-    var phi_2657_: f32;
-    var phi_2672_: f32;
-    var phi_2673_: bool;
-    var phi_2674_: f32;
-    var phi_2675_: bool;
-    var phi_2676_: f32;
-    var phi_2677_: bool;
-    var phi_2695_: f32;
-    var phi_2696_: bool;
-    var phi_2697_: bool;
-    var phi_2698_: f32;
-    var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2704_: bool;
-    var phi_2705_: f32;
-    var phi_2706_: bool;
-    var phi_2734_: vec3<f32>;
-    var phi_2735_: vec3<f32>;
-    var phi_2760_: vec3<f32>;
-    var phi_2761_: vec3<f32>;
-    var phi_2786_: vec3<f32>;
-    var phi_2787_: vec3<f32>;
-    var phi_2843_: f32;
-    var phi_2852_: f32;
-    var phi_2861_: f32;
-    var phi_2870_: f32;
-    var phi_2877_: f32;
-    var phi_2884_: f32;
-    var phi_2897_: f32;
-    var phi_2906_: f32;
-    var phi_2915_: f32;
-    var phi_2924_: f32;
-    var phi_2931_: f32;
-    var phi_2938_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2965_: f32;
-    var phi_2973_: f32;
-    var phi_2978_: f32;
-    var phi_2983_: f32;
+    var phi_2475_: lt_bvh_Hit;
+    var phi_2478_: u32;
+    var phi_2522_: vec3<f32>;
+    var phi_2523_: vec3<f32>;
+    var phi_2552_: vec3<f32>;
+    var phi_2553_: vec3<f32>;
+    var phi_2582_: vec3<f32>;
+    var phi_2583_: vec3<f32>;
+    var phi_2601_: bool;
+    var phi_2602_: bool;
+    var phi_2606_: f32;
+    var phi_2607_: f32;
+    var phi_2608_: f32;
+    var phi_2609_: f32;
+    var phi_2617_: f32;
+    var phi_2627_: bool;
+    var phi_2628_: bool;
+    var phi_2632_: f32;
+    var phi_2633_: f32;
+    var phi_2634_: f32;
+    var phi_2635_: f32;
+    var phi_2643_: f32;
+    var phi_2653_: bool;
+    var phi_2654_: bool;
+    var phi_2658_: f32;
+    var phi_2659_: f32;
+    var phi_2660_: f32;
+    var phi_2661_: f32;
+    var phi_2669_: f32;
+    var phi_2684_: f32;
+    var phi_2685_: bool;
+    var phi_2686_: f32;
+    var phi_2687_: bool;
+    var phi_2688_: f32;
+    var phi_2689_: bool;
+    var phi_2707_: f32;
+    var phi_2708_: bool;
+    var phi_2709_: bool;
+    var phi_2710_: f32;
+    var phi_2711_: bool;
+    var phi_2712_: bool;
+    var phi_2716_: bool;
+    var phi_2717_: f32;
+    var phi_2718_: bool;
+    var phi_2746_: vec3<f32>;
+    var phi_2747_: vec3<f32>;
+    var phi_2772_: vec3<f32>;
+    var phi_2773_: vec3<f32>;
+    var phi_2798_: vec3<f32>;
+    var phi_2799_: vec3<f32>;
+    var phi_2855_: f32;
+    var phi_2864_: f32;
+    var phi_2873_: f32;
+    var phi_2882_: f32;
+    var phi_2889_: f32;
+    var phi_2896_: f32;
+    var phi_2909_: f32;
+    var phi_2918_: f32;
+    var phi_2927_: f32;
+    var phi_2936_: f32;
+    var phi_2943_: f32;
+    var phi_2950_: f32;
+    var phi_2967_: f32;
+    var phi_2972_: f32;
+    var phi_2977_: f32;
+    var phi_2985_: f32;
+    var phi_2990_: f32;
     var phi_2995_: f32;
-    var phi_3000_: f32;
-    var phi_3005_: f32;
-    var phi_3010_: f32;
-    var phi_3015_: lt_bvh_triangle_Intersection;
-    var phi_3016_: bool;
-    var phi_3017_: lt_bvh_triangle_Intersection;
-    var phi_3018_: bool;
-    var phi_3022_: lt_bvh_triangle_Intersection;
-    var phi_3023_: bool;
-    var phi_3024_: lt_bvh_triangle_Intersection;
-    var phi_3025_: bool;
-    var phi_3026_: bool;
+    var phi_3007_: f32;
+    var phi_3012_: f32;
+    var phi_3017_: f32;
+    var phi_3022_: f32;
+    var phi_3027_: lt_bvh_triangle_Intersection;
+    var phi_3028_: bool;
+    var phi_3029_: lt_bvh_triangle_Intersection;
     var phi_3030_: bool;
     var phi_3034_: lt_bvh_triangle_Intersection;
-    var phi_3072_: bool;
-    var phi_3073_: bool;
-    var phi_3074_: bool;
-    var phi_3075_: bool;
-    var phi_3076_: bool;
-    var phi_3077_: bool;
-    var phi_3081_: bool;
-    var phi_3082_: bool;
-    var phi_3285_: f32;
-    var phi_3288_: bool;
-    var phi_3289_: bool;
-    var phi_3293_: bool;
-    var phi_3301_: lt_bvh_Hit;
-    var phi_3302_: lt_bvh_Hit;
-    var phi_3303_: lt_bvh_Hit;
-    var phi_3304_: lt_bvh_Hit;
-    var phi_2464_: lt_bvh_Hit;
-    var phi_2467_: u32;
+    var phi_3035_: bool;
+    var phi_3036_: lt_bvh_triangle_Intersection;
+    var phi_3037_: bool;
+    var phi_3038_: bool;
+    var phi_3042_: bool;
+    var phi_3046_: lt_bvh_triangle_Intersection;
+    var phi_3084_: bool;
+    var phi_3085_: bool;
+    var phi_3086_: bool;
+    var phi_3087_: bool;
+    var phi_3088_: bool;
+    var phi_3089_: bool;
+    var phi_3093_: bool;
+    var phi_3094_: bool;
+    var phi_3297_: f32;
+    var phi_3300_: bool;
+    var phi_3301_: bool;
     var phi_3305_: bool;
-    var phi_3344_: bool;
-    var phi_3345_: bool;
-    var phi_3376_: u32;
-    var phi_2131_: lt_bvh_Hit;
-    var phi_2134_: u32;
-    var phi_3377_: lt_bvh_Hit;
-    var phi_3378_: lt_bvh_Hit;
-    var phi_3379_: bool;
-    var phi_3383_: lt_bvh_Hit;
-    var phi_3384_: lt_bvh_Hit;
-    var phi_3385_: lt_bvh_Hit;
-    var phi_3386_: lt_bvh_Hit;
-    var phi_1505_: u32;
-    var phi_1508_: lt_bvh_Hit;
-    var phi_3387_: bool;
-    var phi_3426_: bool;
-    var phi_3427_: bool;
-    var phi_3458_: u32;
-    var phi_1168_: u32;
-    var phi_1171_: lt_bvh_Hit;
-    var phi_3459_: lt_bvh_Hit;
-    var phi_3460_: lt_bvh_Hit;
-    var phi_3461_: bool;
-    var phi_3465_: lt_bvh_Hit;
-    var phi_3653_: f32;
-    var phi_3658_: f32;
-    var phi_3663_: f32;
-    var phi_3671_: f32;
-    var phi_3676_: f32;
-    var phi_3681_: f32;
-    var phi_3745_: vec3<f32>;
-    var phi_3866_: u32;
-    var phi_3893_: f32;
-    var phi_3900_: f32;
-    var phi_3907_: f32;
-    var phi_3942_: f32;
-    var phi_3949_: f32;
-    var phi_3956_: f32;
-    var phi_3994_: f32;
-    var phi_4001_: f32;
-    var phi_4008_: f32;
-    var phi_4094_: vec3<f32>;
-    var phi_4095_: vec3<f32>;
-    var phi_4096_: vec3<f32>;
-    var phi_4105_: f32;
-    var phi_4106_: f32;
-    var phi_4116_: f32;
+    var phi_3313_: lt_bvh_Hit;
+    var phi_3314_: lt_bvh_Hit;
+    var phi_3315_: lt_bvh_Hit;
+    var phi_3316_: lt_bvh_Hit;
+    var phi_2476_: lt_bvh_Hit;
+    var phi_2479_: u32;
+    var phi_3317_: bool;
+    var phi_3356_: bool;
+    var phi_3357_: bool;
+    var phi_3388_: u32;
+    var phi_2143_: lt_bvh_Hit;
+    var phi_2146_: u32;
+    var phi_3389_: lt_bvh_Hit;
+    var phi_3390_: lt_bvh_Hit;
+    var phi_3391_: bool;
+    var phi_3395_: lt_bvh_Hit;
+    var phi_3396_: lt_bvh_Hit;
+    var phi_3397_: lt_bvh_Hit;
+    var phi_3398_: lt_bvh_Hit;
+    var phi_1510_: u32;
+    var phi_1513_: lt_bvh_Hit;
+    var phi_3399_: bool;
+    var phi_3438_: bool;
+    var phi_3439_: bool;
+    var phi_3470_: u32;
+    var phi_1173_: u32;
+    var phi_1176_: lt_bvh_Hit;
+    var phi_3471_: lt_bvh_Hit;
+    var phi_3472_: lt_bvh_Hit;
+    var phi_3473_: bool;
+    var phi_3477_: lt_bvh_Hit;
+    var phi_3665_: f32;
+    var phi_3670_: f32;
+    var phi_3675_: f32;
+    var phi_3683_: f32;
+    var phi_3688_: f32;
+    var phi_3693_: f32;
+    var phi_3757_: vec3<f32>;
+    var phi_3878_: u32;
+    var phi_3905_: f32;
+    var phi_3912_: f32;
+    var phi_3919_: f32;
+    var phi_3954_: f32;
+    var phi_3961_: f32;
+    var phi_3968_: f32;
+    var phi_4006_: f32;
+    var phi_4013_: f32;
+    var phi_4020_: f32;
+    var phi_4106_: vec3<f32>;
+    var phi_4107_: vec3<f32>;
+    var phi_4108_: vec3<f32>;
     var phi_4117_: f32;
-    var phi_4127_: f32;
+    var phi_4118_: f32;
     var phi_4128_: f32;
-    var phi_4163_: abi_Sample;
+    var phi_4129_: f32;
+    var phi_4139_: f32;
+    var phi_4140_: f32;
+    var phi_4175_: abi_Sample;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -930,7 +926,7 @@ fn function_() {
     let _e97 = p.member.size[0u];
     let _e99 = p.member.size[1u];
     let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
-    if (bitcast<i32>(_e100.root) != 0i) {
+    if (bitcast<i32>(_e100.word) != 0i) {
         let _e106 = p.member.root;
         let _e110 = p.member.eye;
         let _e115 = p.member.size[0u];
@@ -942,2179 +938,2181 @@ fn function_() {
         let _e146 = p.member.up;
         let _e157 = _lt_bvh_ray_Ray_new(_e110, vec3<f32>(((_e130.x + (_e132.x * _e119)) + (_e146.x * _e128)), ((_e130.y + (_e132.y * _e119)) + (_e146.y * _e128)), ((_e130.z + (_e132.z * _e119)) + (_e146.z * _e128))));
         let _e159 = lt_bvh_Hit(_e157.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e169 = abs(_e157.direction.x);
-        let _e171 = abs(_e157.direction.y);
-        let _e173 = abs(_e157.direction.z);
+        let _e162 = abs(_e157.direction.x);
+        let _e164 = abs(_e157.direction.y);
+        let _e166 = abs(_e157.direction.z);
         if (abs(_e157.origin.x) < 1000000000000000f) {
             if (abs(_e157.origin.y) < 1000000000000000f) {
-                if (abs(_e157.origin.z) < 1000000000000000f) {
-                    if (_e169 < 1000000000000000f) {
-                        if (_e171 < 1000000000000000f) {
-                            if (_e173 < 1000000000000000f) {
-                                if (_e169 > 0f) {
-                                    phi_810_ = bool();
-                                    phi_811_ = true;
-                                } else {
-                                    let _e181 = (_e171 > 0f);
-                                    if _e181 {
-                                        phi_809_ = bool();
-                                    } else {
-                                        phi_809_ = (_e173 > 0f);
-                                    }
-                                    let _e184 = phi_809_;
-                                    phi_810_ = _e184;
-                                    phi_811_ = _e181;
-                                }
-                                let _e186 = phi_810_;
-                                let _e188 = phi_811_;
-                                if _e188 {
-                                    phi_815_ = true;
-                                } else {
-                                    phi_815_ = _e186;
-                                }
-                                let _e190 = phi_815_;
-                                phi_816_ = _e190;
-                                phi_817_ = false;
-                            } else {
-                                phi_816_ = bool();
-                                phi_817_ = true;
-                            }
-                            let _e192 = phi_816_;
-                            let _e194 = phi_817_;
-                            phi_818_ = _e192;
-                            phi_819_ = false;
-                            phi_820_ = _e194;
-                        } else {
-                            phi_818_ = bool();
-                            phi_819_ = true;
-                            phi_820_ = false;
-                        }
-                        let _e196 = phi_818_;
-                        let _e198 = phi_819_;
-                        let _e200 = phi_820_;
-                        phi_821_ = _e196;
-                        phi_822_ = _e198;
-                        phi_823_ = _e200;
-                    } else {
-                        phi_821_ = bool();
-                        phi_822_ = true;
-                        phi_823_ = false;
-                    }
-                    let _e202 = phi_821_;
-                    let _e204 = phi_822_;
-                    let _e206 = phi_823_;
-                    phi_824_ = _e202;
-                    phi_825_ = _e204;
-                    phi_826_ = _e206;
-                } else {
-                    phi_824_ = bool();
-                    phi_825_ = true;
-                    phi_826_ = false;
-                }
-                let _e208 = phi_824_;
-                let _e210 = phi_825_;
-                let _e212 = phi_826_;
-                phi_827_ = _e208;
-                phi_828_ = _e210;
-                phi_829_ = _e212;
+                phi_785_ = (abs(_e157.origin.z) < 1000000000000000f);
+                phi_786_ = false;
             } else {
-                phi_827_ = bool();
-                phi_828_ = true;
-                phi_829_ = false;
+                phi_785_ = bool();
+                phi_786_ = true;
             }
-            let _e214 = phi_827_;
-            let _e216 = phi_828_;
-            let _e218 = phi_829_;
-            phi_830_ = _e214;
-            phi_831_ = _e216;
-            phi_832_ = _e218;
+            let _e178 = phi_785_;
+            let _e180 = phi_786_;
+            phi_787_ = _e178;
+            phi_788_ = _e180;
         } else {
-            phi_830_ = bool();
-            phi_831_ = true;
-            phi_832_ = false;
+            phi_787_ = bool();
+            phi_788_ = true;
         }
-        let _e220 = phi_830_;
-        let _e222 = phi_831_;
-        let _e224 = phi_832_;
-        if _e222 {
-            phi_836_ = true;
+        let _e182 = phi_787_;
+        let _e184 = phi_788_;
+        if _e184 {
+            phi_792_ = false;
         } else {
-            phi_836_ = _e224;
+            phi_792_ = _e182;
         }
-        let _e226 = phi_836_;
-        if _e226 {
-            phi_840_ = false;
+        let _e186 = phi_792_;
+        if _e186 {
+            if (_e162 < 1000000000000000f) {
+                if (_e164 < 1000000000000000f) {
+                    phi_805_ = (_e166 < 1000000000000000f);
+                    phi_806_ = false;
+                } else {
+                    phi_805_ = bool();
+                    phi_806_ = true;
+                }
+                let _e191 = phi_805_;
+                let _e193 = phi_806_;
+                phi_807_ = _e191;
+                phi_808_ = _e193;
+            } else {
+                phi_807_ = bool();
+                phi_808_ = true;
+            }
+            let _e195 = phi_807_;
+            let _e197 = phi_808_;
+            if _e197 {
+                phi_812_ = false;
+            } else {
+                phi_812_ = _e195;
+            }
+            let _e199 = phi_812_;
+            if _e199 {
+                if (_e162 > 0f) {
+                    phi_826_ = bool();
+                    phi_827_ = true;
+                } else {
+                    let _e201 = (_e164 > 0f);
+                    if _e201 {
+                        phi_825_ = bool();
+                    } else {
+                        phi_825_ = (_e166 > 0f);
+                    }
+                    let _e204 = phi_825_;
+                    phi_826_ = _e204;
+                    phi_827_ = _e201;
+                }
+                let _e206 = phi_826_;
+                let _e208 = phi_827_;
+                if _e208 {
+                    phi_831_ = true;
+                } else {
+                    phi_831_ = _e206;
+                }
+                let _e210 = phi_831_;
+                phi_832_ = _e210;
+                phi_833_ = false;
+            } else {
+                phi_832_ = bool();
+                phi_833_ = true;
+            }
+            let _e212 = phi_832_;
+            let _e214 = phi_833_;
+            phi_834_ = _e212;
+            phi_835_ = _e214;
         } else {
-            phi_840_ = _e220;
+            phi_834_ = bool();
+            phi_835_ = true;
         }
-        let _e228 = phi_840_;
-        if _e228 {
-            let _e229 = (_e106 >= _e76);
-            if _e229 {
-                phi_3459_ = lt_bvh_Hit();
+        let _e216 = phi_834_;
+        let _e218 = phi_835_;
+        if _e218 {
+            phi_839_ = false;
+        } else {
+            phi_839_ = _e216;
+        }
+        let _e220 = phi_839_;
+        if _e220 {
+            let _e221 = (_e106 >= _e76);
+            if _e221 {
+                phi_3471_ = lt_bvh_Hit();
             } else {
                 if (_e106 < _e76) {
                 } else {
                     return;
                 }
-                let _e235 = nodes.member[(0u + _e106)].frame[0u];
-                let _e239 = nodes.member[(0u + _e106)].frame[1u];
-                let _e243 = nodes.member[(0u + _e106)].frame[2u];
-                let _e247 = nodes.member[(0u + _e106)].frame[0u];
-                let _e251 = nodes.member[(0u + _e106)].frame[1u];
-                let _e255 = nodes.member[(0u + _e106)].frame[2u];
-                let _e259 = nodes.member[(0u + _e106)].frame[3u];
-                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
-                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e157.direction.z));
-                let _e299 = (_e298 * 0.0000000000009094947f);
-                if (abs(_e157.direction.x) < _e299) {
-                    phi_915_ = _e299;
+                let _e227 = nodes.member[(0u + _e106)].frame[0u];
+                let _e231 = nodes.member[(0u + _e106)].frame[1u];
+                let _e235 = nodes.member[(0u + _e106)].frame[2u];
+                let _e239 = nodes.member[(0u + _e106)].frame[0u];
+                let _e243 = nodes.member[(0u + _e106)].frame[1u];
+                let _e247 = nodes.member[(0u + _e106)].frame[2u];
+                let _e251 = nodes.member[(0u + _e106)].frame[3u];
+                let _e290 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
+                let _e291 = core_intrinsics_maximum_number_nsz_f32_(_e290, abs(_e157.direction.z));
+                let _e292 = (_e291 * 0.0000000000009094947f);
+                if (abs(_e157.direction.x) < _e292) {
+                    phi_915_ = _e292;
                 } else {
                     phi_915_ = abs(_e157.direction.x);
                 }
-                let _e306 = phi_915_;
+                let _e298 = phi_915_;
                 if (_e157.direction.x < 0f) {
-                    phi_922_ = (-1f / _e306);
+                    phi_922_ = (-1f / _e298);
                 } else {
-                    phi_922_ = (1f / _e306);
+                    phi_922_ = (1f / _e298);
                 }
-                let _e311 = phi_922_;
-                if (abs(_e157.direction.y) < _e299) {
-                    phi_930_ = _e299;
+                let _e303 = phi_922_;
+                if (abs(_e157.direction.y) < _e292) {
+                    phi_930_ = _e292;
                 } else {
                     phi_930_ = abs(_e157.direction.y);
                 }
-                let _e318 = phi_930_;
+                let _e309 = phi_930_;
                 if (_e157.direction.y < 0f) {
-                    phi_937_ = (-1f / _e318);
+                    phi_937_ = (-1f / _e309);
                 } else {
-                    phi_937_ = (1f / _e318);
+                    phi_937_ = (1f / _e309);
                 }
-                let _e323 = phi_937_;
-                if (abs(_e157.direction.z) < _e299) {
-                    phi_945_ = _e299;
+                let _e314 = phi_937_;
+                if (abs(_e157.direction.z) < _e292) {
+                    phi_945_ = _e292;
                 } else {
                     phi_945_ = abs(_e157.direction.z);
                 }
-                let _e330 = phi_945_;
+                let _e320 = phi_945_;
                 if (_e157.direction.z < 0f) {
-                    phi_952_ = (-1f / _e330);
+                    phi_952_ = (-1f / _e320);
                 } else {
-                    phi_952_ = (1f / _e330);
+                    phi_952_ = (1f / _e320);
                 }
-                let _e335 = phi_952_;
-                let _e343 = abs((bitcast<f32>(_e235) - _e157.origin.x));
-                let _e344 = abs((bitcast<f32>(_e239) - _e157.origin.y));
-                let _e345 = abs((bitcast<f32>(_e243) - _e157.origin.z));
-                let _e353 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
-                let _e354 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
-                let _e355 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
-                if (_e343 > _e353) {
-                    phi_977_ = _e343;
+                let _e325 = phi_952_;
+                let _e332 = abs((bitcast<f32>(_e227) - _e157.origin.x));
+                let _e333 = abs((bitcast<f32>(_e231) - _e157.origin.y));
+                let _e334 = abs((bitcast<f32>(_e235) - _e157.origin.z));
+                let _e341 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e251 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
+                let _e342 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e251 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
+                let _e343 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e251 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
+                if (_e332 > _e341) {
+                    phi_975_ = _e332;
                 } else {
-                    phi_977_ = _e353;
+                    phi_975_ = _e341;
                 }
-                let _e358 = phi_977_;
-                if (_e344 > _e354) {
-                    phi_982_ = _e344;
+                let _e346 = phi_975_;
+                if (_e333 > _e342) {
+                    phi_980_ = _e333;
                 } else {
-                    phi_982_ = _e354;
+                    phi_980_ = _e342;
                 }
-                let _e361 = phi_982_;
-                if (_e345 > _e355) {
-                    phi_987_ = _e345;
+                let _e349 = phi_980_;
+                if (_e334 > _e343) {
+                    phi_985_ = _e334;
                 } else {
-                    phi_987_ = _e355;
+                    phi_985_ = _e343;
                 }
-                let _e364 = phi_987_;
-                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e361);
-                let _e366 = core_intrinsics_maximum_number_nsz_f32_(_e365, _e364);
-                let _e371 = (_e366 * 0.0000019073486f);
-                let _e372 = (abs(_e311) * _e371);
-                let _e373 = (abs(_e323) * _e371);
-                let _e374 = (abs(_e335) * _e371);
-                let _e378 = (_e366 * 0.0000009536743f);
-                let _e379 = (abs(_e311) * _e378);
-                let _e380 = (abs(_e323) * _e378);
-                let _e381 = (abs(_e335) * _e378);
-                if (_e311 < 0f) {
-                    phi_1009_ = 0u;
+                let _e352 = phi_985_;
+                if (_e346 > _e349) {
+                    phi_990_ = _e346;
                 } else {
-                    phi_1009_ = 1u;
+                    phi_990_ = _e349;
                 }
-                let _e384 = phi_1009_;
-                if (_e323 < 0f) {
+                let _e355 = phi_990_;
+                if (_e355 > _e352) {
+                    phi_995_ = _e355;
+                } else {
+                    phi_995_ = _e352;
+                }
+                let _e358 = phi_995_;
+                let _e362 = (_e358 * 0.0000019073486f);
+                let _e363 = (abs(_e303) * _e362);
+                let _e364 = (abs(_e314) * _e362);
+                let _e365 = (abs(_e325) * _e362);
+                let _e369 = (_e358 * 0.0000009536743f);
+                let _e370 = (abs(_e303) * _e369);
+                let _e371 = (abs(_e314) * _e369);
+                let _e372 = (abs(_e325) * _e369);
+                if (_e303 < 0f) {
                     phi_1014_ = 0u;
                 } else {
-                    phi_1014_ = 2u;
+                    phi_1014_ = 1u;
                 }
-                let _e387 = phi_1014_;
-                if (_e335 < 0f) {
+                let _e375 = phi_1014_;
+                if (_e314 < 0f) {
                     phi_1019_ = 0u;
                 } else {
-                    phi_1019_ = 4u;
+                    phi_1019_ = 2u;
                 }
-                let _e390 = phi_1019_;
-                let _e392 = ((_e384 | _e387) | _e390);
-                let _e393 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e393.first[0], _e393.first[1], _e393.first[2], _e393.first[3], _e393.first[4], _e393.first[5], _e393.first[6], _e393.first[7], _e393.first[8], _e393.first[9], _e393.first[10], _e393.first[11], _e393.first[12], _e393.first[13], _e393.first[14], _e393.first[15], _e393.first[16], _e393.first[17], _e393.first[18], _e393.first[19], _e393.first[20], _e393.first[21], _e393.first[22], _e393.first[23], _e393.first[24], _e393.first[25], _e393.first[26], _e393.first[27], _e393.first[28], _e393.first[29], _e393.first[30], _e393.first[31]), array<u32, 32>(_e393.mask[0], _e393.mask[1], _e393.mask[2], _e393.mask[3], _e393.mask[4], _e393.mask[5], _e393.mask[6], _e393.mask[7], _e393.mask[8], _e393.mask[9], _e393.mask[10], _e393.mask[11], _e393.mask[12], _e393.mask[13], _e393.mask[14], _e393.mask[15], _e393.mask[16], _e393.mask[17], _e393.mask[18], _e393.mask[19], _e393.mask[20], _e393.mask[21], _e393.mask[22], _e393.mask[23], _e393.mask[24], _e393.mask[25], _e393.mask[26], _e393.mask[27], _e393.mask[28], _e393.mask[29], _e393.mask[30], _e393.mask[31]), _e393.len, _e393.group, _e393.group_mask);
-                let _e467 = local_2.group_mask;
-                if ((_e467 & 4278190080u) == 0u) {
-                    let _e471 = local_2.len;
-                    if (_e471 == 0u) {
-                        phi_1133_ = false;
+                let _e378 = phi_1019_;
+                if (_e325 < 0f) {
+                    phi_1024_ = 0u;
+                } else {
+                    phi_1024_ = 4u;
+                }
+                let _e381 = phi_1024_;
+                let _e383 = ((_e375 | _e378) | _e381);
+                let _e384 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e384.first[0], _e384.first[1], _e384.first[2], _e384.first[3], _e384.first[4], _e384.first[5], _e384.first[6], _e384.first[7], _e384.first[8], _e384.first[9], _e384.first[10], _e384.first[11], _e384.first[12], _e384.first[13], _e384.first[14], _e384.first[15], _e384.first[16], _e384.first[17], _e384.first[18], _e384.first[19], _e384.first[20], _e384.first[21], _e384.first[22], _e384.first[23], _e384.first[24], _e384.first[25], _e384.first[26], _e384.first[27], _e384.first[28], _e384.first[29], _e384.first[30], _e384.first[31]), array<u32, 32>(_e384.mask[0], _e384.mask[1], _e384.mask[2], _e384.mask[3], _e384.mask[4], _e384.mask[5], _e384.mask[6], _e384.mask[7], _e384.mask[8], _e384.mask[9], _e384.mask[10], _e384.mask[11], _e384.mask[12], _e384.mask[13], _e384.mask[14], _e384.mask[15], _e384.mask[16], _e384.mask[17], _e384.mask[18], _e384.mask[19], _e384.mask[20], _e384.mask[21], _e384.mask[22], _e384.mask[23], _e384.mask[24], _e384.mask[25], _e384.mask[26], _e384.mask[27], _e384.mask[28], _e384.mask[29], _e384.mask[30], _e384.mask[31]), _e384.len, _e384.group, _e384.group_mask);
+                let _e458 = local_2.group_mask;
+                if ((_e458 & 4278190080u) == 0u) {
+                    let _e462 = local_2.len;
+                    if (_e462 == 0u) {
+                        phi_1138_ = false;
                     } else {
-                        let _e475 = local_2.len;
-                        local_2.len = (_e475 - 1u);
-                        let _e478 = local_2.len;
-                        if (_e478 < 32u) {
+                        let _e466 = local_2.len;
+                        local_2.len = (_e466 - 1u);
+                        let _e469 = local_2.len;
+                        if (_e469 < 32u) {
                         } else {
                             return;
                         }
-                        let _e483 = local_2.first[(0u + _e478)];
-                        local_2.group = _e483;
-                        let _e486 = local_2.len;
-                        if (_e486 < 32u) {
+                        let _e474 = local_2.first[(0u + _e469)];
+                        local_2.group = _e474;
+                        let _e477 = local_2.len;
+                        if (_e477 < 32u) {
                         } else {
                             return;
                         }
-                        let _e491 = local_2.mask[(0u + _e486)];
-                        local_2.group_mask = _e491;
-                        phi_1133_ = true;
+                        let _e482 = local_2.mask[(0u + _e477)];
+                        local_2.group_mask = _e482;
+                        phi_1138_ = true;
                     }
-                    let _e494 = phi_1133_;
-                    phi_1134_ = _e494;
+                    let _e485 = phi_1138_;
+                    phi_1139_ = _e485;
                 } else {
-                    phi_1134_ = true;
+                    phi_1139_ = true;
                 }
-                let _e496 = phi_1134_;
-                if _e496 {
-                    let _e498 = local_2.group_mask;
-                    let _e504 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e498)), 32u, (_e498 == 0u)));
-                    let _e508 = local_2.group_mask;
-                    let _e522 = local_2.group_mask;
-                    local_2.group_mask = (_e522 & ~((1u << bitcast<u32>((_e504 & 31u)))));
-                    let _e525 = local_2.group;
-                    phi_1165_ = (_e525 + countOneBits(((_e508 & ~((4294967295u << bitcast<u32>((((_e504 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e487 = phi_1139_;
+                if _e487 {
+                    let _e489 = local_2.group_mask;
+                    let _e495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e489)), 32u, (_e489 == 0u)));
+                    let _e499 = local_2.group_mask;
+                    let _e513 = local_2.group_mask;
+                    local_2.group_mask = (_e513 & ~((1u << bitcast<u32>((_e495 & 31u)))));
+                    let _e516 = local_2.group;
+                    phi_1170_ = (_e516 + countOneBits(((_e499 & ~((4294967295u << bitcast<u32>((((_e495 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1165_ = 4294967295u;
+                    phi_1170_ = 4294967295u;
                 }
-                let _e528 = phi_1165_;
-                phi_1167_ = _e528;
-                phi_1170_ = _e159;
+                let _e519 = phi_1170_;
+                phi_1172_ = _e519;
+                phi_1175_ = _e159;
                 loop {
-                    let _e530 = phi_1167_;
-                    let _e532 = phi_1170_;
-                    local_12 = _e532;
-                    let _e533 = (_e530 != 4294967295u);
-                    if _e533 {
-                        if (_e530 < _e76) {
+                    let _e521 = phi_1172_;
+                    let _e523 = phi_1175_;
+                    local_12 = _e523;
+                    let _e524 = (_e521 != 4294967295u);
+                    if _e524 {
+                        if (_e521 < _e76) {
                         } else {
                             return;
                         }
-                        let _e541 = nodes.member[(0u + _e530)].frame[3u];
-                        let _e566 = (bitcast<f32>((((_e541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
-                        let _e567 = (bitcast<f32>((((_e541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
-                        let _e568 = (bitcast<f32>((((_e541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e335);
-                        let _e571 = nodes.member[(0u + _e530)].frame[0u];
-                        let _e575 = nodes.member[(0u + _e530)].frame[1u];
-                        let _e579 = nodes.member[(0u + _e530)].frame[2u];
-                        let _e587 = ((bitcast<f32>(_e571) - _e157.origin.x) * _e311);
-                        let _e588 = ((bitcast<f32>(_e575) - _e157.origin.y) * _e323);
-                        let _e589 = ((bitcast<f32>(_e579) - _e157.origin.z) * _e335);
-                        let _e597 = nodes.member[(0u + _e530)].x;
-                        if (_e311 < 0f) {
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e608.unnamed.root, _e597.w), _e608.unnamed_1);
-                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_bvh_traverse_Tree(_e597.x, _e614.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e620.unnamed, lt_bvh_traverse_Tree(_e620.unnamed_1.root, _e597.y));
+                        let _e532 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e557 = (bitcast<f32>((((_e532 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
+                        let _e558 = (bitcast<f32>((((_e532 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e559 = (bitcast<f32>((((_e532 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
+                        let _e562 = nodes.member[(0u + _e521)].frame[0u];
+                        let _e566 = nodes.member[(0u + _e521)].frame[1u];
+                        let _e570 = nodes.member[(0u + _e521)].frame[2u];
+                        let _e578 = ((bitcast<f32>(_e562) - _e157.origin.x) * _e303);
+                        let _e579 = ((bitcast<f32>(_e566) - _e157.origin.y) * _e314);
+                        let _e580 = ((bitcast<f32>(_e570) - _e157.origin.z) * _e325);
+                        let _e588 = nodes.member[(0u + _e521)].x;
+                        if (_e303 < 0f) {
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e588.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.unnamed.word, _e588.w), _e599.unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e588.x, _e605.unnamed_1.shift));
+                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e611.unnamed_1.word, _e588.y));
                         } else {
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e597.y), _e636.unnamed_1);
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e597.z, _e642.unnamed_1.first_primitive));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e597.w));
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e588.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e627.unnamed.word, _e588.y), _e627.unnamed_1);
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e588.z, _e633.unnamed_1.shift));
+                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e639.unnamed_1.word, _e588.w));
                         }
-                        let _e656 = phi_1255_;
-                        let _e666 = nodes.member[(0u + _e530)].y;
-                        if (_e323 < 0f) {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e666.w), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e666.x, _e683.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e666.y));
+                        let _e647 = phi_1260_;
+                        let _e657 = nodes.member[(0u + _e521)].y;
+                        if (_e314 < 0f) {
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.unnamed.word, _e657.w), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e657.x, _e674.unnamed_1.shift));
+                            phi_1287_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e680.unnamed_1.word, _e657.y));
                         } else {
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e666.y), _e705.unnamed_1);
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e666.z, _e711.unnamed_1.first_primitive));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e666.w));
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e696.unnamed.word, _e657.y), _e696.unnamed_1);
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e657.z, _e702.unnamed_1.shift));
+                            phi_1287_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e708.unnamed_1.word, _e657.w));
                         }
-                        let _e725 = phi_1282_;
-                        let _e735 = nodes.member[(0u + _e530)].z;
-                        if (_e335 < 0f) {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e735.w), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e735.x, _e752.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e735.y));
+                        let _e716 = phi_1287_;
+                        let _e726 = nodes.member[(0u + _e521)].z;
+                        if (_e325 < 0f) {
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.unnamed.word, _e726.w), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e726.x, _e743.unnamed_1.shift));
+                            phi_1314_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e749.unnamed_1.word, _e726.y));
                         } else {
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.unnamed.root, _e735.y), _e774.unnamed_1);
-                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e735.z, _e780.unnamed_1.first_primitive));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e786.unnamed_1.root, _e735.w));
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e765.unnamed.word, _e726.y), _e765.unnamed_1);
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e726.z, _e771.unnamed_1.shift));
+                            phi_1314_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e777.unnamed_1.word, _e726.w));
                         }
-                        let _e794 = phi_1309_;
-                        phi_1315_ = 0u;
-                        phi_1318_ = 0u;
+                        let _e785 = phi_1314_;
+                        phi_1320_ = 0u;
+                        phi_1323_ = 0u;
                         loop {
-                            let _e804 = phi_1315_;
-                            let _e806 = phi_1318_;
-                            local_3 = _e806;
-                            local_4 = _e806;
-                            local_5 = _e806;
-                            let _e807 = (_e804 < 8u);
-                            if _e807 {
-                                let _e809 = (_e804 >> bitcast<u32>(2i));
-                                let _e810 = (_e804 & 3u);
-                                if (_e809 == 0u) {
-                                    phi_1332_ = _e656.unnamed.root;
+                            let _e795 = phi_1320_;
+                            let _e797 = phi_1323_;
+                            local_3 = _e797;
+                            local_4 = _e797;
+                            local_5 = _e797;
+                            let _e798 = (_e795 < 8u);
+                            if _e798 {
+                                let _e800 = (_e795 >> bitcast<u32>(2i));
+                                let _e801 = (_e795 & 3u);
+                                if (_e800 == 0u) {
+                                    phi_1337_ = _e647.unnamed.word;
                                 } else {
-                                    phi_1332_ = _e656.unnamed.first_primitive;
+                                    phi_1337_ = _e647.unnamed.shift;
                                 }
-                                let _e813 = phi_1332_;
-                                if (_e809 == 0u) {
-                                    phi_1342_ = _e725.unnamed.root;
+                                let _e804 = phi_1337_;
+                                if (_e800 == 0u) {
+                                    phi_1347_ = _e716.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e725.unnamed.first_primitive;
+                                    phi_1347_ = _e716.unnamed.shift;
                                 }
-                                let _e822 = phi_1342_;
-                                if (_e809 == 0u) {
-                                    phi_1352_ = _e794.unnamed.root;
+                                let _e813 = phi_1347_;
+                                if (_e800 == 0u) {
+                                    phi_1357_ = _e785.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e794.unnamed.first_primitive;
+                                    phi_1357_ = _e785.unnamed.shift;
                                 }
-                                let _e831 = phi_1352_;
-                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)), ((f32(((_e822 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
-                                let _e845 = core_intrinsics_maximum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)));
-                                if (_e809 == 0u) {
-                                    phi_1370_ = _e656.unnamed_1.root;
+                                let _e822 = phi_1357_;
+                                let _e835 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e804 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e557) + (_e578 - _e363)), ((f32(((_e813 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e558) + (_e579 - _e364)));
+                                let _e836 = core_intrinsics_maximum_number_nsz_f32_(_e835, ((f32(((_e822 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e559) + (_e580 - _e365)));
+                                if (_e800 == 0u) {
+                                    phi_1375_ = _e647.unnamed_1.word;
                                 } else {
-                                    phi_1370_ = _e656.unnamed_1.first_primitive;
+                                    phi_1375_ = _e647.unnamed_1.shift;
                                 }
-                                let _e848 = phi_1370_;
-                                if (_e809 == 0u) {
-                                    phi_1380_ = _e725.unnamed_1.root;
+                                let _e839 = phi_1375_;
+                                if (_e800 == 0u) {
+                                    phi_1385_ = _e716.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e725.unnamed_1.first_primitive;
+                                    phi_1385_ = _e716.unnamed_1.shift;
                                 }
-                                let _e857 = phi_1380_;
-                                if (_e809 == 0u) {
-                                    phi_1390_ = _e794.unnamed_1.root;
+                                let _e848 = phi_1385_;
+                                if (_e800 == 0u) {
+                                    phi_1395_ = _e785.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e794.unnamed_1.first_primitive;
+                                    phi_1395_ = _e785.unnamed_1.shift;
                                 }
-                                let _e866 = phi_1390_;
-                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)), ((f32(((_e857 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
-                                let _e880 = core_intrinsics_minimum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)));
-                                if (_e845 <= _e880) {
-                                    if (_e845 <= _e532.t) {
-                                        if (_e880 >= _e157.tmin) {
-                                            if (_e809 == 0u) {
-                                                let _e887 = nodes.member[(0u + _e530)].links[2u];
-                                                phi_1426_ = _e887;
+                                let _e857 = phi_1395_;
+                                let _e870 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e839 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e557) + (_e578 + _e363)), ((f32(((_e848 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e558) + (_e579 + _e364)));
+                                let _e871 = core_intrinsics_minimum_number_nsz_f32_(_e870, ((f32(((_e857 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e559) + (_e580 + _e365)));
+                                if (_e836 <= _e871) {
+                                    if (_e836 <= _e523.t) {
+                                        if (_e871 >= _e157.tmin) {
+                                            if (_e800 == 0u) {
+                                                let _e878 = nodes.member[(0u + _e521)].links[2u];
+                                                phi_1431_ = _e878;
                                             } else {
-                                                let _e890 = nodes.member[(0u + _e530)].links[3u];
-                                                phi_1426_ = _e890;
+                                                let _e881 = nodes.member[(0u + _e521)].links[3u];
+                                                phi_1431_ = _e881;
                                             }
-                                            let _e892 = phi_1426_;
-                                            let _e897 = ((_e892 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u);
-                                            let _e898 = (_e897 & 31u);
-                                            if (_e898 >= 24u) {
-                                                phi_1439_ = (24u + ((_e898 - 24u) ^ _e392));
+                                            let _e883 = phi_1431_;
+                                            let _e888 = ((_e883 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u);
+                                            let _e889 = (_e888 & 31u);
+                                            if (_e889 >= 24u) {
+                                                phi_1444_ = (24u + ((_e889 - 24u) ^ _e383));
                                             } else {
-                                                phi_1439_ = _e898;
+                                                phi_1444_ = _e889;
                                             }
-                                            let _e904 = phi_1439_;
-                                            phi_1444_ = (_e806 | ((_e897 >> bitcast<u32>(5i)) << bitcast<u32>((_e904 & 31u))));
+                                            let _e895 = phi_1444_;
+                                            phi_1449_ = (_e797 | ((_e888 >> bitcast<u32>(5i)) << bitcast<u32>((_e895 & 31u))));
                                         } else {
-                                            phi_1444_ = _e806;
+                                            phi_1449_ = _e797;
                                         }
-                                        let _e912 = phi_1444_;
-                                        phi_1445_ = _e912;
+                                        let _e903 = phi_1449_;
+                                        phi_1450_ = _e903;
                                     } else {
-                                        phi_1445_ = _e806;
+                                        phi_1450_ = _e797;
                                     }
-                                    let _e914 = phi_1445_;
-                                    phi_1446_ = _e914;
+                                    let _e905 = phi_1450_;
+                                    phi_1451_ = _e905;
                                 } else {
-                                    phi_1446_ = _e806;
+                                    phi_1451_ = _e797;
                                 }
-                                let _e916 = phi_1446_;
-                                phi_1316_ = (_e804 + 1u);
-                                phi_1319_ = _e916;
+                                let _e907 = phi_1451_;
+                                phi_1321_ = (_e795 + 1u);
+                                phi_1324_ = _e907;
                             } else {
-                                phi_1316_ = u32();
-                                phi_1319_ = u32();
+                                phi_1321_ = u32();
+                                phi_1324_ = u32();
                             }
-                            let _e919 = phi_1316_;
-                            let _e921 = phi_1319_;
+                            let _e910 = phi_1321_;
+                            let _e912 = phi_1324_;
                             continue;
                             continuing {
-                                phi_1315_ = _e919;
-                                phi_1318_ = _e921;
-                                break if !(_e807);
+                                phi_1320_ = _e910;
+                                phi_1323_ = _e912;
+                                break if !(_e798);
                             }
                         }
-                        let _e925 = nodes.member[(0u + _e530)].links[0u];
-                        let _e929 = nodes.member[(0u + _e530)].frame[3u];
-                        let _e933 = local_3;
-                        if ((_e933 & 4278190080u) == 0u) {
+                        let _e916 = nodes.member[(0u + _e521)].links[0u];
+                        let _e920 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e924 = local_3;
+                        if ((_e924 & 4278190080u) == 0u) {
                         } else {
-                            let _e937 = local_2.group_mask;
-                            if ((_e937 & 4278190080u) == 0u) {
+                            let _e928 = local_2.group_mask;
+                            if ((_e928 & 4278190080u) == 0u) {
                             } else {
-                                let _e941 = local_2.len;
-                                if (_e941 < 32u) {
-                                    let _e944 = local_2.group;
-                                    let _e946 = local_2.len;
-                                    if (_e946 < 32u) {
+                                let _e932 = local_2.len;
+                                if (_e932 < 32u) {
+                                    let _e935 = local_2.group;
+                                    let _e937 = local_2.len;
+                                    if (_e937 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e946)] = _e944;
-                                    let _e952 = local_2.group_mask;
-                                    let _e954 = local_2.len;
-                                    if (_e954 < 32u) {
+                                    local_2.first[(0u + _e937)] = _e935;
+                                    let _e943 = local_2.group_mask;
+                                    let _e945 = local_2.len;
+                                    if (_e945 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e954)] = _e952;
-                                    let _e961 = local_2.len;
-                                    local_2.len = (_e961 + 1u);
+                                    local_2.mask[(0u + _e945)] = _e943;
+                                    let _e952 = local_2.len;
+                                    local_2.len = (_e952 + 1u);
                                 }
                             }
-                            local_2.group = (_e106 + _e925);
-                            let _e965 = local_4;
-                            local_2.group_mask = ((_e965 & 4278190080u) | (_e929 >> bitcast<u32>(24i)));
+                            local_2.group = (_e106 + _e916);
+                            let _e956 = local_4;
+                            local_2.group_mask = ((_e956 & 4278190080u) | (_e920 >> bitcast<u32>(24i)));
                         }
-                        let _e970 = local_5;
-                        phi_1504_ = (_e970 & 16777215u);
-                        phi_1507_ = _e532;
+                        let _e961 = local_5;
+                        phi_1509_ = (_e961 & 16777215u);
+                        phi_1512_ = _e523;
                         loop {
-                            let _e973 = phi_1504_;
-                            let _e975 = phi_1507_;
-                            local_11 = _e975;
-                            if (_e973 == 0u) {
-                                phi_1505_ = u32();
-                                phi_1508_ = lt_bvh_Hit();
-                                phi_3387_ = false;
+                            let _e964 = phi_1509_;
+                            let _e966 = phi_1512_;
+                            local_11 = _e966;
+                            if (_e964 == 0u) {
+                                phi_1510_ = u32();
+                                phi_1513_ = lt_bvh_Hit();
+                                phi_3399_ = false;
                             } else {
-                                let _e979 = nodes.member[(0u + _e530)].links[1u];
-                                let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
-                                if (_e983 < _e91) {
+                                let _e970 = nodes.member[(0u + _e521)].links[1u];
+                                let _e974 = (_e970 + select(firstTrailingBit(_e964), 32u, (_e964 == 0u)));
+                                if (_e974 < _e91) {
                                 } else {
                                     return;
                                 }
-                                let _e990 = instances.member[(0u + _e983)].low_world;
-                                let _e992 = instances.member[(0u + _e983)].high_world;
-                                let _e1002 = ((_e990.x - _e157.origin.x) * _e311);
-                                let _e1003 = ((_e990.y - _e157.origin.y) * _e323);
-                                let _e1004 = ((_e990.z - _e157.origin.z) * _e335);
-                                let _e1014 = ((_e992.x - _e157.origin.x) * _e311);
-                                let _e1015 = ((_e992.y - _e157.origin.y) * _e323);
-                                let _e1016 = ((_e992.z - _e157.origin.z) * _e335);
-                                if (_e1002 < _e1014) {
-                                    phi_1562_ = _e1002;
+                                let _e981 = instances.member[(0u + _e974)].low_world;
+                                let _e983 = instances.member[(0u + _e974)].high_world;
+                                let _e993 = ((_e981.x - _e157.origin.x) * _e303);
+                                let _e994 = ((_e981.y - _e157.origin.y) * _e314);
+                                let _e995 = ((_e981.z - _e157.origin.z) * _e325);
+                                let _e1005 = ((_e983.x - _e157.origin.x) * _e303);
+                                let _e1006 = ((_e983.y - _e157.origin.y) * _e314);
+                                let _e1007 = ((_e983.z - _e157.origin.z) * _e325);
+                                if (_e993 < _e1005) {
+                                    phi_1567_ = _e993;
                                 } else {
-                                    phi_1562_ = _e1014;
+                                    phi_1567_ = _e1005;
                                 }
-                                let _e1019 = phi_1562_;
-                                if (_e1003 < _e1015) {
-                                    phi_1567_ = _e1003;
+                                let _e1010 = phi_1567_;
+                                if (_e994 < _e1006) {
+                                    phi_1572_ = _e994;
                                 } else {
-                                    phi_1567_ = _e1015;
+                                    phi_1572_ = _e1006;
                                 }
-                                let _e1022 = phi_1567_;
-                                if (_e1004 < _e1016) {
-                                    phi_1572_ = _e1004;
+                                let _e1013 = phi_1572_;
+                                if (_e995 < _e1007) {
+                                    phi_1577_ = _e995;
                                 } else {
-                                    phi_1572_ = _e1016;
+                                    phi_1577_ = _e1007;
                                 }
-                                let _e1025 = phi_1572_;
-                                if (_e1002 > _e1014) {
-                                    phi_1580_ = _e1002;
+                                let _e1016 = phi_1577_;
+                                if (_e993 > _e1005) {
+                                    phi_1585_ = _e993;
                                 } else {
-                                    phi_1580_ = _e1014;
+                                    phi_1585_ = _e1005;
                                 }
-                                let _e1031 = phi_1580_;
-                                if (_e1003 > _e1015) {
-                                    phi_1585_ = _e1003;
+                                let _e1022 = phi_1585_;
+                                if (_e994 > _e1006) {
+                                    phi_1590_ = _e994;
                                 } else {
-                                    phi_1585_ = _e1015;
+                                    phi_1590_ = _e1006;
                                 }
-                                let _e1034 = phi_1585_;
-                                if (_e1004 > _e1016) {
-                                    phi_1590_ = _e1004;
+                                let _e1025 = phi_1590_;
+                                if (_e995 > _e1007) {
+                                    phi_1595_ = _e995;
                                 } else {
-                                    phi_1590_ = _e1016;
+                                    phi_1595_ = _e1007;
                                 }
-                                let _e1037 = phi_1590_;
-                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_((_e1019 - _e379), (_e1022 - _e380));
-                                let _e1042 = core_intrinsics_maximum_number_nsz_f32_(_e1041, (_e1025 - _e381));
-                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_((_e1031 + _e379), (_e1034 + _e380));
-                                let _e1044 = core_intrinsics_minimum_number_nsz_f32_(_e1043, (_e1037 + _e381));
-                                if (_e1042 <= _e1044) {
-                                    if (_e1042 <= _e975.t) {
-                                        if (_e1044 >= _e157.tmin) {
-                                            let _e1056 = instances.member[(0u + _e983)].world_to_object[0u];
-                                            let _e1067 = ((((_e1056.x * _e157.origin.x) + (_e1056.y * _e157.origin.y)) + (_e1056.z * _e157.origin.z)) + (_e1056.w * 1f));
-                                            let _e1069 = instances.member[(0u + _e983)].world_to_object[1u];
-                                            let _e1080 = ((((_e1069.x * _e157.origin.x) + (_e1069.y * _e157.origin.y)) + (_e1069.z * _e157.origin.z)) + (_e1069.w * 1f));
-                                            let _e1082 = instances.member[(0u + _e983)].world_to_object[2u];
-                                            let _e1093 = ((((_e1082.x * _e157.origin.x) + (_e1082.y * _e157.origin.y)) + (_e1082.z * _e157.origin.z)) + (_e1082.w * 1f));
-                                            let _e1100 = instances.member[(0u + _e983)].world_to_object[0u];
-                                            let _e1111 = ((((_e1100.x * _e157.direction.x) + (_e1100.y * _e157.direction.y)) + (_e1100.z * _e157.direction.z)) + (_e1100.w * 0f));
-                                            let _e1113 = instances.member[(0u + _e983)].world_to_object[1u];
-                                            let _e1124 = ((((_e1113.x * _e157.direction.x) + (_e1113.y * _e157.direction.y)) + (_e1113.z * _e157.direction.z)) + (_e1113.w * 0f));
-                                            let _e1126 = instances.member[(0u + _e983)].world_to_object[2u];
-                                            let _e1137 = ((((_e1126.x * _e157.direction.x) + (_e1126.y * _e157.direction.y)) + (_e1126.z * _e157.direction.z)) + (_e1126.w * 0f));
-                                            let _e1142 = instances.member[(0u + _e983)].root;
-                                            let _e1144 = instances.member[(0u + _e983)].first_triangle;
-                                            let _e1148 = abs(_e1111);
-                                            let _e1149 = abs(_e1124);
-                                            let _e1150 = abs(_e1137);
-                                            if (abs(_e1067) < 1000000000000000f) {
-                                                if (abs(_e1080) < 1000000000000000f) {
-                                                    if (abs(_e1093) < 1000000000000000f) {
-                                                        if (_e1148 < 1000000000000000f) {
-                                                            if (_e1149 < 1000000000000000f) {
-                                                                if (_e1150 < 1000000000000000f) {
-                                                                    if (_e1148 > 0f) {
-                                                                        phi_1747_ = bool();
-                                                                        phi_1748_ = true;
-                                                                    } else {
-                                                                        let _e1158 = (_e1149 > 0f);
-                                                                        if _e1158 {
-                                                                            phi_1746_ = bool();
-                                                                        } else {
-                                                                            phi_1746_ = (_e1150 > 0f);
-                                                                        }
-                                                                        let _e1161 = phi_1746_;
-                                                                        phi_1747_ = _e1161;
-                                                                        phi_1748_ = _e1158;
-                                                                    }
-                                                                    let _e1163 = phi_1747_;
-                                                                    let _e1165 = phi_1748_;
-                                                                    if _e1165 {
-                                                                        phi_1752_ = true;
-                                                                    } else {
-                                                                        phi_1752_ = _e1163;
-                                                                    }
-                                                                    let _e1167 = phi_1752_;
-                                                                    phi_1753_ = _e1167;
-                                                                    phi_1754_ = false;
-                                                                } else {
-                                                                    phi_1753_ = bool();
-                                                                    phi_1754_ = true;
-                                                                }
-                                                                let _e1169 = phi_1753_;
-                                                                let _e1171 = phi_1754_;
-                                                                phi_1755_ = _e1169;
-                                                                phi_1756_ = false;
-                                                                phi_1757_ = _e1171;
-                                                            } else {
-                                                                phi_1755_ = bool();
-                                                                phi_1756_ = true;
-                                                                phi_1757_ = false;
-                                                            }
-                                                            let _e1173 = phi_1755_;
-                                                            let _e1175 = phi_1756_;
-                                                            let _e1177 = phi_1757_;
-                                                            phi_1758_ = _e1173;
-                                                            phi_1759_ = _e1175;
-                                                            phi_1760_ = _e1177;
-                                                        } else {
-                                                            phi_1758_ = bool();
-                                                            phi_1759_ = true;
-                                                            phi_1760_ = false;
-                                                        }
-                                                        let _e1179 = phi_1758_;
-                                                        let _e1181 = phi_1759_;
-                                                        let _e1183 = phi_1760_;
-                                                        phi_1761_ = _e1179;
-                                                        phi_1762_ = _e1181;
-                                                        phi_1763_ = _e1183;
-                                                    } else {
-                                                        phi_1761_ = bool();
-                                                        phi_1762_ = true;
-                                                        phi_1763_ = false;
-                                                    }
-                                                    let _e1185 = phi_1761_;
-                                                    let _e1187 = phi_1762_;
-                                                    let _e1189 = phi_1763_;
-                                                    phi_1764_ = _e1185;
-                                                    phi_1765_ = _e1187;
-                                                    phi_1766_ = _e1189;
+                                let _e1028 = phi_1595_;
+                                let _e1032 = core_intrinsics_maximum_number_nsz_f32_((_e1010 - _e370), (_e1013 - _e371));
+                                let _e1033 = core_intrinsics_maximum_number_nsz_f32_(_e1032, (_e1016 - _e372));
+                                let _e1034 = core_intrinsics_minimum_number_nsz_f32_((_e1022 + _e370), (_e1025 + _e371));
+                                let _e1035 = core_intrinsics_minimum_number_nsz_f32_(_e1034, (_e1028 + _e372));
+                                if (_e1033 <= _e1035) {
+                                    if (_e1033 <= _e966.t) {
+                                        if (_e1035 >= _e157.tmin) {
+                                            let _e1047 = instances.member[(0u + _e974)].world_to_object[0u];
+                                            let _e1058 = ((((_e1047.x * _e157.origin.x) + (_e1047.y * _e157.origin.y)) + (_e1047.z * _e157.origin.z)) + (_e1047.w * 1f));
+                                            let _e1060 = instances.member[(0u + _e974)].world_to_object[1u];
+                                            let _e1071 = ((((_e1060.x * _e157.origin.x) + (_e1060.y * _e157.origin.y)) + (_e1060.z * _e157.origin.z)) + (_e1060.w * 1f));
+                                            let _e1073 = instances.member[(0u + _e974)].world_to_object[2u];
+                                            let _e1084 = ((((_e1073.x * _e157.origin.x) + (_e1073.y * _e157.origin.y)) + (_e1073.z * _e157.origin.z)) + (_e1073.w * 1f));
+                                            let _e1091 = instances.member[(0u + _e974)].world_to_object[0u];
+                                            let _e1102 = ((((_e1091.x * _e157.direction.x) + (_e1091.y * _e157.direction.y)) + (_e1091.z * _e157.direction.z)) + (_e1091.w * 0f));
+                                            let _e1104 = instances.member[(0u + _e974)].world_to_object[1u];
+                                            let _e1115 = ((((_e1104.x * _e157.direction.x) + (_e1104.y * _e157.direction.y)) + (_e1104.z * _e157.direction.z)) + (_e1104.w * 0f));
+                                            let _e1117 = instances.member[(0u + _e974)].world_to_object[2u];
+                                            let _e1128 = ((((_e1117.x * _e157.direction.x) + (_e1117.y * _e157.direction.y)) + (_e1117.z * _e157.direction.z)) + (_e1117.w * 0f));
+                                            let _e1133 = instances.member[(0u + _e974)].root;
+                                            let _e1135 = instances.member[(0u + _e974)].first_triangle;
+                                            let _e1136 = abs(_e1102);
+                                            let _e1137 = abs(_e1115);
+                                            let _e1138 = abs(_e1128);
+                                            if (abs(_e1058) < 1000000000000000f) {
+                                                if (abs(_e1071) < 1000000000000000f) {
+                                                    phi_1727_ = (abs(_e1084) < 1000000000000000f);
+                                                    phi_1728_ = false;
                                                 } else {
-                                                    phi_1764_ = bool();
-                                                    phi_1765_ = true;
-                                                    phi_1766_ = false;
+                                                    phi_1727_ = bool();
+                                                    phi_1728_ = true;
                                                 }
-                                                let _e1191 = phi_1764_;
-                                                let _e1193 = phi_1765_;
-                                                let _e1195 = phi_1766_;
-                                                phi_1767_ = _e1191;
-                                                phi_1768_ = _e1193;
-                                                phi_1769_ = _e1195;
+                                                let _e1146 = phi_1727_;
+                                                let _e1148 = phi_1728_;
+                                                phi_1729_ = _e1146;
+                                                phi_1730_ = _e1148;
                                             } else {
-                                                phi_1767_ = bool();
-                                                phi_1768_ = true;
-                                                phi_1769_ = false;
+                                                phi_1729_ = bool();
+                                                phi_1730_ = true;
                                             }
-                                            let _e1197 = phi_1767_;
-                                            let _e1199 = phi_1768_;
-                                            let _e1201 = phi_1769_;
-                                            if _e1199 {
-                                                phi_1773_ = true;
+                                            let _e1150 = phi_1729_;
+                                            let _e1152 = phi_1730_;
+                                            if _e1152 {
+                                                phi_1734_ = false;
                                             } else {
-                                                phi_1773_ = _e1201;
+                                                phi_1734_ = _e1150;
                                             }
-                                            let _e1203 = phi_1773_;
-                                            if _e1203 {
-                                                phi_1777_ = false;
-                                            } else {
-                                                phi_1777_ = _e1197;
-                                            }
-                                            let _e1205 = phi_1777_;
-                                            if _e1205 {
-                                                let _e1206 = (_e1142 >= _e76);
-                                                if _e1206 {
-                                                    phi_3377_ = lt_bvh_Hit();
+                                            let _e1154 = phi_1734_;
+                                            if _e1154 {
+                                                if (_e1136 < 1000000000000000f) {
+                                                    if (_e1137 < 1000000000000000f) {
+                                                        phi_1747_ = (_e1138 < 1000000000000000f);
+                                                        phi_1748_ = false;
+                                                    } else {
+                                                        phi_1747_ = bool();
+                                                        phi_1748_ = true;
+                                                    }
+                                                    let _e1159 = phi_1747_;
+                                                    let _e1161 = phi_1748_;
+                                                    phi_1749_ = _e1159;
+                                                    phi_1750_ = _e1161;
                                                 } else {
-                                                    if (_e1142 < _e76) {
+                                                    phi_1749_ = bool();
+                                                    phi_1750_ = true;
+                                                }
+                                                let _e1163 = phi_1749_;
+                                                let _e1165 = phi_1750_;
+                                                if _e1165 {
+                                                    phi_1754_ = false;
+                                                } else {
+                                                    phi_1754_ = _e1163;
+                                                }
+                                                let _e1167 = phi_1754_;
+                                                if _e1167 {
+                                                    if (_e1136 > 0f) {
+                                                        phi_1768_ = bool();
+                                                        phi_1769_ = true;
+                                                    } else {
+                                                        let _e1169 = (_e1137 > 0f);
+                                                        if _e1169 {
+                                                            phi_1767_ = bool();
+                                                        } else {
+                                                            phi_1767_ = (_e1138 > 0f);
+                                                        }
+                                                        let _e1172 = phi_1767_;
+                                                        phi_1768_ = _e1172;
+                                                        phi_1769_ = _e1169;
+                                                    }
+                                                    let _e1174 = phi_1768_;
+                                                    let _e1176 = phi_1769_;
+                                                    if _e1176 {
+                                                        phi_1773_ = true;
+                                                    } else {
+                                                        phi_1773_ = _e1174;
+                                                    }
+                                                    let _e1178 = phi_1773_;
+                                                    phi_1774_ = _e1178;
+                                                    phi_1775_ = false;
+                                                } else {
+                                                    phi_1774_ = bool();
+                                                    phi_1775_ = true;
+                                                }
+                                                let _e1180 = phi_1774_;
+                                                let _e1182 = phi_1775_;
+                                                phi_1776_ = _e1180;
+                                                phi_1777_ = _e1182;
+                                            } else {
+                                                phi_1776_ = bool();
+                                                phi_1777_ = true;
+                                            }
+                                            let _e1184 = phi_1776_;
+                                            let _e1186 = phi_1777_;
+                                            if _e1186 {
+                                                phi_1781_ = false;
+                                            } else {
+                                                phi_1781_ = _e1184;
+                                            }
+                                            let _e1188 = phi_1781_;
+                                            if _e1188 {
+                                                let _e1189 = (_e1133 >= _e76);
+                                                if _e1189 {
+                                                    phi_3389_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1133 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1212 = nodes.member[(0u + _e1142)].frame[0u];
-                                                    let _e1216 = nodes.member[(0u + _e1142)].frame[1u];
-                                                    let _e1220 = nodes.member[(0u + _e1142)].frame[2u];
-                                                    let _e1224 = nodes.member[(0u + _e1142)].frame[0u];
-                                                    let _e1228 = nodes.member[(0u + _e1142)].frame[1u];
-                                                    let _e1232 = nodes.member[(0u + _e1142)].frame[2u];
-                                                    let _e1236 = nodes.member[(0u + _e1142)].frame[3u];
-                                                    let _e1270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1111), abs(_e1124));
-                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1270, abs(_e1137));
-                                                    let _e1272 = (_e1271 * 0.0000000000009094947f);
-                                                    if (abs(_e1111) < _e1272) {
-                                                        phi_1847_ = _e1272;
+                                                    let _e1195 = nodes.member[(0u + _e1133)].frame[0u];
+                                                    let _e1199 = nodes.member[(0u + _e1133)].frame[1u];
+                                                    let _e1203 = nodes.member[(0u + _e1133)].frame[2u];
+                                                    let _e1207 = nodes.member[(0u + _e1133)].frame[0u];
+                                                    let _e1211 = nodes.member[(0u + _e1133)].frame[1u];
+                                                    let _e1215 = nodes.member[(0u + _e1133)].frame[2u];
+                                                    let _e1219 = nodes.member[(0u + _e1133)].frame[3u];
+                                                    let _e1253 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1102), abs(_e1115));
+                                                    let _e1254 = core_intrinsics_maximum_number_nsz_f32_(_e1253, abs(_e1128));
+                                                    let _e1255 = (_e1254 * 0.0000000000009094947f);
+                                                    if (abs(_e1102) < _e1255) {
+                                                        phi_1851_ = _e1255;
                                                     } else {
-                                                        phi_1847_ = abs(_e1111);
+                                                        phi_1851_ = abs(_e1102);
                                                     }
-                                                    let _e1277 = phi_1847_;
-                                                    if (_e1111 < 0f) {
-                                                        phi_1854_ = (-1f / _e1277);
+                                                    let _e1260 = phi_1851_;
+                                                    if (_e1102 < 0f) {
+                                                        phi_1858_ = (-1f / _e1260);
                                                     } else {
-                                                        phi_1854_ = (1f / _e1277);
+                                                        phi_1858_ = (1f / _e1260);
                                                     }
-                                                    let _e1282 = phi_1854_;
-                                                    if (abs(_e1124) < _e1272) {
-                                                        phi_1861_ = _e1272;
+                                                    let _e1265 = phi_1858_;
+                                                    if (abs(_e1115) < _e1255) {
+                                                        phi_1865_ = _e1255;
                                                     } else {
-                                                        phi_1861_ = abs(_e1124);
+                                                        phi_1865_ = abs(_e1115);
                                                     }
-                                                    let _e1287 = phi_1861_;
-                                                    if (_e1124 < 0f) {
-                                                        phi_1868_ = (-1f / _e1287);
+                                                    let _e1270 = phi_1865_;
+                                                    if (_e1115 < 0f) {
+                                                        phi_1872_ = (-1f / _e1270);
                                                     } else {
-                                                        phi_1868_ = (1f / _e1287);
+                                                        phi_1872_ = (1f / _e1270);
                                                     }
-                                                    let _e1292 = phi_1868_;
-                                                    if (abs(_e1137) < _e1272) {
-                                                        phi_1875_ = _e1272;
+                                                    let _e1275 = phi_1872_;
+                                                    if (abs(_e1128) < _e1255) {
+                                                        phi_1879_ = _e1255;
                                                     } else {
-                                                        phi_1875_ = abs(_e1137);
+                                                        phi_1879_ = abs(_e1128);
                                                     }
-                                                    let _e1297 = phi_1875_;
-                                                    if (_e1137 < 0f) {
-                                                        phi_1882_ = (-1f / _e1297);
+                                                    let _e1280 = phi_1879_;
+                                                    if (_e1128 < 0f) {
+                                                        phi_1886_ = (-1f / _e1280);
                                                     } else {
-                                                        phi_1882_ = (1f / _e1297);
+                                                        phi_1886_ = (1f / _e1280);
                                                     }
-                                                    let _e1302 = phi_1882_;
-                                                    let _e1306 = abs((bitcast<f32>(_e1212) - _e1067));
-                                                    let _e1307 = abs((bitcast<f32>(_e1216) - _e1080));
-                                                    let _e1308 = abs((bitcast<f32>(_e1220) - _e1093));
-                                                    let _e1312 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1067));
-                                                    let _e1313 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
-                                                    let _e1314 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1093));
-                                                    if (_e1306 > _e1312) {
-                                                        phi_1899_ = _e1306;
+                                                    let _e1285 = phi_1886_;
+                                                    let _e1289 = abs((bitcast<f32>(_e1195) - _e1058));
+                                                    let _e1290 = abs((bitcast<f32>(_e1199) - _e1071));
+                                                    let _e1291 = abs((bitcast<f32>(_e1203) - _e1084));
+                                                    let _e1295 = abs(((bitcast<f32>(_e1207) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1058));
+                                                    let _e1296 = abs(((bitcast<f32>(_e1211) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1071));
+                                                    let _e1297 = abs(((bitcast<f32>(_e1215) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1084));
+                                                    if (_e1289 > _e1295) {
+                                                        phi_1903_ = _e1289;
                                                     } else {
-                                                        phi_1899_ = _e1312;
+                                                        phi_1903_ = _e1295;
                                                     }
-                                                    let _e1317 = phi_1899_;
-                                                    if (_e1307 > _e1313) {
-                                                        phi_1904_ = _e1307;
+                                                    let _e1300 = phi_1903_;
+                                                    if (_e1290 > _e1296) {
+                                                        phi_1908_ = _e1290;
                                                     } else {
-                                                        phi_1904_ = _e1313;
+                                                        phi_1908_ = _e1296;
                                                     }
-                                                    let _e1320 = phi_1904_;
-                                                    if (_e1308 > _e1314) {
-                                                        phi_1909_ = _e1308;
+                                                    let _e1303 = phi_1908_;
+                                                    if (_e1291 > _e1297) {
+                                                        phi_1913_ = _e1291;
                                                     } else {
-                                                        phi_1909_ = _e1314;
+                                                        phi_1913_ = _e1297;
                                                     }
-                                                    let _e1323 = phi_1909_;
-                                                    let _e1324 = core_intrinsics_maximum_number_nsz_f32_(_e1317, _e1320);
-                                                    let _e1325 = core_intrinsics_maximum_number_nsz_f32_(_e1324, _e1323);
-                                                    let _e1329 = (_e1325 * 0.0000019073486f);
-                                                    let _e1330 = (abs(_e1282) * _e1329);
-                                                    let _e1331 = (abs(_e1292) * _e1329);
-                                                    let _e1332 = (abs(_e1302) * _e1329);
-                                                    let _e1336 = (_e1325 * 0.0000009536743f);
-                                                    let _e1337 = (abs(_e1282) * _e1336);
-                                                    let _e1338 = (abs(_e1292) * _e1336);
-                                                    let _e1339 = (abs(_e1302) * _e1336);
-                                                    let _e1340 = abs(_e1111);
-                                                    let _e1341 = abs(_e1124);
-                                                    let _e1342 = abs(_e1137);
-                                                    if (_e1340 >= _e1341) {
-                                                        if (_e1340 >= _e1342) {
-                                                            phi_1937_ = false;
+                                                    let _e1306 = phi_1913_;
+                                                    if (_e1300 > _e1303) {
+                                                        phi_1918_ = _e1300;
+                                                    } else {
+                                                        phi_1918_ = _e1303;
+                                                    }
+                                                    let _e1309 = phi_1918_;
+                                                    if (_e1309 > _e1306) {
+                                                        phi_1923_ = _e1309;
+                                                    } else {
+                                                        phi_1923_ = _e1306;
+                                                    }
+                                                    let _e1312 = phi_1923_;
+                                                    let _e1316 = (_e1312 * 0.0000019073486f);
+                                                    let _e1317 = (abs(_e1265) * _e1316);
+                                                    let _e1318 = (abs(_e1275) * _e1316);
+                                                    let _e1319 = (abs(_e1285) * _e1316);
+                                                    let _e1323 = (_e1312 * 0.0000009536743f);
+                                                    let _e1324 = (abs(_e1265) * _e1323);
+                                                    let _e1325 = (abs(_e1275) * _e1323);
+                                                    let _e1326 = (abs(_e1285) * _e1323);
+                                                    let _e1327 = abs(_e1102);
+                                                    let _e1328 = abs(_e1115);
+                                                    let _e1329 = abs(_e1128);
+                                                    if (_e1327 >= _e1328) {
+                                                        if (_e1327 >= _e1329) {
+                                                            phi_1949_ = false;
                                                         } else {
-                                                            phi_1937_ = true;
+                                                            phi_1949_ = true;
                                                         }
-                                                        let _e1346 = phi_1937_;
-                                                        phi_1938_ = _e1346;
+                                                        let _e1333 = phi_1949_;
+                                                        phi_1950_ = _e1333;
                                                     } else {
-                                                        phi_1938_ = true;
+                                                        phi_1950_ = true;
                                                     }
-                                                    let _e1348 = phi_1938_;
-                                                    if _e1348 {
-                                                        if (_e1341 >= _e1342) {
-                                                            phi_1946_ = 1u;
+                                                    let _e1335 = phi_1950_;
+                                                    if _e1335 {
+                                                        if (_e1328 >= _e1329) {
+                                                            phi_1958_ = 1u;
                                                         } else {
-                                                            phi_1946_ = 2u;
+                                                            phi_1958_ = 2u;
                                                         }
-                                                        let _e1351 = phi_1946_;
-                                                        phi_1947_ = _e1351;
+                                                        let _e1338 = phi_1958_;
+                                                        phi_1959_ = _e1338;
                                                     } else {
-                                                        phi_1947_ = 0u;
+                                                        phi_1959_ = 0u;
                                                     }
-                                                    let _e1353 = phi_1947_;
-                                                    if (_e1353 == 0u) {
-                                                        phi_1959_ = vec3<f32>(_e1124, _e1137, _e1111);
+                                                    let _e1340 = phi_1959_;
+                                                    if (_e1340 == 0u) {
+                                                        phi_1971_ = vec3<f32>(_e1115, _e1128, _e1102);
                                                     } else {
-                                                        if (_e1353 == 1u) {
-                                                            phi_1958_ = vec3<f32>(_e1137, _e1111, _e1124);
+                                                        if (_e1340 == 1u) {
+                                                            phi_1970_ = vec3<f32>(_e1128, _e1102, _e1115);
                                                         } else {
-                                                            phi_1958_ = vec3<f32>(_e1111, _e1124, _e1137);
+                                                            phi_1970_ = vec3<f32>(_e1102, _e1115, _e1128);
                                                         }
-                                                        let _e1359 = phi_1958_;
-                                                        phi_1959_ = _e1359;
+                                                        let _e1346 = phi_1970_;
+                                                        phi_1971_ = _e1346;
                                                     }
-                                                    let _e1361 = phi_1959_;
-                                                    let _e1364 = (_e1361.x / _e1361.z);
-                                                    let _e1367 = (_e1361.y / _e1361.z);
-                                                    if (_e1282 < 0f) {
-                                                        phi_1972_ = 0u;
+                                                    let _e1348 = phi_1971_;
+                                                    let _e1351 = (_e1348.x / _e1348.z);
+                                                    let _e1354 = (_e1348.y / _e1348.z);
+                                                    if (_e1265 < 0f) {
+                                                        phi_1984_ = 0u;
                                                     } else {
-                                                        phi_1972_ = 1u;
+                                                        phi_1984_ = 1u;
                                                     }
-                                                    let _e1372 = phi_1972_;
-                                                    if (_e1292 < 0f) {
-                                                        phi_1977_ = 0u;
+                                                    let _e1359 = phi_1984_;
+                                                    if (_e1275 < 0f) {
+                                                        phi_1989_ = 0u;
                                                     } else {
-                                                        phi_1977_ = 2u;
+                                                        phi_1989_ = 2u;
                                                     }
-                                                    let _e1375 = phi_1977_;
-                                                    if (_e1302 < 0f) {
-                                                        phi_1982_ = 0u;
+                                                    let _e1362 = phi_1989_;
+                                                    if (_e1285 < 0f) {
+                                                        phi_1994_ = 0u;
                                                     } else {
-                                                        phi_1982_ = 4u;
+                                                        phi_1994_ = 4u;
                                                     }
-                                                    let _e1378 = phi_1982_;
-                                                    let _e1380 = ((_e1372 | _e1375) | _e1378);
-                                                    let _e1381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1142, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1381.first[0], _e1381.first[1], _e1381.first[2], _e1381.first[3], _e1381.first[4], _e1381.first[5], _e1381.first[6], _e1381.first[7], _e1381.first[8], _e1381.first[9], _e1381.first[10], _e1381.first[11], _e1381.first[12], _e1381.first[13], _e1381.first[14], _e1381.first[15], _e1381.first[16], _e1381.first[17], _e1381.first[18], _e1381.first[19], _e1381.first[20], _e1381.first[21], _e1381.first[22], _e1381.first[23], _e1381.first[24], _e1381.first[25], _e1381.first[26], _e1381.first[27], _e1381.first[28], _e1381.first[29], _e1381.first[30], _e1381.first[31]), array<u32, 32>(_e1381.mask[0], _e1381.mask[1], _e1381.mask[2], _e1381.mask[3], _e1381.mask[4], _e1381.mask[5], _e1381.mask[6], _e1381.mask[7], _e1381.mask[8], _e1381.mask[9], _e1381.mask[10], _e1381.mask[11], _e1381.mask[12], _e1381.mask[13], _e1381.mask[14], _e1381.mask[15], _e1381.mask[16], _e1381.mask[17], _e1381.mask[18], _e1381.mask[19], _e1381.mask[20], _e1381.mask[21], _e1381.mask[22], _e1381.mask[23], _e1381.mask[24], _e1381.mask[25], _e1381.mask[26], _e1381.mask[27], _e1381.mask[28], _e1381.mask[29], _e1381.mask[30], _e1381.mask[31]), _e1381.len, _e1381.group, _e1381.group_mask);
-                                                    let _e1455 = local_1.group_mask;
-                                                    if ((_e1455 & 4278190080u) == 0u) {
-                                                        let _e1459 = local_1.len;
-                                                        if (_e1459 == 0u) {
-                                                            phi_2096_ = false;
+                                                    let _e1365 = phi_1994_;
+                                                    let _e1367 = ((_e1359 | _e1362) | _e1365);
+                                                    let _e1368 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1133, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1368.first[0], _e1368.first[1], _e1368.first[2], _e1368.first[3], _e1368.first[4], _e1368.first[5], _e1368.first[6], _e1368.first[7], _e1368.first[8], _e1368.first[9], _e1368.first[10], _e1368.first[11], _e1368.first[12], _e1368.first[13], _e1368.first[14], _e1368.first[15], _e1368.first[16], _e1368.first[17], _e1368.first[18], _e1368.first[19], _e1368.first[20], _e1368.first[21], _e1368.first[22], _e1368.first[23], _e1368.first[24], _e1368.first[25], _e1368.first[26], _e1368.first[27], _e1368.first[28], _e1368.first[29], _e1368.first[30], _e1368.first[31]), array<u32, 32>(_e1368.mask[0], _e1368.mask[1], _e1368.mask[2], _e1368.mask[3], _e1368.mask[4], _e1368.mask[5], _e1368.mask[6], _e1368.mask[7], _e1368.mask[8], _e1368.mask[9], _e1368.mask[10], _e1368.mask[11], _e1368.mask[12], _e1368.mask[13], _e1368.mask[14], _e1368.mask[15], _e1368.mask[16], _e1368.mask[17], _e1368.mask[18], _e1368.mask[19], _e1368.mask[20], _e1368.mask[21], _e1368.mask[22], _e1368.mask[23], _e1368.mask[24], _e1368.mask[25], _e1368.mask[26], _e1368.mask[27], _e1368.mask[28], _e1368.mask[29], _e1368.mask[30], _e1368.mask[31]), _e1368.len, _e1368.group, _e1368.group_mask);
+                                                    let _e1442 = local_1.group_mask;
+                                                    if ((_e1442 & 4278190080u) == 0u) {
+                                                        let _e1446 = local_1.len;
+                                                        if (_e1446 == 0u) {
+                                                            phi_2108_ = false;
                                                         } else {
-                                                            let _e1463 = local_1.len;
-                                                            local_1.len = (_e1463 - 1u);
-                                                            let _e1466 = local_1.len;
-                                                            if (_e1466 < 32u) {
+                                                            let _e1450 = local_1.len;
+                                                            local_1.len = (_e1450 - 1u);
+                                                            let _e1453 = local_1.len;
+                                                            if (_e1453 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1471 = local_1.first[(0u + _e1466)];
-                                                            local_1.group = _e1471;
-                                                            let _e1474 = local_1.len;
-                                                            if (_e1474 < 32u) {
+                                                            let _e1458 = local_1.first[(0u + _e1453)];
+                                                            local_1.group = _e1458;
+                                                            let _e1461 = local_1.len;
+                                                            if (_e1461 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1479 = local_1.mask[(0u + _e1474)];
-                                                            local_1.group_mask = _e1479;
-                                                            phi_2096_ = true;
+                                                            let _e1466 = local_1.mask[(0u + _e1461)];
+                                                            local_1.group_mask = _e1466;
+                                                            phi_2108_ = true;
                                                         }
-                                                        let _e1482 = phi_2096_;
-                                                        phi_2097_ = _e1482;
+                                                        let _e1469 = phi_2108_;
+                                                        phi_2109_ = _e1469;
                                                     } else {
-                                                        phi_2097_ = true;
+                                                        phi_2109_ = true;
                                                     }
-                                                    let _e1484 = phi_2097_;
-                                                    if _e1484 {
-                                                        let _e1486 = local_1.group_mask;
-                                                        let _e1492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1486)), 32u, (_e1486 == 0u)));
-                                                        let _e1496 = local_1.group_mask;
-                                                        let _e1510 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1510 & ~((1u << bitcast<u32>((_e1492 & 31u)))));
-                                                        let _e1513 = local_1.group;
-                                                        phi_2128_ = (_e1513 + countOneBits(((_e1496 & ~((4294967295u << bitcast<u32>((((_e1492 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1471 = phi_2109_;
+                                                    if _e1471 {
+                                                        let _e1473 = local_1.group_mask;
+                                                        let _e1479 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1473)), 32u, (_e1473 == 0u)));
+                                                        let _e1483 = local_1.group_mask;
+                                                        let _e1497 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1497 & ~((1u << bitcast<u32>((_e1479 & 31u)))));
+                                                        let _e1500 = local_1.group;
+                                                        phi_2140_ = (_e1500 + countOneBits(((_e1483 & ~((4294967295u << bitcast<u32>((((_e1479 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2128_ = 4294967295u;
+                                                        phi_2140_ = 4294967295u;
                                                     }
-                                                    let _e1516 = phi_2128_;
-                                                    phi_2130_ = _e975;
-                                                    phi_2133_ = _e1516;
+                                                    let _e1503 = phi_2140_;
+                                                    phi_2142_ = _e966;
+                                                    phi_2145_ = _e1503;
                                                     loop {
-                                                        let _e1518 = phi_2130_;
-                                                        let _e1520 = phi_2133_;
-                                                        local_10 = _e1518;
-                                                        let _e1521 = (_e1520 != 4294967295u);
-                                                        if _e1521 {
-                                                            if (_e1520 < _e76) {
+                                                        let _e1505 = phi_2142_;
+                                                        let _e1507 = phi_2145_;
+                                                        local_10 = _e1505;
+                                                        let _e1508 = (_e1507 != 4294967295u);
+                                                        if _e1508 {
+                                                            if (_e1507 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1528 = nodes.member[(0u + _e1520)].frame[3u];
-                                                            let _e1553 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1282);
-                                                            let _e1554 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1292);
-                                                            let _e1555 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1302);
-                                                            let _e1558 = nodes.member[(0u + _e1520)].frame[0u];
-                                                            let _e1562 = nodes.member[(0u + _e1520)].frame[1u];
-                                                            let _e1566 = nodes.member[(0u + _e1520)].frame[2u];
-                                                            let _e1571 = ((bitcast<f32>(_e1558) - _e1067) * _e1282);
-                                                            let _e1572 = ((bitcast<f32>(_e1562) - _e1080) * _e1292);
-                                                            let _e1573 = ((bitcast<f32>(_e1566) - _e1093) * _e1302);
-                                                            let _e1581 = nodes.member[(0u + _e1520)].x;
-                                                            if (_e1282 < 0f) {
-                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.unnamed.root, _e1581.w), _e1592.unnamed_1);
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_bvh_traverse_Tree(_e1581.x, _e1598.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1604.unnamed_1.root, _e1581.y));
+                                                            let _e1515 = nodes.member[(0u + _e1507)].frame[3u];
+                                                            let _e1540 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1265);
+                                                            let _e1541 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1275);
+                                                            let _e1542 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1285);
+                                                            let _e1545 = nodes.member[(0u + _e1507)].frame[0u];
+                                                            let _e1549 = nodes.member[(0u + _e1507)].frame[1u];
+                                                            let _e1553 = nodes.member[(0u + _e1507)].frame[2u];
+                                                            let _e1558 = ((bitcast<f32>(_e1545) - _e1058) * _e1265);
+                                                            let _e1559 = ((bitcast<f32>(_e1549) - _e1071) * _e1275);
+                                                            let _e1560 = ((bitcast<f32>(_e1553) - _e1084) * _e1285);
+                                                            let _e1568 = nodes.member[(0u + _e1507)].x;
+                                                            if (_e1265 < 0f) {
+                                                                let _e1579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1568.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1579.unnamed.word, _e1568.w), _e1579.unnamed_1);
+                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1585.unnamed, lt_mask_LightPlace(_e1568.x, _e1585.unnamed_1.shift));
+                                                                phi_2226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_mask_LightPlace(_e1591.unnamed_1.word, _e1568.y));
                                                             } else {
-                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1620.unnamed.root, _e1581.y), _e1620.unnamed_1);
-                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_bvh_traverse_Tree(_e1581.z, _e1626.unnamed_1.first_primitive));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1632.unnamed_1.root, _e1581.w));
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1568.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1607.unnamed.word, _e1568.y), _e1607.unnamed_1);
+                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_mask_LightPlace(_e1568.z, _e1613.unnamed_1.shift));
+                                                                phi_2226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_mask_LightPlace(_e1619.unnamed_1.word, _e1568.w));
                                                             }
-                                                            let _e1640 = phi_2214_;
-                                                            let _e1650 = nodes.member[(0u + _e1520)].y;
-                                                            if (_e1292 < 0f) {
-                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.unnamed.root, _e1650.w), _e1661.unnamed_1);
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_bvh_traverse_Tree(_e1650.x, _e1667.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1673.unnamed_1.root, _e1650.y));
+                                                            let _e1627 = phi_2226_;
+                                                            let _e1637 = nodes.member[(0u + _e1507)].y;
+                                                            if (_e1275 < 0f) {
+                                                                let _e1648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1637.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.unnamed.word, _e1637.w), _e1648.unnamed_1);
+                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1654.unnamed, lt_mask_LightPlace(_e1637.x, _e1654.unnamed_1.shift));
+                                                                phi_2253_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_mask_LightPlace(_e1660.unnamed_1.word, _e1637.y));
                                                             } else {
-                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1689.unnamed.root, _e1650.y), _e1689.unnamed_1);
-                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_bvh_traverse_Tree(_e1650.z, _e1695.unnamed_1.first_primitive));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1701.unnamed_1.root, _e1650.w));
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1637.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1676.unnamed.word, _e1637.y), _e1676.unnamed_1);
+                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_mask_LightPlace(_e1637.z, _e1682.unnamed_1.shift));
+                                                                phi_2253_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_mask_LightPlace(_e1688.unnamed_1.word, _e1637.w));
                                                             }
-                                                            let _e1709 = phi_2241_;
-                                                            let _e1719 = nodes.member[(0u + _e1520)].z;
-                                                            if (_e1302 < 0f) {
-                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1730.unnamed.root, _e1719.w), _e1730.unnamed_1);
-                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_bvh_traverse_Tree(_e1719.x, _e1736.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1742.unnamed_1.root, _e1719.y));
+                                                            let _e1696 = phi_2253_;
+                                                            let _e1706 = nodes.member[(0u + _e1507)].z;
+                                                            if (_e1285 < 0f) {
+                                                                let _e1717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1706.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.unnamed.word, _e1706.w), _e1717.unnamed_1);
+                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1723.unnamed, lt_mask_LightPlace(_e1706.x, _e1723.unnamed_1.shift));
+                                                                phi_2280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_mask_LightPlace(_e1729.unnamed_1.word, _e1706.y));
                                                             } else {
-                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1758.unnamed.root, _e1719.y), _e1758.unnamed_1);
-                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_bvh_traverse_Tree(_e1719.z, _e1764.unnamed_1.first_primitive));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1770.unnamed_1.root, _e1719.w));
+                                                                let _e1745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1706.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1745.unnamed.word, _e1706.y), _e1745.unnamed_1);
+                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1751.unnamed, lt_mask_LightPlace(_e1706.z, _e1751.unnamed_1.shift));
+                                                                phi_2280_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_mask_LightPlace(_e1757.unnamed_1.word, _e1706.w));
                                                             }
-                                                            let _e1778 = phi_2268_;
-                                                            phi_2274_ = 0u;
-                                                            phi_2277_ = 0u;
+                                                            let _e1765 = phi_2280_;
+                                                            phi_2286_ = 0u;
+                                                            phi_2289_ = 0u;
                                                             loop {
-                                                                let _e1788 = phi_2274_;
-                                                                let _e1790 = phi_2277_;
-                                                                local_6 = _e1790;
-                                                                local_7 = _e1790;
-                                                                local_8 = _e1790;
-                                                                let _e1791 = (_e1788 < 8u);
-                                                                if _e1791 {
-                                                                    let _e1793 = (_e1788 >> bitcast<u32>(2i));
-                                                                    let _e1794 = (_e1788 & 3u);
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2291_ = _e1640.unnamed.root;
+                                                                let _e1775 = phi_2286_;
+                                                                let _e1777 = phi_2289_;
+                                                                local_6 = _e1777;
+                                                                local_7 = _e1777;
+                                                                local_8 = _e1777;
+                                                                let _e1778 = (_e1775 < 8u);
+                                                                if _e1778 {
+                                                                    let _e1780 = (_e1775 >> bitcast<u32>(2i));
+                                                                    let _e1781 = (_e1775 & 3u);
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2303_ = _e1627.unnamed.word;
                                                                     } else {
-                                                                        phi_2291_ = _e1640.unnamed.first_primitive;
+                                                                        phi_2303_ = _e1627.unnamed.shift;
                                                                     }
-                                                                    let _e1797 = phi_2291_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2301_ = _e1709.unnamed.root;
+                                                                    let _e1784 = phi_2303_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2313_ = _e1696.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1709.unnamed.first_primitive;
+                                                                        phi_2313_ = _e1696.unnamed.shift;
                                                                     }
-                                                                    let _e1806 = phi_2301_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2311_ = _e1778.unnamed.root;
+                                                                    let _e1793 = phi_2313_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2323_ = _e1765.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1778.unnamed.first_primitive;
+                                                                        phi_2323_ = _e1765.unnamed.shift;
                                                                     }
-                                                                    let _e1815 = phi_2311_;
-                                                                    let _e1828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1797 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 - _e1330)), ((f32(((_e1806 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)));
-                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(_e1828, ((f32(((_e1815 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2329_ = _e1640.unnamed_1.root;
+                                                                    let _e1802 = phi_2323_;
+                                                                    let _e1815 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1784 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 - _e1317)), ((f32(((_e1793 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)));
+                                                                    let _e1816 = core_intrinsics_maximum_number_nsz_f32_(_e1815, ((f32(((_e1802 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2341_ = _e1627.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2329_ = _e1640.unnamed_1.first_primitive;
+                                                                        phi_2341_ = _e1627.unnamed_1.shift;
                                                                     }
-                                                                    let _e1832 = phi_2329_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2339_ = _e1709.unnamed_1.root;
+                                                                    let _e1819 = phi_2341_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2351_ = _e1696.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1709.unnamed_1.first_primitive;
+                                                                        phi_2351_ = _e1696.unnamed_1.shift;
                                                                     }
-                                                                    let _e1841 = phi_2339_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2349_ = _e1778.unnamed_1.root;
+                                                                    let _e1828 = phi_2351_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2361_ = _e1765.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1778.unnamed_1.first_primitive;
+                                                                        phi_2361_ = _e1765.unnamed_1.shift;
                                                                     }
-                                                                    let _e1850 = phi_2349_;
-                                                                    let _e1863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1832 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 + _e1330)), ((f32(((_e1841 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)));
-                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(_e1863, ((f32(((_e1850 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
-                                                                    if (_e1829 <= _e1864) {
-                                                                        if (_e1829 <= _e1518.t) {
-                                                                            if (_e1864 >= _e157.tmin) {
-                                                                                if (_e1793 == 0u) {
-                                                                                    let _e1871 = nodes.member[(0u + _e1520)].links[2u];
-                                                                                    phi_2385_ = _e1871;
+                                                                    let _e1837 = phi_2361_;
+                                                                    let _e1850 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1819 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 + _e1317)), ((f32(((_e1828 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)));
+                                                                    let _e1851 = core_intrinsics_minimum_number_nsz_f32_(_e1850, ((f32(((_e1837 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
+                                                                    if (_e1816 <= _e1851) {
+                                                                        if (_e1816 <= _e1505.t) {
+                                                                            if (_e1851 >= _e157.tmin) {
+                                                                                if (_e1780 == 0u) {
+                                                                                    let _e1858 = nodes.member[(0u + _e1507)].links[2u];
+                                                                                    phi_2397_ = _e1858;
                                                                                 } else {
-                                                                                    let _e1874 = nodes.member[(0u + _e1520)].links[3u];
-                                                                                    phi_2385_ = _e1874;
+                                                                                    let _e1861 = nodes.member[(0u + _e1507)].links[3u];
+                                                                                    phi_2397_ = _e1861;
                                                                                 }
-                                                                                let _e1876 = phi_2385_;
-                                                                                let _e1881 = ((_e1876 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u);
-                                                                                let _e1882 = (_e1881 & 31u);
-                                                                                if (_e1882 >= 24u) {
-                                                                                    phi_2398_ = (24u + ((_e1882 - 24u) ^ _e1380));
+                                                                                let _e1863 = phi_2397_;
+                                                                                let _e1868 = ((_e1863 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u);
+                                                                                let _e1869 = (_e1868 & 31u);
+                                                                                if (_e1869 >= 24u) {
+                                                                                    phi_2410_ = (24u + ((_e1869 - 24u) ^ _e1367));
                                                                                 } else {
-                                                                                    phi_2398_ = _e1882;
+                                                                                    phi_2410_ = _e1869;
                                                                                 }
-                                                                                let _e1888 = phi_2398_;
-                                                                                phi_2403_ = (_e1790 | ((_e1881 >> bitcast<u32>(5i)) << bitcast<u32>((_e1888 & 31u))));
+                                                                                let _e1875 = phi_2410_;
+                                                                                phi_2415_ = (_e1777 | ((_e1868 >> bitcast<u32>(5i)) << bitcast<u32>((_e1875 & 31u))));
                                                                             } else {
-                                                                                phi_2403_ = _e1790;
+                                                                                phi_2415_ = _e1777;
                                                                             }
-                                                                            let _e1896 = phi_2403_;
-                                                                            phi_2404_ = _e1896;
+                                                                            let _e1883 = phi_2415_;
+                                                                            phi_2416_ = _e1883;
                                                                         } else {
-                                                                            phi_2404_ = _e1790;
+                                                                            phi_2416_ = _e1777;
                                                                         }
-                                                                        let _e1898 = phi_2404_;
-                                                                        phi_2405_ = _e1898;
+                                                                        let _e1885 = phi_2416_;
+                                                                        phi_2417_ = _e1885;
                                                                     } else {
-                                                                        phi_2405_ = _e1790;
+                                                                        phi_2417_ = _e1777;
                                                                     }
-                                                                    let _e1900 = phi_2405_;
-                                                                    phi_2275_ = (_e1788 + 1u);
-                                                                    phi_2278_ = _e1900;
+                                                                    let _e1887 = phi_2417_;
+                                                                    phi_2287_ = (_e1775 + 1u);
+                                                                    phi_2290_ = _e1887;
                                                                 } else {
-                                                                    phi_2275_ = u32();
-                                                                    phi_2278_ = u32();
+                                                                    phi_2287_ = u32();
+                                                                    phi_2290_ = u32();
                                                                 }
-                                                                let _e1903 = phi_2275_;
-                                                                let _e1905 = phi_2278_;
+                                                                let _e1890 = phi_2287_;
+                                                                let _e1892 = phi_2290_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2274_ = _e1903;
-                                                                    phi_2277_ = _e1905;
-                                                                    break if !(_e1791);
+                                                                    phi_2286_ = _e1890;
+                                                                    phi_2289_ = _e1892;
+                                                                    break if !(_e1778);
                                                                 }
                                                             }
-                                                            let _e1909 = nodes.member[(0u + _e1520)].links[0u];
-                                                            let _e1913 = nodes.member[(0u + _e1520)].frame[3u];
-                                                            let _e1917 = local_6;
-                                                            if ((_e1917 & 4278190080u) == 0u) {
+                                                            let _e1896 = nodes.member[(0u + _e1507)].links[0u];
+                                                            let _e1900 = nodes.member[(0u + _e1507)].frame[3u];
+                                                            let _e1904 = local_6;
+                                                            if ((_e1904 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1921 = local_1.group_mask;
-                                                                if ((_e1921 & 4278190080u) == 0u) {
+                                                                let _e1908 = local_1.group_mask;
+                                                                if ((_e1908 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1925 = local_1.len;
-                                                                    if (_e1925 < 32u) {
-                                                                        let _e1928 = local_1.group;
-                                                                        let _e1930 = local_1.len;
-                                                                        if (_e1930 < 32u) {
+                                                                    let _e1912 = local_1.len;
+                                                                    if (_e1912 < 32u) {
+                                                                        let _e1915 = local_1.group;
+                                                                        let _e1917 = local_1.len;
+                                                                        if (_e1917 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1930)] = _e1928;
-                                                                        let _e1936 = local_1.group_mask;
-                                                                        let _e1938 = local_1.len;
-                                                                        if (_e1938 < 32u) {
+                                                                        local_1.first[(0u + _e1917)] = _e1915;
+                                                                        let _e1923 = local_1.group_mask;
+                                                                        let _e1925 = local_1.len;
+                                                                        if (_e1925 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1938)] = _e1936;
-                                                                        let _e1945 = local_1.len;
-                                                                        local_1.len = (_e1945 + 1u);
+                                                                        local_1.mask[(0u + _e1925)] = _e1923;
+                                                                        let _e1932 = local_1.len;
+                                                                        local_1.len = (_e1932 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1142 + _e1909);
-                                                                let _e1949 = local_7;
-                                                                local_1.group_mask = ((_e1949 & 4278190080u) | (_e1913 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1133 + _e1896);
+                                                                let _e1936 = local_7;
+                                                                local_1.group_mask = ((_e1936 & 4278190080u) | (_e1900 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1954 = local_8;
-                                                            phi_2463_ = _e1518;
-                                                            phi_2466_ = (_e1954 & 16777215u);
+                                                            let _e1941 = local_8;
+                                                            phi_2475_ = _e1505;
+                                                            phi_2478_ = (_e1941 & 16777215u);
                                                             loop {
-                                                                let _e1957 = phi_2463_;
-                                                                let _e1959 = phi_2466_;
-                                                                local_9 = _e1957;
-                                                                if (_e1959 == 0u) {
-                                                                    phi_2464_ = lt_bvh_Hit();
-                                                                    phi_2467_ = u32();
-                                                                    phi_3305_ = false;
+                                                                let _e1944 = phi_2475_;
+                                                                let _e1946 = phi_2478_;
+                                                                local_9 = _e1944;
+                                                                if (_e1946 == 0u) {
+                                                                    phi_2476_ = lt_bvh_Hit();
+                                                                    phi_2479_ = u32();
+                                                                    phi_3317_ = false;
                                                                 } else {
-                                                                    let _e1963 = nodes.member[(0u + _e1520)].links[1u];
-                                                                    let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
-                                                                    if (_e1968 < _e79) {
+                                                                    let _e1950 = nodes.member[(0u + _e1507)].links[1u];
+                                                                    let _e1955 = ((_e1135 + _e1950) + select(firstTrailingBit(_e1946), 32u, (_e1946 == 0u)));
+                                                                    if (_e1955 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1975 = triangles.member[(0u + _e1968)].v0_;
-                                                                    let _e1977 = (_e1975.x - _e1067);
-                                                                    let _e1979 = (_e1975.y - _e1080);
-                                                                    let _e1981 = (_e1975.z - _e1093);
-                                                                    if (_e1353 == 0u) {
-                                                                        phi_2511_ = vec3<f32>(_e1979, _e1981, _e1977);
+                                                                    let _e1962 = triangles.member[(0u + _e1955)].v0_;
+                                                                    let _e1964 = (_e1962.x - _e1058);
+                                                                    let _e1966 = (_e1962.y - _e1071);
+                                                                    let _e1968 = (_e1962.z - _e1084);
+                                                                    if (_e1340 == 0u) {
+                                                                        phi_2523_ = vec3<f32>(_e1966, _e1968, _e1964);
                                                                     } else {
-                                                                        if (_e1353 == 1u) {
-                                                                            phi_2510_ = vec3<f32>(_e1981, _e1977, _e1979);
+                                                                        if (_e1340 == 1u) {
+                                                                            phi_2522_ = vec3<f32>(_e1968, _e1964, _e1966);
                                                                         } else {
-                                                                            phi_2510_ = (_e1975 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2522_ = (_e1962 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                         }
-                                                                        let _e1989 = phi_2510_;
-                                                                        phi_2511_ = _e1989;
+                                                                        let _e1976 = phi_2522_;
+                                                                        phi_2523_ = _e1976;
                                                                     }
-                                                                    let _e1991 = phi_2511_;
-                                                                    let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
-                                                                    let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
-                                                                    let _e2001 = triangles.member[(0u + _e1968)].v1_;
-                                                                    let _e2003 = (_e2001.x - _e1067);
-                                                                    let _e2005 = (_e2001.y - _e1080);
-                                                                    let _e2007 = (_e2001.z - _e1093);
-                                                                    if (_e1353 == 0u) {
-                                                                        phi_2541_ = vec3<f32>(_e2005, _e2007, _e2003);
+                                                                    let _e1978 = phi_2523_;
+                                                                    let _e1982 = (_e1978.x - (_e1351 * _e1978.z));
+                                                                    let _e1986 = (_e1978.y - (_e1354 * _e1978.z));
+                                                                    let _e1988 = triangles.member[(0u + _e1955)].v1_;
+                                                                    let _e1990 = (_e1988.x - _e1058);
+                                                                    let _e1992 = (_e1988.y - _e1071);
+                                                                    let _e1994 = (_e1988.z - _e1084);
+                                                                    if (_e1340 == 0u) {
+                                                                        phi_2553_ = vec3<f32>(_e1992, _e1994, _e1990);
                                                                     } else {
-                                                                        if (_e1353 == 1u) {
-                                                                            phi_2540_ = vec3<f32>(_e2007, _e2003, _e2005);
+                                                                        if (_e1340 == 1u) {
+                                                                            phi_2552_ = vec3<f32>(_e1994, _e1990, _e1992);
                                                                         } else {
-                                                                            phi_2540_ = (_e2001 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2552_ = (_e1988 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                         }
-                                                                        let _e2015 = phi_2540_;
-                                                                        phi_2541_ = _e2015;
+                                                                        let _e2002 = phi_2552_;
+                                                                        phi_2553_ = _e2002;
                                                                     }
-                                                                    let _e2017 = phi_2541_;
-                                                                    let _e2021 = (_e2017.x - (_e1364 * _e2017.z));
-                                                                    let _e2025 = (_e2017.y - (_e1367 * _e2017.z));
-                                                                    let _e2027 = triangles.member[(0u + _e1968)].v2_;
-                                                                    let _e2029 = (_e2027.x - _e1067);
-                                                                    let _e2031 = (_e2027.y - _e1080);
-                                                                    let _e2033 = (_e2027.z - _e1093);
-                                                                    if (_e1353 == 0u) {
-                                                                        phi_2571_ = vec3<f32>(_e2031, _e2033, _e2029);
+                                                                    let _e2004 = phi_2553_;
+                                                                    let _e2008 = (_e2004.x - (_e1351 * _e2004.z));
+                                                                    let _e2012 = (_e2004.y - (_e1354 * _e2004.z));
+                                                                    let _e2014 = triangles.member[(0u + _e1955)].v2_;
+                                                                    let _e2016 = (_e2014.x - _e1058);
+                                                                    let _e2018 = (_e2014.y - _e1071);
+                                                                    let _e2020 = (_e2014.z - _e1084);
+                                                                    if (_e1340 == 0u) {
+                                                                        phi_2583_ = vec3<f32>(_e2018, _e2020, _e2016);
                                                                     } else {
-                                                                        if (_e1353 == 1u) {
-                                                                            phi_2570_ = vec3<f32>(_e2033, _e2029, _e2031);
+                                                                        if (_e1340 == 1u) {
+                                                                            phi_2582_ = vec3<f32>(_e2020, _e2016, _e2018);
                                                                         } else {
-                                                                            phi_2570_ = (_e2027 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2582_ = (_e2014 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                         }
-                                                                        let _e2041 = phi_2570_;
-                                                                        phi_2571_ = _e2041;
+                                                                        let _e2028 = phi_2582_;
+                                                                        phi_2583_ = _e2028;
                                                                     }
-                                                                    let _e2043 = phi_2571_;
-                                                                    let _e2047 = (_e2043.x - (_e1364 * _e2043.z));
-                                                                    let _e2051 = (_e2043.y - (_e1367 * _e2043.z));
-                                                                    if (_e2021 < _e2047) {
-                                                                        phi_2590_ = true;
+                                                                    let _e2030 = phi_2583_;
+                                                                    let _e2034 = (_e2030.x - (_e1351 * _e2030.z));
+                                                                    let _e2038 = (_e2030.y - (_e1354 * _e2030.z));
+                                                                    if (_e2008 < _e2034) {
+                                                                        phi_2602_ = true;
                                                                     } else {
-                                                                        if (_e2021 == _e2047) {
-                                                                            phi_2589_ = (_e2025 < _e2051);
+                                                                        if (_e2008 == _e2034) {
+                                                                            phi_2601_ = (_e2012 < _e2038);
                                                                         } else {
-                                                                            phi_2589_ = false;
+                                                                            phi_2601_ = false;
                                                                         }
-                                                                        let _e2056 = phi_2589_;
-                                                                        phi_2590_ = _e2056;
+                                                                        let _e2043 = phi_2601_;
+                                                                        phi_2602_ = _e2043;
                                                                     }
-                                                                    let _e2058 = phi_2590_;
-                                                                    if _e2058 {
-                                                                        phi_2594_ = _e2051;
-                                                                        phi_2595_ = _e2047;
-                                                                        phi_2596_ = _e2025;
-                                                                        phi_2597_ = _e2021;
+                                                                    let _e2045 = phi_2602_;
+                                                                    if _e2045 {
+                                                                        phi_2606_ = _e2038;
+                                                                        phi_2607_ = _e2034;
+                                                                        phi_2608_ = _e2012;
+                                                                        phi_2609_ = _e2008;
                                                                     } else {
-                                                                        phi_2594_ = _e2025;
-                                                                        phi_2595_ = _e2021;
-                                                                        phi_2596_ = _e2051;
-                                                                        phi_2597_ = _e2047;
+                                                                        phi_2606_ = _e2012;
+                                                                        phi_2607_ = _e2008;
+                                                                        phi_2608_ = _e2038;
+                                                                        phi_2609_ = _e2034;
                                                                     }
-                                                                    let _e2060 = phi_2594_;
-                                                                    let _e2062 = phi_2595_;
-                                                                    let _e2064 = phi_2596_;
-                                                                    let _e2066 = phi_2597_;
-                                                                    let _e2069 = ((_e2066 * _e2060) - (_e2064 * _e2062));
-                                                                    if _e2058 {
-                                                                        phi_2605_ = -(_e2069);
+                                                                    let _e2047 = phi_2606_;
+                                                                    let _e2049 = phi_2607_;
+                                                                    let _e2051 = phi_2608_;
+                                                                    let _e2053 = phi_2609_;
+                                                                    let _e2056 = ((_e2053 * _e2047) - (_e2051 * _e2049));
+                                                                    if _e2045 {
+                                                                        phi_2617_ = -(_e2056);
                                                                     } else {
-                                                                        phi_2605_ = _e2069;
+                                                                        phi_2617_ = _e2056;
                                                                     }
-                                                                    let _e2072 = phi_2605_;
-                                                                    if (_e2047 < _e1995) {
-                                                                        phi_2616_ = true;
+                                                                    let _e2059 = phi_2617_;
+                                                                    if (_e2034 < _e1982) {
+                                                                        phi_2628_ = true;
                                                                     } else {
-                                                                        if (_e2047 == _e1995) {
-                                                                            phi_2615_ = (_e2051 < _e1999);
+                                                                        if (_e2034 == _e1982) {
+                                                                            phi_2627_ = (_e2038 < _e1986);
                                                                         } else {
-                                                                            phi_2615_ = false;
+                                                                            phi_2627_ = false;
                                                                         }
-                                                                        let _e2077 = phi_2615_;
-                                                                        phi_2616_ = _e2077;
+                                                                        let _e2064 = phi_2627_;
+                                                                        phi_2628_ = _e2064;
                                                                     }
-                                                                    let _e2079 = phi_2616_;
-                                                                    if _e2079 {
-                                                                        phi_2620_ = _e1999;
-                                                                        phi_2621_ = _e1995;
-                                                                        phi_2622_ = _e2051;
-                                                                        phi_2623_ = _e2047;
+                                                                    let _e2066 = phi_2628_;
+                                                                    if _e2066 {
+                                                                        phi_2632_ = _e1986;
+                                                                        phi_2633_ = _e1982;
+                                                                        phi_2634_ = _e2038;
+                                                                        phi_2635_ = _e2034;
                                                                     } else {
-                                                                        phi_2620_ = _e2051;
-                                                                        phi_2621_ = _e2047;
-                                                                        phi_2622_ = _e1999;
-                                                                        phi_2623_ = _e1995;
+                                                                        phi_2632_ = _e2038;
+                                                                        phi_2633_ = _e2034;
+                                                                        phi_2634_ = _e1986;
+                                                                        phi_2635_ = _e1982;
                                                                     }
-                                                                    let _e2081 = phi_2620_;
-                                                                    let _e2083 = phi_2621_;
-                                                                    let _e2085 = phi_2622_;
-                                                                    let _e2087 = phi_2623_;
-                                                                    let _e2090 = ((_e2087 * _e2081) - (_e2085 * _e2083));
-                                                                    if _e2079 {
-                                                                        phi_2631_ = -(_e2090);
+                                                                    let _e2068 = phi_2632_;
+                                                                    let _e2070 = phi_2633_;
+                                                                    let _e2072 = phi_2634_;
+                                                                    let _e2074 = phi_2635_;
+                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
+                                                                    if _e2066 {
+                                                                        phi_2643_ = -(_e2077);
                                                                     } else {
-                                                                        phi_2631_ = _e2090;
+                                                                        phi_2643_ = _e2077;
                                                                     }
-                                                                    let _e2093 = phi_2631_;
-                                                                    if (_e1995 < _e2021) {
-                                                                        phi_2642_ = true;
+                                                                    let _e2080 = phi_2643_;
+                                                                    if (_e1982 < _e2008) {
+                                                                        phi_2654_ = true;
                                                                     } else {
-                                                                        if (_e1995 == _e2021) {
-                                                                            phi_2641_ = (_e1999 < _e2025);
+                                                                        if (_e1982 == _e2008) {
+                                                                            phi_2653_ = (_e1986 < _e2012);
                                                                         } else {
-                                                                            phi_2641_ = false;
+                                                                            phi_2653_ = false;
                                                                         }
-                                                                        let _e2098 = phi_2641_;
-                                                                        phi_2642_ = _e2098;
+                                                                        let _e2085 = phi_2653_;
+                                                                        phi_2654_ = _e2085;
                                                                     }
-                                                                    let _e2100 = phi_2642_;
-                                                                    if _e2100 {
-                                                                        phi_2646_ = _e2025;
-                                                                        phi_2647_ = _e2021;
-                                                                        phi_2648_ = _e1999;
-                                                                        phi_2649_ = _e1995;
+                                                                    let _e2087 = phi_2654_;
+                                                                    if _e2087 {
+                                                                        phi_2658_ = _e2012;
+                                                                        phi_2659_ = _e2008;
+                                                                        phi_2660_ = _e1986;
+                                                                        phi_2661_ = _e1982;
                                                                     } else {
-                                                                        phi_2646_ = _e1999;
-                                                                        phi_2647_ = _e1995;
-                                                                        phi_2648_ = _e2025;
-                                                                        phi_2649_ = _e2021;
+                                                                        phi_2658_ = _e1986;
+                                                                        phi_2659_ = _e1982;
+                                                                        phi_2660_ = _e2012;
+                                                                        phi_2661_ = _e2008;
                                                                     }
-                                                                    let _e2102 = phi_2646_;
-                                                                    let _e2104 = phi_2647_;
-                                                                    let _e2106 = phi_2648_;
-                                                                    let _e2108 = phi_2649_;
-                                                                    let _e2111 = ((_e2108 * _e2102) - (_e2106 * _e2104));
-                                                                    if _e2100 {
-                                                                        phi_2657_ = -(_e2111);
+                                                                    let _e2089 = phi_2658_;
+                                                                    let _e2091 = phi_2659_;
+                                                                    let _e2093 = phi_2660_;
+                                                                    let _e2095 = phi_2661_;
+                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
+                                                                    if _e2087 {
+                                                                        phi_2669_ = -(_e2098);
                                                                     } else {
-                                                                        phi_2657_ = _e2111;
+                                                                        phi_2669_ = _e2098;
                                                                     }
-                                                                    let _e2114 = phi_2657_;
-                                                                    if (_e2072 >= 0f) {
-                                                                        if (_e2093 >= 0f) {
-                                                                            if (_e2114 >= 0f) {
-                                                                                phi_2672_ = ((_e2072 + _e2093) + _e2114);
-                                                                                phi_2673_ = false;
+                                                                    let _e2101 = phi_2669_;
+                                                                    if (_e2059 >= 0f) {
+                                                                        if (_e2080 >= 0f) {
+                                                                            if (_e2101 >= 0f) {
+                                                                                phi_2684_ = ((_e2059 + _e2080) + _e2101);
+                                                                                phi_2685_ = false;
                                                                             } else {
-                                                                                phi_2672_ = f32();
-                                                                                phi_2673_ = true;
+                                                                                phi_2684_ = f32();
+                                                                                phi_2685_ = true;
                                                                             }
-                                                                            let _e2121 = phi_2672_;
-                                                                            let _e2123 = phi_2673_;
-                                                                            phi_2674_ = _e2121;
-                                                                            phi_2675_ = _e2123;
+                                                                            let _e2108 = phi_2684_;
+                                                                            let _e2110 = phi_2685_;
+                                                                            phi_2686_ = _e2108;
+                                                                            phi_2687_ = _e2110;
                                                                         } else {
-                                                                            phi_2674_ = f32();
-                                                                            phi_2675_ = true;
+                                                                            phi_2686_ = f32();
+                                                                            phi_2687_ = true;
                                                                         }
-                                                                        let _e2125 = phi_2674_;
-                                                                        let _e2127 = phi_2675_;
-                                                                        phi_2676_ = _e2125;
-                                                                        phi_2677_ = _e2127;
+                                                                        let _e2112 = phi_2686_;
+                                                                        let _e2114 = phi_2687_;
+                                                                        phi_2688_ = _e2112;
+                                                                        phi_2689_ = _e2114;
                                                                     } else {
-                                                                        phi_2676_ = f32();
-                                                                        phi_2677_ = true;
+                                                                        phi_2688_ = f32();
+                                                                        phi_2689_ = true;
                                                                     }
-                                                                    let _e2129 = phi_2676_;
-                                                                    let _e2131 = phi_2677_;
-                                                                    if _e2131 {
-                                                                        if (_e2072 <= 0f) {
-                                                                            if (_e2093 <= 0f) {
-                                                                                let _e2134 = (_e2114 <= 0f);
-                                                                                if _e2134 {
+                                                                    let _e2116 = phi_2688_;
+                                                                    let _e2118 = phi_2689_;
+                                                                    if _e2118 {
+                                                                        if (_e2059 <= 0f) {
+                                                                            if (_e2080 <= 0f) {
+                                                                                let _e2121 = (_e2101 <= 0f);
+                                                                                if _e2121 {
                                                                                 }
-                                                                                phi_2695_ = ((_e2072 + _e2093) + _e2114);
-                                                                                phi_2696_ = false;
-                                                                                phi_2697_ = _e2134;
+                                                                                phi_2707_ = ((_e2059 + _e2080) + _e2101);
+                                                                                phi_2708_ = false;
+                                                                                phi_2709_ = _e2121;
                                                                             } else {
-                                                                                phi_2695_ = f32();
-                                                                                phi_2696_ = true;
-                                                                                phi_2697_ = false;
+                                                                                phi_2707_ = f32();
+                                                                                phi_2708_ = true;
+                                                                                phi_2709_ = false;
                                                                             }
-                                                                            let _e2138 = phi_2695_;
-                                                                            let _e2140 = phi_2696_;
-                                                                            let _e2142 = phi_2697_;
-                                                                            phi_2698_ = _e2138;
-                                                                            phi_2699_ = _e2140;
-                                                                            phi_2700_ = _e2142;
+                                                                            let _e2125 = phi_2707_;
+                                                                            let _e2127 = phi_2708_;
+                                                                            let _e2129 = phi_2709_;
+                                                                            phi_2710_ = _e2125;
+                                                                            phi_2711_ = _e2127;
+                                                                            phi_2712_ = _e2129;
                                                                         } else {
-                                                                            phi_2698_ = f32();
-                                                                            phi_2699_ = true;
-                                                                            phi_2700_ = false;
+                                                                            phi_2710_ = f32();
+                                                                            phi_2711_ = true;
+                                                                            phi_2712_ = false;
                                                                         }
-                                                                        let _e2144 = phi_2698_;
-                                                                        let _e2146 = phi_2699_;
-                                                                        let _e2148 = phi_2700_;
-                                                                        if _e2146 {
-                                                                            phi_2704_ = false;
+                                                                        let _e2131 = phi_2710_;
+                                                                        let _e2133 = phi_2711_;
+                                                                        let _e2135 = phi_2712_;
+                                                                        if _e2133 {
+                                                                            phi_2716_ = false;
                                                                         } else {
-                                                                            phi_2704_ = _e2148;
+                                                                            phi_2716_ = _e2135;
                                                                         }
-                                                                        let _e2150 = phi_2704_;
-                                                                        phi_2705_ = _e2144;
-                                                                        phi_2706_ = _e2150;
+                                                                        let _e2137 = phi_2716_;
+                                                                        phi_2717_ = _e2131;
+                                                                        phi_2718_ = _e2137;
                                                                     } else {
-                                                                        phi_2705_ = _e2129;
-                                                                        phi_2706_ = true;
+                                                                        phi_2717_ = _e2116;
+                                                                        phi_2718_ = true;
                                                                     }
-                                                                    let _e2152 = phi_2705_;
-                                                                    let _e2154 = phi_2706_;
-                                                                    if _e2154 {
-                                                                        let _e2155 = (_e2152 == 0f);
-                                                                        if _e2155 {
-                                                                            phi_3022_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3023_ = false;
+                                                                    let _e2139 = phi_2717_;
+                                                                    let _e2141 = phi_2718_;
+                                                                    if _e2141 {
+                                                                        let _e2142 = (_e2139 == 0f);
+                                                                        if _e2142 {
+                                                                            phi_3034_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3035_ = false;
                                                                         } else {
-                                                                            let _e2157 = triangles.member[(0u + _e1968)].v0_;
-                                                                            let _e2159 = (_e2157.x - _e1067);
-                                                                            let _e2161 = (_e2157.y - _e1080);
-                                                                            let _e2163 = (_e2157.z - _e1093);
-                                                                            if (_e1353 == 0u) {
-                                                                                phi_2735_ = vec3<f32>(_e2161, _e2163, _e2159);
+                                                                            let _e2144 = triangles.member[(0u + _e1955)].v0_;
+                                                                            let _e2146 = (_e2144.x - _e1058);
+                                                                            let _e2148 = (_e2144.y - _e1071);
+                                                                            let _e2150 = (_e2144.z - _e1084);
+                                                                            if (_e1340 == 0u) {
+                                                                                phi_2747_ = vec3<f32>(_e2148, _e2150, _e2146);
                                                                             } else {
-                                                                                if (_e1353 == 1u) {
-                                                                                    phi_2734_ = vec3<f32>(_e2163, _e2159, _e2161);
+                                                                                if (_e1340 == 1u) {
+                                                                                    phi_2746_ = vec3<f32>(_e2150, _e2146, _e2148);
                                                                                 } else {
-                                                                                    phi_2734_ = (_e2157 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                                    phi_2746_ = (_e2144 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                                 }
-                                                                                let _e2171 = phi_2734_;
-                                                                                phi_2735_ = _e2171;
+                                                                                let _e2158 = phi_2746_;
+                                                                                phi_2747_ = _e2158;
                                                                             }
-                                                                            let _e2173 = phi_2735_;
-                                                                            let _e2175 = triangles.member[(0u + _e1968)].v1_;
-                                                                            let _e2177 = triangles.member[(0u + _e1968)].v0_;
-                                                                            let _e2180 = (_e2175.x - _e2177.x);
-                                                                            let _e2183 = (_e2175.y - _e2177.y);
-                                                                            let _e2186 = (_e2175.z - _e2177.z);
-                                                                            if (_e1353 == 0u) {
-                                                                                phi_2761_ = vec3<f32>(_e2183, _e2186, _e2180);
+                                                                            let _e2160 = phi_2747_;
+                                                                            let _e2162 = triangles.member[(0u + _e1955)].v1_;
+                                                                            let _e2164 = triangles.member[(0u + _e1955)].v0_;
+                                                                            let _e2167 = (_e2162.x - _e2164.x);
+                                                                            let _e2170 = (_e2162.y - _e2164.y);
+                                                                            let _e2173 = (_e2162.z - _e2164.z);
+                                                                            if (_e1340 == 0u) {
+                                                                                phi_2773_ = vec3<f32>(_e2170, _e2173, _e2167);
                                                                             } else {
-                                                                                if (_e1353 == 1u) {
-                                                                                    phi_2760_ = vec3<f32>(_e2186, _e2180, _e2183);
+                                                                                if (_e1340 == 1u) {
+                                                                                    phi_2772_ = vec3<f32>(_e2173, _e2167, _e2170);
                                                                                 } else {
-                                                                                    phi_2760_ = (_e2175 - _e2177);
+                                                                                    phi_2772_ = (_e2162 - _e2164);
                                                                                 }
-                                                                                let _e2193 = phi_2760_;
-                                                                                phi_2761_ = _e2193;
+                                                                                let _e2180 = phi_2772_;
+                                                                                phi_2773_ = _e2180;
                                                                             }
-                                                                            let _e2195 = phi_2761_;
-                                                                            let _e2197 = triangles.member[(0u + _e1968)].v2_;
-                                                                            let _e2199 = triangles.member[(0u + _e1968)].v0_;
-                                                                            let _e2202 = (_e2197.x - _e2199.x);
-                                                                            let _e2205 = (_e2197.y - _e2199.y);
-                                                                            let _e2208 = (_e2197.z - _e2199.z);
-                                                                            if (_e1353 == 0u) {
-                                                                                phi_2787_ = vec3<f32>(_e2205, _e2208, _e2202);
+                                                                            let _e2182 = phi_2773_;
+                                                                            let _e2184 = triangles.member[(0u + _e1955)].v2_;
+                                                                            let _e2186 = triangles.member[(0u + _e1955)].v0_;
+                                                                            let _e2189 = (_e2184.x - _e2186.x);
+                                                                            let _e2192 = (_e2184.y - _e2186.y);
+                                                                            let _e2195 = (_e2184.z - _e2186.z);
+                                                                            if (_e1340 == 0u) {
+                                                                                phi_2799_ = vec3<f32>(_e2192, _e2195, _e2189);
                                                                             } else {
-                                                                                if (_e1353 == 1u) {
-                                                                                    phi_2786_ = vec3<f32>(_e2208, _e2202, _e2205);
+                                                                                if (_e1340 == 1u) {
+                                                                                    phi_2798_ = vec3<f32>(_e2195, _e2189, _e2192);
                                                                                 } else {
-                                                                                    phi_2786_ = (_e2197 - _e2199);
+                                                                                    phi_2798_ = (_e2184 - _e2186);
                                                                                 }
-                                                                                let _e2215 = phi_2786_;
-                                                                                phi_2787_ = _e2215;
+                                                                                let _e2202 = phi_2798_;
+                                                                                phi_2799_ = _e2202;
                                                                             }
-                                                                            let _e2217 = phi_2787_;
-                                                                            let _e2224 = ((_e2195.y * _e2217.z) - (_e2195.z * _e2217.y));
-                                                                            let _e2231 = ((_e2195.z * _e2217.x) - (_e2195.x * _e2217.z));
-                                                                            let _e2238 = ((_e2195.x * _e2217.y) - (_e2195.y * _e2217.x));
-                                                                            let _e2252 = (((1f / _e1361.z) * (((_e2224 * _e2173.x) + (_e2231 * _e2173.y)) + (_e2238 * _e2173.z))) / (((_e2224 * _e1364) + (_e2231 * _e1367)) + _e2238));
-                                                                            if (_e2252 > _e157.tmin) {
-                                                                                if (_e2252 < _e157.tmax) {
-                                                                                    let _e2256 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2258 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2256.x < _e2258.x) {
-                                                                                        phi_2843_ = _e2256.x;
+                                                                            let _e2204 = phi_2799_;
+                                                                            let _e2211 = ((_e2182.y * _e2204.z) - (_e2182.z * _e2204.y));
+                                                                            let _e2218 = ((_e2182.z * _e2204.x) - (_e2182.x * _e2204.z));
+                                                                            let _e2225 = ((_e2182.x * _e2204.y) - (_e2182.y * _e2204.x));
+                                                                            let _e2239 = (((1f / _e1348.z) * (((_e2211 * _e2160.x) + (_e2218 * _e2160.y)) + (_e2225 * _e2160.z))) / (((_e2211 * _e1351) + (_e2218 * _e1354)) + _e2225));
+                                                                            if (_e2239 > _e157.tmin) {
+                                                                                if (_e2239 < _e157.tmax) {
+                                                                                    let _e2243 = triangles.member[(0u + _e1955)].v0_;
+                                                                                    let _e2245 = triangles.member[(0u + _e1955)].v1_;
+                                                                                    if (_e2243.x < _e2245.x) {
+                                                                                        phi_2855_ = _e2243.x;
                                                                                     } else {
-                                                                                        phi_2843_ = _e2258.x;
+                                                                                        phi_2855_ = _e2245.x;
                                                                                     }
-                                                                                    let _e2265 = phi_2843_;
-                                                                                    if (_e2256.y < _e2258.y) {
-                                                                                        phi_2852_ = _e2256.y;
+                                                                                    let _e2252 = phi_2855_;
+                                                                                    if (_e2243.y < _e2245.y) {
+                                                                                        phi_2864_ = _e2243.y;
                                                                                     } else {
-                                                                                        phi_2852_ = _e2258.y;
+                                                                                        phi_2864_ = _e2245.y;
                                                                                     }
-                                                                                    let _e2272 = phi_2852_;
-                                                                                    if (_e2256.z < _e2258.z) {
-                                                                                        phi_2861_ = _e2256.z;
+                                                                                    let _e2259 = phi_2864_;
+                                                                                    if (_e2243.z < _e2245.z) {
+                                                                                        phi_2873_ = _e2243.z;
                                                                                     } else {
-                                                                                        phi_2861_ = _e2258.z;
+                                                                                        phi_2873_ = _e2245.z;
                                                                                     }
-                                                                                    let _e2279 = phi_2861_;
-                                                                                    let _e2281 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2265 < _e2281.x) {
-                                                                                        phi_2870_ = _e2265;
+                                                                                    let _e2266 = phi_2873_;
+                                                                                    let _e2268 = triangles.member[(0u + _e1955)].v2_;
+                                                                                    if (_e2252 < _e2268.x) {
+                                                                                        phi_2882_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2870_ = _e2281.x;
+                                                                                        phi_2882_ = _e2268.x;
                                                                                     }
-                                                                                    let _e2286 = phi_2870_;
-                                                                                    if (_e2272 < _e2281.y) {
-                                                                                        phi_2877_ = _e2272;
+                                                                                    let _e2273 = phi_2882_;
+                                                                                    if (_e2259 < _e2268.y) {
+                                                                                        phi_2889_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2877_ = _e2281.y;
+                                                                                        phi_2889_ = _e2268.y;
                                                                                     }
-                                                                                    let _e2291 = phi_2877_;
-                                                                                    if (_e2279 < _e2281.z) {
-                                                                                        phi_2884_ = _e2279;
+                                                                                    let _e2278 = phi_2889_;
+                                                                                    if (_e2266 < _e2268.z) {
+                                                                                        phi_2896_ = _e2266;
                                                                                     } else {
-                                                                                        phi_2884_ = _e2281.z;
+                                                                                        phi_2896_ = _e2268.z;
                                                                                     }
-                                                                                    let _e2296 = phi_2884_;
-                                                                                    let _e2298 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2300 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2298.x > _e2300.x) {
-                                                                                        phi_2897_ = _e2298.x;
+                                                                                    let _e2283 = phi_2896_;
+                                                                                    let _e2285 = triangles.member[(0u + _e1955)].v0_;
+                                                                                    let _e2287 = triangles.member[(0u + _e1955)].v1_;
+                                                                                    if (_e2285.x > _e2287.x) {
+                                                                                        phi_2909_ = _e2285.x;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2300.x;
+                                                                                        phi_2909_ = _e2287.x;
                                                                                     }
-                                                                                    let _e2307 = phi_2897_;
-                                                                                    if (_e2298.y > _e2300.y) {
-                                                                                        phi_2906_ = _e2298.y;
+                                                                                    let _e2294 = phi_2909_;
+                                                                                    if (_e2285.y > _e2287.y) {
+                                                                                        phi_2918_ = _e2285.y;
                                                                                     } else {
-                                                                                        phi_2906_ = _e2300.y;
+                                                                                        phi_2918_ = _e2287.y;
                                                                                     }
-                                                                                    let _e2314 = phi_2906_;
-                                                                                    if (_e2298.z > _e2300.z) {
-                                                                                        phi_2915_ = _e2298.z;
+                                                                                    let _e2301 = phi_2918_;
+                                                                                    if (_e2285.z > _e2287.z) {
+                                                                                        phi_2927_ = _e2285.z;
                                                                                     } else {
-                                                                                        phi_2915_ = _e2300.z;
+                                                                                        phi_2927_ = _e2287.z;
                                                                                     }
-                                                                                    let _e2321 = phi_2915_;
-                                                                                    let _e2323 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2307 > _e2323.x) {
-                                                                                        phi_2924_ = _e2307;
+                                                                                    let _e2308 = phi_2927_;
+                                                                                    let _e2310 = triangles.member[(0u + _e1955)].v2_;
+                                                                                    if (_e2294 > _e2310.x) {
+                                                                                        phi_2936_ = _e2294;
                                                                                     } else {
-                                                                                        phi_2924_ = _e2323.x;
+                                                                                        phi_2936_ = _e2310.x;
                                                                                     }
-                                                                                    let _e2328 = phi_2924_;
-                                                                                    if (_e2314 > _e2323.y) {
-                                                                                        phi_2931_ = _e2314;
+                                                                                    let _e2315 = phi_2936_;
+                                                                                    if (_e2301 > _e2310.y) {
+                                                                                        phi_2943_ = _e2301;
                                                                                     } else {
-                                                                                        phi_2931_ = _e2323.y;
+                                                                                        phi_2943_ = _e2310.y;
                                                                                     }
-                                                                                    let _e2333 = phi_2931_;
-                                                                                    if (_e2321 > _e2323.z) {
-                                                                                        phi_2938_ = _e2321;
+                                                                                    let _e2320 = phi_2943_;
+                                                                                    if (_e2308 > _e2310.z) {
+                                                                                        phi_2950_ = _e2308;
                                                                                     } else {
-                                                                                        phi_2938_ = _e2323.z;
+                                                                                        phi_2950_ = _e2310.z;
                                                                                     }
-                                                                                    let _e2338 = phi_2938_;
-                                                                                    let _e2342 = ((_e2286 - _e1067) * _e1282);
-                                                                                    let _e2343 = ((_e2291 - _e1080) * _e1292);
-                                                                                    let _e2344 = ((_e2296 - _e1093) * _e1302);
-                                                                                    let _e2348 = ((_e2328 - _e1067) * _e1282);
-                                                                                    let _e2349 = ((_e2333 - _e1080) * _e1292);
-                                                                                    let _e2350 = ((_e2338 - _e1093) * _e1302);
-                                                                                    if (_e2342 < _e2348) {
-                                                                                        phi_2955_ = _e2342;
+                                                                                    let _e2325 = phi_2950_;
+                                                                                    let _e2329 = ((_e2273 - _e1058) * _e1265);
+                                                                                    let _e2330 = ((_e2278 - _e1071) * _e1275);
+                                                                                    let _e2331 = ((_e2283 - _e1084) * _e1285);
+                                                                                    let _e2335 = ((_e2315 - _e1058) * _e1265);
+                                                                                    let _e2336 = ((_e2320 - _e1071) * _e1275);
+                                                                                    let _e2337 = ((_e2325 - _e1084) * _e1285);
+                                                                                    if (_e2329 < _e2335) {
+                                                                                        phi_2967_ = _e2329;
                                                                                     } else {
-                                                                                        phi_2955_ = _e2348;
+                                                                                        phi_2967_ = _e2335;
                                                                                     }
-                                                                                    let _e2353 = phi_2955_;
-                                                                                    if (_e2343 < _e2349) {
-                                                                                        phi_2960_ = _e2343;
+                                                                                    let _e2340 = phi_2967_;
+                                                                                    if (_e2330 < _e2336) {
+                                                                                        phi_2972_ = _e2330;
                                                                                     } else {
-                                                                                        phi_2960_ = _e2349;
+                                                                                        phi_2972_ = _e2336;
                                                                                     }
-                                                                                    let _e2356 = phi_2960_;
-                                                                                    if (_e2344 < _e2350) {
-                                                                                        phi_2965_ = _e2344;
+                                                                                    let _e2343 = phi_2972_;
+                                                                                    if (_e2331 < _e2337) {
+                                                                                        phi_2977_ = _e2331;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2350;
+                                                                                        phi_2977_ = _e2337;
                                                                                     }
-                                                                                    let _e2359 = phi_2965_;
-                                                                                    if (_e2342 > _e2348) {
-                                                                                        phi_2973_ = _e2342;
+                                                                                    let _e2346 = phi_2977_;
+                                                                                    if (_e2329 > _e2335) {
+                                                                                        phi_2985_ = _e2329;
                                                                                     } else {
-                                                                                        phi_2973_ = _e2348;
+                                                                                        phi_2985_ = _e2335;
                                                                                     }
-                                                                                    let _e2365 = phi_2973_;
-                                                                                    if (_e2343 > _e2349) {
-                                                                                        phi_2978_ = _e2343;
+                                                                                    let _e2352 = phi_2985_;
+                                                                                    if (_e2330 > _e2336) {
+                                                                                        phi_2990_ = _e2330;
                                                                                     } else {
-                                                                                        phi_2978_ = _e2349;
+                                                                                        phi_2990_ = _e2336;
                                                                                     }
-                                                                                    let _e2368 = phi_2978_;
-                                                                                    if (_e2344 > _e2350) {
-                                                                                        phi_2983_ = _e2344;
+                                                                                    let _e2355 = phi_2990_;
+                                                                                    if (_e2331 > _e2337) {
+                                                                                        phi_2995_ = _e2331;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2350;
+                                                                                        phi_2995_ = _e2337;
                                                                                     }
-                                                                                    let _e2371 = phi_2983_;
-                                                                                    let _e2375 = core_intrinsics_maximum_number_nsz_f32_((_e2353 - _e1337), (_e2356 - _e1338));
-                                                                                    let _e2376 = core_intrinsics_maximum_number_nsz_f32_(_e2375, (_e2359 - _e1339));
-                                                                                    let _e2377 = core_intrinsics_minimum_number_nsz_f32_((_e2365 + _e1337), (_e2368 + _e1338));
-                                                                                    let _e2378 = core_intrinsics_minimum_number_nsz_f32_(_e2377, (_e2371 + _e1339));
-                                                                                    if (_e2376 > _e1042) {
-                                                                                        phi_2995_ = _e2376;
+                                                                                    let _e2358 = phi_2995_;
+                                                                                    let _e2362 = core_intrinsics_maximum_number_nsz_f32_((_e2340 - _e1324), (_e2343 - _e1325));
+                                                                                    let _e2363 = core_intrinsics_maximum_number_nsz_f32_(_e2362, (_e2346 - _e1326));
+                                                                                    let _e2364 = core_intrinsics_minimum_number_nsz_f32_((_e2352 + _e1324), (_e2355 + _e1325));
+                                                                                    let _e2365 = core_intrinsics_minimum_number_nsz_f32_(_e2364, (_e2358 + _e1326));
+                                                                                    if (_e2363 > _e1033) {
+                                                                                        phi_3007_ = _e2363;
                                                                                     } else {
-                                                                                        phi_2995_ = _e1042;
+                                                                                        phi_3007_ = _e1033;
                                                                                     }
-                                                                                    let _e2381 = phi_2995_;
-                                                                                    if (_e2378 < _e1044) {
-                                                                                        phi_3000_ = _e2378;
+                                                                                    let _e2368 = phi_3007_;
+                                                                                    if (_e2365 < _e1035) {
+                                                                                        phi_3012_ = _e2365;
                                                                                     } else {
-                                                                                        phi_3000_ = _e1044;
+                                                                                        phi_3012_ = _e1035;
                                                                                     }
-                                                                                    let _e2384 = phi_3000_;
-                                                                                    if (_e2252 < _e2381) {
-                                                                                        phi_3005_ = _e2381;
+                                                                                    let _e2371 = phi_3012_;
+                                                                                    if (_e2239 < _e2368) {
+                                                                                        phi_3017_ = _e2368;
                                                                                     } else {
-                                                                                        phi_3005_ = _e2252;
+                                                                                        phi_3017_ = _e2239;
                                                                                     }
-                                                                                    let _e2387 = phi_3005_;
-                                                                                    if (_e2387 > _e2384) {
-                                                                                        phi_3010_ = _e2384;
+                                                                                    let _e2374 = phi_3017_;
+                                                                                    if (_e2374 > _e2371) {
+                                                                                        phi_3022_ = _e2371;
                                                                                     } else {
-                                                                                        phi_3010_ = _e2387;
+                                                                                        phi_3022_ = _e2374;
                                                                                     }
-                                                                                    let _e2390 = phi_3010_;
-                                                                                    phi_3015_ = lt_bvh_triangle_Intersection(_e2390, (_e2093 / _e2152), (_e2114 / _e2152), (_e2381 <= _e2384));
-                                                                                    phi_3016_ = false;
+                                                                                    let _e2377 = phi_3022_;
+                                                                                    phi_3027_ = lt_bvh_triangle_Intersection(_e2377, (_e2080 / _e2139), (_e2101 / _e2139), (_e2368 <= _e2371));
+                                                                                    phi_3028_ = false;
                                                                                 } else {
-                                                                                    phi_3015_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3016_ = true;
+                                                                                    phi_3027_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3028_ = true;
                                                                                 }
-                                                                                let _e2396 = phi_3015_;
-                                                                                let _e2398 = phi_3016_;
-                                                                                phi_3017_ = _e2396;
-                                                                                phi_3018_ = _e2398;
+                                                                                let _e2383 = phi_3027_;
+                                                                                let _e2385 = phi_3028_;
+                                                                                phi_3029_ = _e2383;
+                                                                                phi_3030_ = _e2385;
                                                                             } else {
-                                                                                phi_3017_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3018_ = true;
+                                                                                phi_3029_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3030_ = true;
                                                                             }
-                                                                            let _e2400 = phi_3017_;
-                                                                            let _e2402 = phi_3018_;
-                                                                            if _e2402 {
+                                                                            let _e2387 = phi_3029_;
+                                                                            let _e2389 = phi_3030_;
+                                                                            if _e2389 {
                                                                             }
-                                                                            phi_3022_ = _e2400;
-                                                                            phi_3023_ = _e2402;
+                                                                            phi_3034_ = _e2387;
+                                                                            phi_3035_ = _e2389;
                                                                         }
-                                                                        let _e2404 = phi_3022_;
-                                                                        let _e2406 = phi_3023_;
-                                                                        phi_3024_ = _e2404;
-                                                                        phi_3025_ = _e2155;
-                                                                        phi_3026_ = _e2406;
+                                                                        let _e2391 = phi_3034_;
+                                                                        let _e2393 = phi_3035_;
+                                                                        phi_3036_ = _e2391;
+                                                                        phi_3037_ = _e2142;
+                                                                        phi_3038_ = _e2393;
                                                                     } else {
-                                                                        phi_3024_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3025_ = true;
-                                                                        phi_3026_ = false;
+                                                                        phi_3036_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3037_ = true;
+                                                                        phi_3038_ = false;
                                                                     }
-                                                                    let _e2408 = phi_3024_;
-                                                                    let _e2410 = phi_3025_;
-                                                                    let _e2412 = phi_3026_;
-                                                                    if _e2410 {
-                                                                        phi_3030_ = true;
+                                                                    let _e2395 = phi_3036_;
+                                                                    let _e2397 = phi_3037_;
+                                                                    let _e2399 = phi_3038_;
+                                                                    if _e2397 {
+                                                                        phi_3042_ = true;
                                                                     } else {
-                                                                        phi_3030_ = _e2412;
+                                                                        phi_3042_ = _e2399;
                                                                     }
-                                                                    let _e2414 = phi_3030_;
-                                                                    if _e2414 {
-                                                                        phi_3034_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2401 = phi_3042_;
+                                                                    if _e2401 {
+                                                                        phi_3046_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3034_ = _e2408;
+                                                                        phi_3046_ = _e2395;
                                                                     }
-                                                                    let _e2416 = phi_3034_;
-                                                                    if _e2416.is_hit {
-                                                                        if (_e2416.t > _e157.tmin) {
-                                                                            if (_e2416.t < _e1957.t) {
-                                                                                phi_3082_ = true;
+                                                                    let _e2403 = phi_3046_;
+                                                                    if _e2403.is_hit {
+                                                                        if (_e2403.t > _e157.tmin) {
+                                                                            if (_e2403.t < _e1944.t) {
+                                                                                phi_3094_ = true;
                                                                             } else {
-                                                                                if (_e2416.t == _e1957.t) {
-                                                                                    if (_e1957.triangle != 4294967295u) {
-                                                                                        if (_e1968 < _e1957.triangle) {
-                                                                                            phi_3073_ = true;
+                                                                                if (_e2403.t == _e1944.t) {
+                                                                                    if (_e1944.triangle != 4294967295u) {
+                                                                                        if (_e1955 < _e1944.triangle) {
+                                                                                            phi_3085_ = true;
                                                                                         } else {
-                                                                                            if (_e1968 == _e1957.triangle) {
-                                                                                                phi_3072_ = (_e983 < _e1957.instance);
+                                                                                            if (_e1955 == _e1944.triangle) {
+                                                                                                phi_3084_ = (_e974 < _e1944.instance);
                                                                                             } else {
-                                                                                                phi_3072_ = false;
+                                                                                                phi_3084_ = false;
                                                                                             }
-                                                                                            let _e2434 = phi_3072_;
-                                                                                            phi_3073_ = _e2434;
+                                                                                            let _e2421 = phi_3084_;
+                                                                                            phi_3085_ = _e2421;
                                                                                         }
-                                                                                        let _e2436 = phi_3073_;
-                                                                                        phi_3074_ = _e2436;
-                                                                                        phi_3075_ = false;
+                                                                                        let _e2423 = phi_3085_;
+                                                                                        phi_3086_ = _e2423;
+                                                                                        phi_3087_ = false;
                                                                                     } else {
-                                                                                        phi_3074_ = bool();
-                                                                                        phi_3075_ = true;
+                                                                                        phi_3086_ = bool();
+                                                                                        phi_3087_ = true;
                                                                                     }
-                                                                                    let _e2438 = phi_3074_;
-                                                                                    let _e2440 = phi_3075_;
-                                                                                    phi_3076_ = _e2438;
-                                                                                    phi_3077_ = _e2440;
+                                                                                    let _e2425 = phi_3086_;
+                                                                                    let _e2427 = phi_3087_;
+                                                                                    phi_3088_ = _e2425;
+                                                                                    phi_3089_ = _e2427;
                                                                                 } else {
-                                                                                    phi_3076_ = bool();
-                                                                                    phi_3077_ = true;
+                                                                                    phi_3088_ = bool();
+                                                                                    phi_3089_ = true;
                                                                                 }
-                                                                                let _e2442 = phi_3076_;
-                                                                                let _e2444 = phi_3077_;
-                                                                                if _e2444 {
-                                                                                    phi_3081_ = false;
+                                                                                let _e2429 = phi_3088_;
+                                                                                let _e2431 = phi_3089_;
+                                                                                if _e2431 {
+                                                                                    phi_3093_ = false;
                                                                                 } else {
-                                                                                    phi_3081_ = _e2442;
+                                                                                    phi_3093_ = _e2429;
                                                                                 }
-                                                                                let _e2446 = phi_3081_;
-                                                                                phi_3082_ = _e2446;
+                                                                                let _e2433 = phi_3093_;
+                                                                                phi_3094_ = _e2433;
                                                                             }
-                                                                            let _e2448 = phi_3082_;
-                                                                            if _e2448 {
-                                                                                let _e2450 = triangles.member[(0u + _e1968)].i0_;
-                                                                                if ((_e2450 & 2147483648u) == 0u) {
-                                                                                    phi_3293_ = true;
+                                                                            let _e2435 = phi_3094_;
+                                                                            if _e2435 {
+                                                                                let _e2437 = triangles.member[(0u + _e1955)].i0_;
+                                                                                if ((_e2437 & 2147483648u) == 0u) {
+                                                                                    phi_3305_ = true;
                                                                                 } else {
-                                                                                    if (_e1968 < _e79) {
+                                                                                    if (_e1955 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2459 = triangles.member[(0u + _e1968)].i0_;
-                                                                                    let _e2460 = (_e2459 & 2147483647u);
-                                                                                    let _e2462 = triangles.member[(0u + _e1968)].i1_;
-                                                                                    let _e2464 = triangles.member[(0u + _e1968)].i2_;
-                                                                                    if (_e2460 < _e82) {
+                                                                                    let _e2446 = triangles.member[(0u + _e1955)].i0_;
+                                                                                    let _e2447 = (_e2446 & 2147483647u);
+                                                                                    let _e2449 = triangles.member[(0u + _e1955)].i1_;
+                                                                                    let _e2451 = triangles.member[(0u + _e1955)].i2_;
+                                                                                    if (_e2447 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2468 = vertices.member[(0u + _e2460)];
-                                                                                    if (_e2462 < _e82) {
+                                                                                    let _e2455 = vertices.member[(0u + _e2447)];
+                                                                                    if (_e2449 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2472 = vertices.member[(0u + _e2462)];
-                                                                                    if (_e2464 < _e82) {
+                                                                                    let _e2459 = vertices.member[(0u + _e2449)];
+                                                                                    if (_e2451 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2476 = vertices.member[(0u + _e2464)];
-                                                                                    let _e2477 = array<abi_Vertex, 3>(_e2468, _e2472, _e2476);
-                                                                                    if (_e2477[0].material < _e85) {
+                                                                                    let _e2463 = vertices.member[(0u + _e2451)];
+                                                                                    let _e2464 = array<abi_Vertex, 3>(_e2455, _e2459, _e2463);
+                                                                                    if (_e2464[0].material < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2483 = materials.member[(0u + _e2477[0].material)];
-                                                                                    if ((_e2483.flags & 0u) == 0u) {
-                                                                                        let _e2488 = ((1f - _e2416.u) - _e2416.v);
-                                                                                        if (_e2483.cutoff <= 0f) {
-                                                                                            phi_3288_ = true;
+                                                                                    let _e2470 = materials.member[(0u + _e2464[0].material)];
+                                                                                    if ((_e2470.flags & 0u) == 0u) {
+                                                                                        let _e2475 = ((1f - _e2403.u) - _e2403.v);
+                                                                                        if (_e2470.cutoff <= 0f) {
+                                                                                            phi_3300_ = true;
                                                                                         } else {
-                                                                                            let _e2515 = (_e2483.base_color.w * ((((f32((_e2477[0].color >> bitcast<u32>(24i))) * _e2488) + (f32((_e2477[1].color >> bitcast<u32>(24i))) * _e2416.u)) + (f32((_e2477[2].color >> bitcast<u32>(24i))) * _e2416.v)) * (1f / 255f)));
-                                                                                            if (_e2483.alpha_size == 0u) {
-                                                                                                phi_3285_ = _e2515;
+                                                                                            let _e2502 = (_e2470.base_color.w * ((((f32((_e2464[0].color >> bitcast<u32>(24i))) * _e2475) + (f32((_e2464[1].color >> bitcast<u32>(24i))) * _e2403.u)) + (f32((_e2464[2].color >> bitcast<u32>(24i))) * _e2403.v)) * (1f / 255f)));
+                                                                                            if (_e2470.alpha_size == 0u) {
+                                                                                                phi_3297_ = _e2502;
                                                                                             } else {
-                                                                                                local.offset = _e2483.alpha_offset;
-                                                                                                local.size = _e2483.alpha_size;
-                                                                                                local.flags = _e2483.flags;
-                                                                                                let _e2546 = _lt_shaders_texture_TextureView_quad((&local), (((_e2477[0].u * _e2488) + (_e2477[1].u * _e2416.u)) + (_e2477[2].u * _e2416.v)), (((_e2477[0].v * _e2488) + (_e2477[1].v * _e2416.u)) + (_e2477[2].v * _e2416.v)));
-                                                                                                let _e2550 = (_e2546.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2550 < _e94) {
+                                                                                                local.offset = _e2470.alpha_offset;
+                                                                                                local.size = _e2470.alpha_size;
+                                                                                                local.flags = _e2470.flags;
+                                                                                                let _e2533 = _lt_shaders_texture_TextureView_quad((&local), (((_e2464[0].u * _e2475) + (_e2464[1].u * _e2403.u)) + (_e2464[2].u * _e2403.v)), (((_e2464[0].v * _e2475) + (_e2464[1].v * _e2403.u)) + (_e2464[2].v * _e2403.v)));
+                                                                                                let _e2537 = (_e2533.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2537 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2554 = alpha_texels.member[(0u + _e2550)];
-                                                                                                let _e2570 = (_e2546.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2570 < _e94) {
+                                                                                                let _e2541 = alpha_texels.member[(0u + _e2537)];
+                                                                                                let _e2557 = (_e2533.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2557 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2574 = alpha_texels.member[(0u + _e2570)];
-                                                                                                let _e2591 = (_e2546.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2591 < _e94) {
+                                                                                                let _e2561 = alpha_texels.member[(0u + _e2557)];
+                                                                                                let _e2578 = (_e2533.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2578 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2595 = alpha_texels.member[(0u + _e2591)];
-                                                                                                let _e2612 = (_e2546.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2612 < _e94) {
+                                                                                                let _e2582 = alpha_texels.member[(0u + _e2578)];
+                                                                                                let _e2599 = (_e2533.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2599 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2616 = alpha_texels.member[(0u + _e2612)];
-                                                                                                phi_3285_ = (_e2515 * (((((f32(((_e2554 >> bitcast<u32>((((_e2546.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.x) + ((f32(((_e2574 >> bitcast<u32>((((_e2546.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.y)) + ((f32(((_e2595 >> bitcast<u32>((((_e2546.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.z)) + ((f32(((_e2616 >> bitcast<u32>((((_e2546.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.w)));
+                                                                                                let _e2603 = alpha_texels.member[(0u + _e2599)];
+                                                                                                phi_3297_ = (_e2502 * (((((f32(((_e2541 >> bitcast<u32>((((_e2533.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2533.weights.x) + ((f32(((_e2561 >> bitcast<u32>((((_e2533.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2533.weights.y)) + ((f32(((_e2582 >> bitcast<u32>((((_e2533.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2533.weights.z)) + ((f32(((_e2603 >> bitcast<u32>((((_e2533.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2533.weights.w)));
                                                                                             }
-                                                                                            let _e2632 = phi_3285_;
-                                                                                            phi_3288_ = (_e2632 >= _e2483.cutoff);
+                                                                                            let _e2619 = phi_3297_;
+                                                                                            phi_3300_ = (_e2619 >= _e2470.cutoff);
                                                                                         }
-                                                                                        let _e2636 = phi_3288_;
-                                                                                        phi_3289_ = _e2636;
+                                                                                        let _e2623 = phi_3300_;
+                                                                                        phi_3301_ = _e2623;
                                                                                     } else {
-                                                                                        phi_3289_ = false;
+                                                                                        phi_3301_ = false;
                                                                                     }
-                                                                                    let _e2638 = phi_3289_;
-                                                                                    if _e2638 {
+                                                                                    let _e2625 = phi_3301_;
+                                                                                    if _e2625 {
                                                                                     }
-                                                                                    phi_3293_ = _e2638;
+                                                                                    phi_3305_ = _e2625;
                                                                                 }
-                                                                                let _e2640 = phi_3293_;
-                                                                                if _e2640 {
-                                                                                    phi_3301_ = lt_bvh_Hit(_e2416.t, _e2416.u, _e2416.v, _e1968, _e983);
+                                                                                let _e2627 = phi_3305_;
+                                                                                if _e2627 {
+                                                                                    phi_3313_ = lt_bvh_Hit(_e2403.t, _e2403.u, _e2403.v, _e1955, _e974);
                                                                                 } else {
-                                                                                    phi_3301_ = _e1957;
+                                                                                    phi_3313_ = _e1944;
                                                                                 }
-                                                                                let _e2646 = phi_3301_;
-                                                                                phi_3302_ = _e2646;
+                                                                                let _e2633 = phi_3313_;
+                                                                                phi_3314_ = _e2633;
                                                                             } else {
-                                                                                phi_3302_ = _e1957;
+                                                                                phi_3314_ = _e1944;
                                                                             }
-                                                                            let _e2648 = phi_3302_;
-                                                                            phi_3303_ = _e2648;
+                                                                            let _e2635 = phi_3314_;
+                                                                            phi_3315_ = _e2635;
                                                                         } else {
-                                                                            phi_3303_ = _e1957;
+                                                                            phi_3315_ = _e1944;
                                                                         }
-                                                                        let _e2650 = phi_3303_;
-                                                                        phi_3304_ = _e2650;
+                                                                        let _e2637 = phi_3315_;
+                                                                        phi_3316_ = _e2637;
                                                                     } else {
-                                                                        phi_3304_ = _e1957;
+                                                                        phi_3316_ = _e1944;
                                                                     }
-                                                                    let _e2652 = phi_3304_;
-                                                                    phi_2464_ = _e2652;
-                                                                    phi_2467_ = (_e1959 & (_e1959 - 1u));
-                                                                    phi_3305_ = true;
+                                                                    let _e2639 = phi_3316_;
+                                                                    phi_2476_ = _e2639;
+                                                                    phi_2479_ = (_e1946 & (_e1946 - 1u));
+                                                                    phi_3317_ = true;
                                                                 }
-                                                                let _e2654 = phi_2464_;
-                                                                let _e2656 = phi_2467_;
-                                                                let _e2658 = phi_3305_;
+                                                                let _e2641 = phi_2476_;
+                                                                let _e2643 = phi_2479_;
+                                                                let _e2645 = phi_3317_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2654;
-                                                                    phi_2466_ = _e2656;
-                                                                    break if !(_e2658);
+                                                                    phi_2475_ = _e2641;
+                                                                    phi_2478_ = _e2643;
+                                                                    break if !(_e2645);
                                                                 }
                                                             }
-                                                            let _e2661 = local_1.group_mask;
-                                                            if ((_e2661 & 4278190080u) == 0u) {
-                                                                let _e2665 = local_1.len;
-                                                                if (_e2665 == 0u) {
-                                                                    phi_3344_ = false;
+                                                            let _e2648 = local_1.group_mask;
+                                                            if ((_e2648 & 4278190080u) == 0u) {
+                                                                let _e2652 = local_1.len;
+                                                                if (_e2652 == 0u) {
+                                                                    phi_3356_ = false;
                                                                 } else {
-                                                                    let _e2669 = local_1.len;
-                                                                    local_1.len = (_e2669 - 1u);
-                                                                    let _e2672 = local_1.len;
-                                                                    if (_e2672 < 32u) {
+                                                                    let _e2656 = local_1.len;
+                                                                    local_1.len = (_e2656 - 1u);
+                                                                    let _e2659 = local_1.len;
+                                                                    if (_e2659 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2677 = local_1.first[(0u + _e2672)];
-                                                                    local_1.group = _e2677;
-                                                                    let _e2680 = local_1.len;
-                                                                    if (_e2680 < 32u) {
+                                                                    let _e2664 = local_1.first[(0u + _e2659)];
+                                                                    local_1.group = _e2664;
+                                                                    let _e2667 = local_1.len;
+                                                                    if (_e2667 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2685 = local_1.mask[(0u + _e2680)];
-                                                                    local_1.group_mask = _e2685;
-                                                                    phi_3344_ = true;
+                                                                    let _e2672 = local_1.mask[(0u + _e2667)];
+                                                                    local_1.group_mask = _e2672;
+                                                                    phi_3356_ = true;
                                                                 }
-                                                                let _e2688 = phi_3344_;
-                                                                phi_3345_ = _e2688;
+                                                                let _e2675 = phi_3356_;
+                                                                phi_3357_ = _e2675;
                                                             } else {
-                                                                phi_3345_ = true;
+                                                                phi_3357_ = true;
                                                             }
-                                                            let _e2690 = phi_3345_;
-                                                            if _e2690 {
-                                                                let _e2692 = local_1.group_mask;
-                                                                let _e2698 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2692)), 32u, (_e2692 == 0u)));
-                                                                let _e2702 = local_1.group_mask;
-                                                                let _e2716 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2716 & ~((1u << bitcast<u32>((_e2698 & 31u)))));
-                                                                let _e2719 = local_1.group;
-                                                                phi_3376_ = (_e2719 + countOneBits(((_e2702 & ~((4294967295u << bitcast<u32>((((_e2698 - 24u) ^ _e1380) & 31u))))) & 255u)));
+                                                            let _e2677 = phi_3357_;
+                                                            if _e2677 {
+                                                                let _e2679 = local_1.group_mask;
+                                                                let _e2685 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2679)), 32u, (_e2679 == 0u)));
+                                                                let _e2689 = local_1.group_mask;
+                                                                let _e2703 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2703 & ~((1u << bitcast<u32>((_e2685 & 31u)))));
+                                                                let _e2706 = local_1.group;
+                                                                phi_3388_ = (_e2706 + countOneBits(((_e2689 & ~((4294967295u << bitcast<u32>((((_e2685 - 24u) ^ _e1367) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3376_ = 4294967295u;
+                                                                phi_3388_ = 4294967295u;
                                                             }
-                                                            let _e2722 = phi_3376_;
-                                                            let _e3711 = local_9;
-                                                            phi_2131_ = _e3711;
-                                                            phi_2134_ = _e2722;
+                                                            let _e2709 = phi_3388_;
+                                                            let _e3694 = local_9;
+                                                            phi_2143_ = _e3694;
+                                                            phi_2146_ = _e2709;
                                                         } else {
-                                                            phi_2131_ = lt_bvh_Hit();
-                                                            phi_2134_ = u32();
+                                                            phi_2143_ = lt_bvh_Hit();
+                                                            phi_2146_ = u32();
                                                         }
-                                                        let _e2724 = phi_2131_;
-                                                        let _e2726 = phi_2134_;
+                                                        let _e2711 = phi_2143_;
+                                                        let _e2713 = phi_2146_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2724;
-                                                            phi_2133_ = _e2726;
-                                                            break if !(_e1521);
+                                                            phi_2142_ = _e2711;
+                                                            phi_2145_ = _e2713;
+                                                            break if !(_e1508);
                                                         }
                                                     }
-                                                    let _e3715 = local_10;
-                                                    phi_3377_ = _e3715;
+                                                    let _e3698 = local_10;
+                                                    phi_3389_ = _e3698;
                                                 }
-                                                let _e2729 = phi_3377_;
-                                                phi_3378_ = _e2729;
-                                                phi_3379_ = _e1206;
+                                                let _e2716 = phi_3389_;
+                                                phi_3390_ = _e2716;
+                                                phi_3391_ = _e1189;
                                             } else {
-                                                phi_3378_ = lt_bvh_Hit();
-                                                phi_3379_ = true;
+                                                phi_3390_ = lt_bvh_Hit();
+                                                phi_3391_ = true;
                                             }
-                                            let _e2731 = phi_3378_;
-                                            let _e2733 = phi_3379_;
-                                            if _e2733 {
-                                                phi_3383_ = _e975;
+                                            let _e2718 = phi_3390_;
+                                            let _e2720 = phi_3391_;
+                                            if _e2720 {
+                                                phi_3395_ = _e966;
                                             } else {
-                                                phi_3383_ = _e2731;
+                                                phi_3395_ = _e2718;
                                             }
-                                            let _e2735 = phi_3383_;
-                                            phi_3384_ = _e2735;
+                                            let _e2722 = phi_3395_;
+                                            phi_3396_ = _e2722;
                                         } else {
-                                            phi_3384_ = _e975;
+                                            phi_3396_ = _e966;
                                         }
-                                        let _e2737 = phi_3384_;
-                                        phi_3385_ = _e2737;
+                                        let _e2724 = phi_3396_;
+                                        phi_3397_ = _e2724;
                                     } else {
-                                        phi_3385_ = _e975;
+                                        phi_3397_ = _e966;
                                     }
-                                    let _e2739 = phi_3385_;
-                                    phi_3386_ = _e2739;
+                                    let _e2726 = phi_3397_;
+                                    phi_3398_ = _e2726;
                                 } else {
-                                    phi_3386_ = _e975;
+                                    phi_3398_ = _e966;
                                 }
-                                let _e2741 = phi_3386_;
-                                phi_1505_ = (_e973 & (_e973 - 1u));
-                                phi_1508_ = _e2741;
-                                phi_3387_ = true;
+                                let _e2728 = phi_3398_;
+                                phi_1510_ = (_e964 & (_e964 - 1u));
+                                phi_1513_ = _e2728;
+                                phi_3399_ = true;
                             }
-                            let _e2743 = phi_1505_;
-                            let _e2745 = phi_1508_;
-                            let _e2747 = phi_3387_;
+                            let _e2730 = phi_1510_;
+                            let _e2732 = phi_1513_;
+                            let _e2734 = phi_3399_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2743;
-                                phi_1507_ = _e2745;
-                                break if !(_e2747);
+                                phi_1509_ = _e2730;
+                                phi_1512_ = _e2732;
+                                break if !(_e2734);
                             }
                         }
-                        let _e2750 = local_2.group_mask;
-                        if ((_e2750 & 4278190080u) == 0u) {
-                            let _e2754 = local_2.len;
-                            if (_e2754 == 0u) {
-                                phi_3426_ = false;
+                        let _e2737 = local_2.group_mask;
+                        if ((_e2737 & 4278190080u) == 0u) {
+                            let _e2741 = local_2.len;
+                            if (_e2741 == 0u) {
+                                phi_3438_ = false;
                             } else {
-                                let _e2758 = local_2.len;
-                                local_2.len = (_e2758 - 1u);
-                                let _e2761 = local_2.len;
-                                if (_e2761 < 32u) {
+                                let _e2745 = local_2.len;
+                                local_2.len = (_e2745 - 1u);
+                                let _e2748 = local_2.len;
+                                if (_e2748 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2766 = local_2.first[(0u + _e2761)];
-                                local_2.group = _e2766;
-                                let _e2769 = local_2.len;
-                                if (_e2769 < 32u) {
+                                let _e2753 = local_2.first[(0u + _e2748)];
+                                local_2.group = _e2753;
+                                let _e2756 = local_2.len;
+                                if (_e2756 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2774 = local_2.mask[(0u + _e2769)];
-                                local_2.group_mask = _e2774;
-                                phi_3426_ = true;
+                                let _e2761 = local_2.mask[(0u + _e2756)];
+                                local_2.group_mask = _e2761;
+                                phi_3438_ = true;
                             }
-                            let _e2777 = phi_3426_;
-                            phi_3427_ = _e2777;
+                            let _e2764 = phi_3438_;
+                            phi_3439_ = _e2764;
                         } else {
-                            phi_3427_ = true;
+                            phi_3439_ = true;
                         }
-                        let _e2779 = phi_3427_;
-                        if _e2779 {
-                            let _e2781 = local_2.group_mask;
-                            let _e2787 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2781)), 32u, (_e2781 == 0u)));
-                            let _e2791 = local_2.group_mask;
-                            let _e2805 = local_2.group_mask;
-                            local_2.group_mask = (_e2805 & ~((1u << bitcast<u32>((_e2787 & 31u)))));
-                            let _e2808 = local_2.group;
-                            phi_3458_ = (_e2808 + countOneBits(((_e2791 & ~((4294967295u << bitcast<u32>((((_e2787 - 24u) ^ _e392) & 31u))))) & 255u)));
+                        let _e2766 = phi_3439_;
+                        if _e2766 {
+                            let _e2768 = local_2.group_mask;
+                            let _e2774 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2768)), 32u, (_e2768 == 0u)));
+                            let _e2778 = local_2.group_mask;
+                            let _e2792 = local_2.group_mask;
+                            local_2.group_mask = (_e2792 & ~((1u << bitcast<u32>((_e2774 & 31u)))));
+                            let _e2795 = local_2.group;
+                            phi_3470_ = (_e2795 + countOneBits(((_e2778 & ~((4294967295u << bitcast<u32>((((_e2774 - 24u) ^ _e383) & 31u))))) & 255u)));
                         } else {
-                            phi_3458_ = 4294967295u;
+                            phi_3470_ = 4294967295u;
                         }
-                        let _e2811 = phi_3458_;
-                        phi_1168_ = _e2811;
-                        let _e3731 = local_11;
-                        phi_1171_ = _e3731;
+                        let _e2798 = phi_3470_;
+                        phi_1173_ = _e2798;
+                        let _e3714 = local_11;
+                        phi_1176_ = _e3714;
                     } else {
-                        phi_1168_ = u32();
-                        phi_1171_ = lt_bvh_Hit();
+                        phi_1173_ = u32();
+                        phi_1176_ = lt_bvh_Hit();
                     }
-                    let _e2813 = phi_1168_;
-                    let _e2815 = phi_1171_;
+                    let _e2800 = phi_1173_;
+                    let _e2802 = phi_1176_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2813;
-                        phi_1170_ = _e2815;
-                        break if !(_e533);
+                        phi_1172_ = _e2800;
+                        phi_1175_ = _e2802;
+                        break if !(_e524);
                     }
                 }
-                let _e3734 = local_12;
-                phi_3459_ = _e3734;
+                let _e3717 = local_12;
+                phi_3471_ = _e3717;
             }
-            let _e2818 = phi_3459_;
-            phi_3460_ = _e2818;
-            phi_3461_ = _e229;
+            let _e2805 = phi_3471_;
+            phi_3472_ = _e2805;
+            phi_3473_ = _e221;
         } else {
-            phi_3460_ = lt_bvh_Hit();
-            phi_3461_ = true;
+            phi_3472_ = lt_bvh_Hit();
+            phi_3473_ = true;
         }
-        let _e2820 = phi_3460_;
-        let _e2822 = phi_3461_;
-        if _e2822 {
-            phi_3465_ = _e159;
+        let _e2807 = phi_3472_;
+        let _e2809 = phi_3473_;
+        if _e2809 {
+            phi_3477_ = _e159;
         } else {
-            phi_3465_ = _e2820;
+            phi_3477_ = _e2807;
         }
-        let _e2824 = phi_3465_;
-        if (_e2824.triangle != 4294967295u) {
-            let _e2830 = ((1f - _e2824.u) - _e2824.v);
-            if (_e2824.triangle < _e79) {
+        let _e2811 = phi_3477_;
+        if (_e2811.triangle != 4294967295u) {
+            let _e2817 = ((1f - _e2811.u) - _e2811.v);
+            if (_e2811.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2836 = triangles.member[(0u + _e2824.triangle)];
-            if (_e2824.instance < _e91) {
+            let _e2823 = triangles.member[(0u + _e2811.triangle)];
+            if (_e2811.instance < _e91) {
             } else {
                 return;
             }
-            let _e2847 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
-            let _e2858 = ((((_e2847.x * _e2836.v0_.x) + (_e2847.y * _e2836.v0_.y)) + (_e2847.z * _e2836.v0_.z)) + (_e2847.w * 1f));
-            let _e2860 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
-            let _e2871 = ((((_e2860.x * _e2836.v0_.x) + (_e2860.y * _e2836.v0_.y)) + (_e2860.z * _e2836.v0_.z)) + (_e2860.w * 1f));
-            let _e2873 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
-            let _e2884 = ((((_e2873.x * _e2836.v0_.x) + (_e2873.y * _e2836.v0_.y)) + (_e2873.z * _e2836.v0_.z)) + (_e2873.w * 1f));
-            let _e2891 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
-            let _e2902 = ((((_e2891.x * _e2836.v1_.x) + (_e2891.y * _e2836.v1_.y)) + (_e2891.z * _e2836.v1_.z)) + (_e2891.w * 1f));
-            let _e2904 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
-            let _e2915 = ((((_e2904.x * _e2836.v1_.x) + (_e2904.y * _e2836.v1_.y)) + (_e2904.z * _e2836.v1_.z)) + (_e2904.w * 1f));
-            let _e2917 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
-            let _e2928 = ((((_e2917.x * _e2836.v1_.x) + (_e2917.y * _e2836.v1_.y)) + (_e2917.z * _e2836.v1_.z)) + (_e2917.w * 1f));
-            let _e2935 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
-            let _e2946 = ((((_e2935.x * _e2836.v2_.x) + (_e2935.y * _e2836.v2_.y)) + (_e2935.z * _e2836.v2_.z)) + (_e2935.w * 1f));
-            let _e2948 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
-            let _e2959 = ((((_e2948.x * _e2836.v2_.x) + (_e2948.y * _e2836.v2_.y)) + (_e2948.z * _e2836.v2_.z)) + (_e2948.w * 1f));
-            let _e2961 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
-            let _e2972 = ((((_e2961.x * _e2836.v2_.x) + (_e2961.y * _e2836.v2_.y)) + (_e2961.z * _e2836.v2_.z)) + (_e2961.w * 1f));
-            let _e2985 = (((_e2858 * _e2830) + (_e2902 * _e2824.u)) + (_e2946 * _e2824.v));
-            let _e2986 = (((_e2871 * _e2830) + (_e2915 * _e2824.u)) + (_e2959 * _e2824.v));
-            let _e2987 = (((_e2884 * _e2830) + (_e2928 * _e2824.u)) + (_e2972 * _e2824.v));
-            let _e2989 = abs(_e2858);
-            let _e2990 = abs(_e2871);
-            let _e2991 = abs(_e2884);
-            let _e2992 = abs(_e2902);
-            let _e2993 = abs(_e2915);
-            let _e2994 = abs(_e2928);
-            if (_e2989 > _e2992) {
-                phi_3653_ = _e2989;
+            let _e2834 = instances.member[(0u + _e2811.instance)].object_to_world[0u];
+            let _e2845 = ((((_e2834.x * _e2823.v0_.x) + (_e2834.y * _e2823.v0_.y)) + (_e2834.z * _e2823.v0_.z)) + (_e2834.w * 1f));
+            let _e2847 = instances.member[(0u + _e2811.instance)].object_to_world[1u];
+            let _e2858 = ((((_e2847.x * _e2823.v0_.x) + (_e2847.y * _e2823.v0_.y)) + (_e2847.z * _e2823.v0_.z)) + (_e2847.w * 1f));
+            let _e2860 = instances.member[(0u + _e2811.instance)].object_to_world[2u];
+            let _e2871 = ((((_e2860.x * _e2823.v0_.x) + (_e2860.y * _e2823.v0_.y)) + (_e2860.z * _e2823.v0_.z)) + (_e2860.w * 1f));
+            let _e2878 = instances.member[(0u + _e2811.instance)].object_to_world[0u];
+            let _e2889 = ((((_e2878.x * _e2823.v1_.x) + (_e2878.y * _e2823.v1_.y)) + (_e2878.z * _e2823.v1_.z)) + (_e2878.w * 1f));
+            let _e2891 = instances.member[(0u + _e2811.instance)].object_to_world[1u];
+            let _e2902 = ((((_e2891.x * _e2823.v1_.x) + (_e2891.y * _e2823.v1_.y)) + (_e2891.z * _e2823.v1_.z)) + (_e2891.w * 1f));
+            let _e2904 = instances.member[(0u + _e2811.instance)].object_to_world[2u];
+            let _e2915 = ((((_e2904.x * _e2823.v1_.x) + (_e2904.y * _e2823.v1_.y)) + (_e2904.z * _e2823.v1_.z)) + (_e2904.w * 1f));
+            let _e2922 = instances.member[(0u + _e2811.instance)].object_to_world[0u];
+            let _e2933 = ((((_e2922.x * _e2823.v2_.x) + (_e2922.y * _e2823.v2_.y)) + (_e2922.z * _e2823.v2_.z)) + (_e2922.w * 1f));
+            let _e2935 = instances.member[(0u + _e2811.instance)].object_to_world[1u];
+            let _e2946 = ((((_e2935.x * _e2823.v2_.x) + (_e2935.y * _e2823.v2_.y)) + (_e2935.z * _e2823.v2_.z)) + (_e2935.w * 1f));
+            let _e2948 = instances.member[(0u + _e2811.instance)].object_to_world[2u];
+            let _e2959 = ((((_e2948.x * _e2823.v2_.x) + (_e2948.y * _e2823.v2_.y)) + (_e2948.z * _e2823.v2_.z)) + (_e2948.w * 1f));
+            let _e2972 = (((_e2845 * _e2817) + (_e2889 * _e2811.u)) + (_e2933 * _e2811.v));
+            let _e2973 = (((_e2858 * _e2817) + (_e2902 * _e2811.u)) + (_e2946 * _e2811.v));
+            let _e2974 = (((_e2871 * _e2817) + (_e2915 * _e2811.u)) + (_e2959 * _e2811.v));
+            let _e2976 = abs(_e2845);
+            let _e2977 = abs(_e2858);
+            let _e2978 = abs(_e2871);
+            let _e2979 = abs(_e2889);
+            let _e2980 = abs(_e2902);
+            let _e2981 = abs(_e2915);
+            if (_e2976 > _e2979) {
+                phi_3665_ = _e2976;
             } else {
-                phi_3653_ = _e2992;
+                phi_3665_ = _e2979;
             }
-            let _e2997 = phi_3653_;
+            let _e2984 = phi_3665_;
+            if (_e2977 > _e2980) {
+                phi_3670_ = _e2977;
+            } else {
+                phi_3670_ = _e2980;
+            }
+            let _e2987 = phi_3670_;
+            if (_e2978 > _e2981) {
+                phi_3675_ = _e2978;
+            } else {
+                phi_3675_ = _e2981;
+            }
+            let _e2990 = phi_3675_;
+            let _e2991 = abs(_e2933);
+            let _e2992 = abs(_e2946);
+            let _e2993 = abs(_e2959);
+            if (_e2984 > _e2991) {
+                phi_3683_ = _e2984;
+            } else {
+                phi_3683_ = _e2991;
+            }
+            let _e2996 = phi_3683_;
+            if (_e2987 > _e2992) {
+                phi_3688_ = _e2987;
+            } else {
+                phi_3688_ = _e2992;
+            }
+            let _e2999 = phi_3688_;
             if (_e2990 > _e2993) {
-                phi_3658_ = _e2990;
+                phi_3693_ = _e2990;
             } else {
-                phi_3658_ = _e2993;
+                phi_3693_ = _e2993;
             }
-            let _e3000 = phi_3658_;
-            if (_e2991 > _e2994) {
-                phi_3663_ = _e2991;
+            let _e3002 = phi_3693_;
+            let _e3003 = (_e2889 - _e2845);
+            let _e3004 = (_e2902 - _e2858);
+            let _e3005 = (_e2915 - _e2871);
+            let _e3006 = (_e2933 - _e2845);
+            let _e3007 = (_e2946 - _e2858);
+            let _e3008 = (_e2959 - _e2871);
+            let _e3012 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3004), abs(_e3005));
+            let _e3013 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3003), _e3012);
+            let _e3014 = (_e3003 / _e3013);
+            let _e3015 = (_e3004 / _e3013);
+            let _e3016 = (_e3005 / _e3013);
+            let _e3020 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3007), abs(_e3008));
+            let _e3021 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3006), _e3020);
+            let _e3022 = (_e3006 / _e3021);
+            let _e3023 = (_e3007 / _e3021);
+            let _e3024 = (_e3008 / _e3021);
+            let _e3027 = ((_e3015 * _e3024) - (_e3023 * _e3016));
+            let _e3030 = ((_e3016 * _e3022) - (_e3024 * _e3014));
+            let _e3033 = ((_e3014 * _e3023) - (_e3022 * _e3015));
+            let _e3035 = p.member.eye;
+            let _e3048 = (1f / sqrt((((_e3027 * _e3027) + (_e3030 * _e3030)) + (_e3033 * _e3033))));
+            let _e3049 = (_e3027 * _e3048);
+            let _e3050 = (_e3030 * _e3048);
+            let _e3051 = (_e3033 * _e3048);
+            if ((((_e3049 * (_e3035.x - _e2972)) + (_e3050 * (_e3035.y - _e2973))) + (_e3051 * (_e3035.z - _e2974))) < 0f) {
+                phi_3757_ = vec3<f32>(-(_e3049), -(_e3050), -(_e3051));
             } else {
-                phi_3663_ = _e2994;
+                phi_3757_ = vec3<f32>(_e3049, _e3050, _e3051);
             }
-            let _e3003 = phi_3663_;
-            let _e3004 = abs(_e2946);
-            let _e3005 = abs(_e2959);
-            let _e3006 = abs(_e2972);
-            if (_e2997 > _e3004) {
-                phi_3671_ = _e2997;
-            } else {
-                phi_3671_ = _e3004;
-            }
-            let _e3009 = phi_3671_;
-            if (_e3000 > _e3005) {
-                phi_3676_ = _e3000;
-            } else {
-                phi_3676_ = _e3005;
-            }
-            let _e3012 = phi_3676_;
-            if (_e3003 > _e3006) {
-                phi_3681_ = _e3003;
-            } else {
-                phi_3681_ = _e3006;
-            }
-            let _e3015 = phi_3681_;
-            let _e3016 = (_e2902 - _e2858);
-            let _e3017 = (_e2915 - _e2871);
-            let _e3018 = (_e2928 - _e2884);
-            let _e3019 = (_e2946 - _e2858);
-            let _e3020 = (_e2959 - _e2871);
-            let _e3021 = (_e2972 - _e2884);
-            let _e3025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3017), abs(_e3018));
-            let _e3026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3016), _e3025);
-            let _e3027 = (_e3016 / _e3026);
-            let _e3028 = (_e3017 / _e3026);
-            let _e3029 = (_e3018 / _e3026);
-            let _e3033 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3020), abs(_e3021));
-            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3019), _e3033);
-            let _e3035 = (_e3019 / _e3034);
-            let _e3036 = (_e3020 / _e3034);
-            let _e3037 = (_e3021 / _e3034);
-            let _e3040 = ((_e3028 * _e3037) - (_e3036 * _e3029));
-            let _e3043 = ((_e3029 * _e3035) - (_e3037 * _e3027));
-            let _e3046 = ((_e3027 * _e3036) - (_e3035 * _e3028));
-            let _e3048 = p.member.eye;
-            let _e3061 = (1f / sqrt((((_e3040 * _e3040) + (_e3043 * _e3043)) + (_e3046 * _e3046))));
-            let _e3062 = (_e3040 * _e3061);
-            let _e3063 = (_e3043 * _e3061);
-            let _e3064 = (_e3046 * _e3061);
-            if ((((_e3062 * (_e3048.x - _e2985)) + (_e3063 * (_e3048.y - _e2986))) + (_e3064 * (_e3048.z - _e2987))) < 0f) {
-                phi_3745_ = vec3<f32>(-(_e3062), -(_e3063), -(_e3064));
-            } else {
-                phi_3745_ = vec3<f32>(_e3062, _e3063, _e3064);
-            }
-            let _e3077 = phi_3745_;
-            if (_e2824.triangle < _e79) {
+            let _e3064 = phi_3757_;
+            if (_e2811.triangle < _e79) {
             } else {
                 return;
             }
-            let _e3082 = triangles.member[(0u + _e2824.triangle)];
-            let _e3084 = (_e3082.i0_ & 2147483647u);
-            if (_e3084 < _e82) {
+            let _e3069 = triangles.member[(0u + _e2811.triangle)];
+            let _e3071 = (_e3069.i0_ & 2147483647u);
+            if (_e3071 < _e82) {
             } else {
                 return;
             }
-            let _e3090 = vertices.member[(0u + _e3084)];
-            if (_e3082.i1_ < _e82) {
+            let _e3077 = vertices.member[(0u + _e3071)];
+            if (_e3069.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e3094 = vertices.member[(0u + _e3082.i1_)];
-            if (_e3082.i2_ < _e82) {
+            let _e3081 = vertices.member[(0u + _e3069.i1_)];
+            if (_e3069.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e3098 = vertices.member[(0u + _e3082.i2_)];
-            let _e3099 = array<abi_Vertex, 3>(_e3090, _e3094, _e3098);
-            if (_e3099[0].material < _e85) {
+            let _e3085 = vertices.member[(0u + _e3069.i2_)];
+            let _e3086 = array<abi_Vertex, 3>(_e3077, _e3081, _e3085);
+            if (_e3086[0].material < _e85) {
             } else {
                 return;
             }
-            let _e3105 = materials.member[(0u + _e3099[0].material)];
-            let _e3122 = (1f / 255f);
-            let _e3141 = (1f / 255f);
-            let _e3163 = (1f / 255f);
-            let _e3176 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2830, _e2824.u, _e2824.v));
-            let _e3178 = ((_e3105.base_color.x * ((((f32((_e3099[0].color & 255u)) * _e3122) * _e2830) + ((f32((_e3099[1].color & 255u)) * _e3141) * _e2824.u)) + ((f32((_e3099[2].color & 255u)) * _e3163) * _e2824.v))) * _e3176.x);
-            let _e3180 = ((_e3105.base_color.y * ((((f32(((_e3099[0].color >> bitcast<u32>(8i)) & 255u)) * _e3122) * _e2830) + ((f32(((_e3099[1].color >> bitcast<u32>(8i)) & 255u)) * _e3141) * _e2824.u)) + ((f32(((_e3099[2].color >> bitcast<u32>(8i)) & 255u)) * _e3163) * _e2824.v))) * _e3176.y);
-            let _e3182 = ((_e3105.base_color.z * ((((f32(((_e3099[0].color >> bitcast<u32>(16i)) & 255u)) * _e3122) * _e2830) + ((f32(((_e3099[1].color >> bitcast<u32>(16i)) & 255u)) * _e3141) * _e2824.u)) + ((f32(((_e3099[2].color >> bitcast<u32>(16i)) & 255u)) * _e3163) * _e2824.v))) * _e3176.z);
-            let _e3183 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3012, _e3015);
-            let _e3184 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3009, _e3183);
-            if ((_e3105.flags & 2u) == 0u) {
-                phi_3866_ = 0u;
+            let _e3092 = materials.member[(0u + _e3086[0].material)];
+            let _e3109 = (1f / 255f);
+            let _e3128 = (1f / 255f);
+            let _e3150 = (1f / 255f);
+            let _e3163 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2817, _e2811.u, _e2811.v));
+            let _e3165 = ((_e3092.base_color.x * ((((f32((_e3086[0].color & 255u)) * _e3109) * _e2817) + ((f32((_e3086[1].color & 255u)) * _e3128) * _e2811.u)) + ((f32((_e3086[2].color & 255u)) * _e3150) * _e2811.v))) * _e3163.x);
+            let _e3167 = ((_e3092.base_color.y * ((((f32(((_e3086[0].color >> bitcast<u32>(8i)) & 255u)) * _e3109) * _e2817) + ((f32(((_e3086[1].color >> bitcast<u32>(8i)) & 255u)) * _e3128) * _e2811.u)) + ((f32(((_e3086[2].color >> bitcast<u32>(8i)) & 255u)) * _e3150) * _e2811.v))) * _e3163.y);
+            let _e3169 = ((_e3092.base_color.z * ((((f32(((_e3086[0].color >> bitcast<u32>(16i)) & 255u)) * _e3109) * _e2817) + ((f32(((_e3086[1].color >> bitcast<u32>(16i)) & 255u)) * _e3128) * _e2811.u)) + ((f32(((_e3086[2].color >> bitcast<u32>(16i)) & 255u)) * _e3150) * _e2811.v))) * _e3163.z);
+            let _e3170 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2999, _e3002);
+            let _e3171 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2996, _e3170);
+            if ((_e3092.flags & 2u) == 0u) {
+                phi_3878_ = 0u;
             } else {
-                phi_3866_ = 1u;
+                phi_3878_ = 1u;
             }
-            let _e3189 = phi_3866_;
-            if (_e3099[0].normal == 2147516416u) {
-                phi_4096_ = _e3077;
+            let _e3176 = phi_3878_;
+            if (_e3086[0].normal == 2147516416u) {
+                phi_4108_ = _e3064;
             } else {
-                let _e3202 = (f32((bitcast<i32>((_e3099[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3208 = (f32((bitcast<i32>(_e3099[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3212 = ((1f - abs(_e3202)) - abs(_e3208));
-                if (_e3212 < 0f) {
-                    phi_3893_ = -(_e3212);
+                let _e3189 = (f32((bitcast<i32>((_e3086[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3195 = (f32((bitcast<i32>(_e3086[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3199 = ((1f - abs(_e3189)) - abs(_e3195));
+                if (_e3199 < 0f) {
+                    phi_3905_ = -(_e3199);
                 } else {
-                    phi_3893_ = 0f;
+                    phi_3905_ = 0f;
                 }
-                let _e3216 = phi_3893_;
-                if (_e3202 < 0f) {
-                    phi_3900_ = (_e3202 + _e3216);
+                let _e3203 = phi_3905_;
+                if (_e3189 < 0f) {
+                    phi_3912_ = (_e3189 + _e3203);
                 } else {
-                    phi_3900_ = (_e3202 - _e3216);
+                    phi_3912_ = (_e3189 - _e3203);
                 }
-                let _e3221 = phi_3900_;
-                if (_e3208 < 0f) {
-                    phi_3907_ = (_e3208 + _e3216);
+                let _e3208 = phi_3912_;
+                if (_e3195 < 0f) {
+                    phi_3919_ = (_e3195 + _e3203);
                 } else {
-                    phi_3907_ = (_e3208 - _e3216);
+                    phi_3919_ = (_e3195 - _e3203);
                 }
-                let _e3226 = phi_3907_;
-                let _e3233 = (1f / sqrt((((_e3221 * _e3221) + (_e3226 * _e3226)) + (_e3212 * _e3212))));
-                let _e3249 = (f32((bitcast<i32>((_e3099[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3255 = (f32((bitcast<i32>(_e3099[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3259 = ((1f - abs(_e3249)) - abs(_e3255));
-                if (_e3259 < 0f) {
-                    phi_3942_ = -(_e3259);
+                let _e3213 = phi_3919_;
+                let _e3220 = (1f / sqrt((((_e3208 * _e3208) + (_e3213 * _e3213)) + (_e3199 * _e3199))));
+                let _e3236 = (f32((bitcast<i32>((_e3086[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3242 = (f32((bitcast<i32>(_e3086[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3246 = ((1f - abs(_e3236)) - abs(_e3242));
+                if (_e3246 < 0f) {
+                    phi_3954_ = -(_e3246);
                 } else {
-                    phi_3942_ = 0f;
+                    phi_3954_ = 0f;
                 }
-                let _e3263 = phi_3942_;
-                if (_e3249 < 0f) {
-                    phi_3949_ = (_e3249 + _e3263);
+                let _e3250 = phi_3954_;
+                if (_e3236 < 0f) {
+                    phi_3961_ = (_e3236 + _e3250);
                 } else {
-                    phi_3949_ = (_e3249 - _e3263);
+                    phi_3961_ = (_e3236 - _e3250);
                 }
-                let _e3268 = phi_3949_;
-                if (_e3255 < 0f) {
-                    phi_3956_ = (_e3255 + _e3263);
+                let _e3255 = phi_3961_;
+                if (_e3242 < 0f) {
+                    phi_3968_ = (_e3242 + _e3250);
                 } else {
-                    phi_3956_ = (_e3255 - _e3263);
+                    phi_3968_ = (_e3242 - _e3250);
                 }
-                let _e3273 = phi_3956_;
-                let _e3280 = (1f / sqrt((((_e3268 * _e3268) + (_e3273 * _e3273)) + (_e3259 * _e3259))));
-                let _e3299 = (f32((bitcast<i32>((_e3099[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3305 = (f32((bitcast<i32>(_e3099[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3309 = ((1f - abs(_e3299)) - abs(_e3305));
-                if (_e3309 < 0f) {
-                    phi_3994_ = -(_e3309);
+                let _e3260 = phi_3968_;
+                let _e3267 = (1f / sqrt((((_e3255 * _e3255) + (_e3260 * _e3260)) + (_e3246 * _e3246))));
+                let _e3286 = (f32((bitcast<i32>((_e3086[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3292 = (f32((bitcast<i32>(_e3086[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3296 = ((1f - abs(_e3286)) - abs(_e3292));
+                if (_e3296 < 0f) {
+                    phi_4006_ = -(_e3296);
                 } else {
-                    phi_3994_ = 0f;
+                    phi_4006_ = 0f;
                 }
-                let _e3313 = phi_3994_;
-                if (_e3299 < 0f) {
-                    phi_4001_ = (_e3299 + _e3313);
+                let _e3300 = phi_4006_;
+                if (_e3286 < 0f) {
+                    phi_4013_ = (_e3286 + _e3300);
                 } else {
-                    phi_4001_ = (_e3299 - _e3313);
+                    phi_4013_ = (_e3286 - _e3300);
                 }
-                let _e3318 = phi_4001_;
-                if (_e3305 < 0f) {
-                    phi_4008_ = (_e3305 + _e3313);
+                let _e3305 = phi_4013_;
+                if (_e3292 < 0f) {
+                    phi_4020_ = (_e3292 + _e3300);
                 } else {
-                    phi_4008_ = (_e3305 - _e3313);
+                    phi_4020_ = (_e3292 - _e3300);
                 }
-                let _e3323 = phi_4008_;
-                let _e3330 = (1f / sqrt((((_e3318 * _e3318) + (_e3323 * _e3323)) + (_e3309 * _e3309))));
-                let _e3337 = ((((_e3221 * _e3233) * _e2830) + ((_e3268 * _e3280) * _e2824.u)) + ((_e3318 * _e3330) * _e2824.v));
-                let _e3338 = ((((_e3226 * _e3233) * _e2830) + ((_e3273 * _e3280) * _e2824.u)) + ((_e3323 * _e3330) * _e2824.v));
-                let _e3339 = ((((_e3212 * _e3233) * _e2830) + ((_e3259 * _e3280) * _e2824.u)) + ((_e3309 * _e3330) * _e2824.v));
-                if (_e2824.instance < _e91) {
+                let _e3310 = phi_4020_;
+                let _e3317 = (1f / sqrt((((_e3305 * _e3305) + (_e3310 * _e3310)) + (_e3296 * _e3296))));
+                let _e3324 = ((((_e3208 * _e3220) * _e2817) + ((_e3255 * _e3267) * _e2811.u)) + ((_e3305 * _e3317) * _e2811.v));
+                let _e3325 = ((((_e3213 * _e3220) * _e2817) + ((_e3260 * _e3267) * _e2811.u)) + ((_e3310 * _e3317) * _e2811.v));
+                let _e3326 = ((((_e3199 * _e3220) * _e2817) + ((_e3246 * _e3267) * _e2811.u)) + ((_e3296 * _e3317) * _e2811.v));
+                if (_e2811.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e3346 = instances.member[(0u + _e2824.instance)].world_to_object[0u];
-                let _e3355 = instances.member[(0u + _e2824.instance)].world_to_object[1u];
-                let _e3367 = instances.member[(0u + _e2824.instance)].world_to_object[2u];
-                let _e3374 = (((_e3346.x * _e3337) + (_e3355.x * _e3338)) + (_e3367.x * _e3339));
-                let _e3375 = (((_e3346.y * _e3337) + (_e3355.y * _e3338)) + (_e3367.y * _e3339));
-                let _e3376 = (((_e3346.z * _e3337) + (_e3355.z * _e3338)) + (_e3367.z * _e3339));
-                let _e3382 = sqrt((((_e3374 * _e3374) + (_e3375 * _e3375)) + (_e3376 * _e3376)));
-                if (_e3382 > 0f) {
-                    let _e3384 = (_e3374 / _e3382);
-                    let _e3385 = (_e3375 / _e3382);
-                    let _e3386 = (_e3376 / _e3382);
-                    if ((((_e3384 * _e3077.x) + (_e3385 * _e3077.y)) + (_e3386 * _e3077.z)) < 0f) {
-                        phi_4094_ = vec3<f32>(-(_e3384), -(_e3385), -(_e3386));
+                let _e3333 = instances.member[(0u + _e2811.instance)].world_to_object[0u];
+                let _e3342 = instances.member[(0u + _e2811.instance)].world_to_object[1u];
+                let _e3354 = instances.member[(0u + _e2811.instance)].world_to_object[2u];
+                let _e3361 = (((_e3333.x * _e3324) + (_e3342.x * _e3325)) + (_e3354.x * _e3326));
+                let _e3362 = (((_e3333.y * _e3324) + (_e3342.y * _e3325)) + (_e3354.y * _e3326));
+                let _e3363 = (((_e3333.z * _e3324) + (_e3342.z * _e3325)) + (_e3354.z * _e3326));
+                let _e3369 = sqrt((((_e3361 * _e3361) + (_e3362 * _e3362)) + (_e3363 * _e3363)));
+                if (_e3369 > 0f) {
+                    let _e3371 = (_e3361 / _e3369);
+                    let _e3372 = (_e3362 / _e3369);
+                    let _e3373 = (_e3363 / _e3369);
+                    if ((((_e3371 * _e3064.x) + (_e3372 * _e3064.y)) + (_e3373 * _e3064.z)) < 0f) {
+                        phi_4106_ = vec3<f32>(-(_e3371), -(_e3372), -(_e3373));
                     } else {
-                        phi_4094_ = vec3<f32>(_e3384, _e3385, _e3386);
+                        phi_4106_ = vec3<f32>(_e3371, _e3372, _e3373);
                     }
-                    let _e3402 = phi_4094_;
-                    phi_4095_ = _e3402;
+                    let _e3389 = phi_4106_;
+                    phi_4107_ = _e3389;
                 } else {
-                    phi_4095_ = _e3077;
+                    phi_4107_ = _e3064;
                 }
-                let _e3404 = phi_4095_;
-                phi_4096_ = _e3404;
+                let _e3391 = phi_4107_;
+                phi_4108_ = _e3391;
             }
-            let _e3406 = phi_4096_;
-            if (_e3178 > 0f) {
-                if (_e3178 < 1f) {
-                    phi_4105_ = _e3178;
+            let _e3393 = phi_4108_;
+            if (_e3165 > 0f) {
+                if (_e3165 < 1f) {
+                    phi_4117_ = _e3165;
                 } else {
-                    phi_4105_ = 1f;
+                    phi_4117_ = 1f;
                 }
-                let _e3410 = phi_4105_;
-                phi_4106_ = _e3410;
+                let _e3397 = phi_4117_;
+                phi_4118_ = _e3397;
             } else {
-                phi_4106_ = 0f;
+                phi_4118_ = 0f;
             }
-            let _e3412 = phi_4106_;
-            if (_e3180 > 0f) {
-                if (_e3180 < 1f) {
-                    phi_4116_ = _e3180;
+            let _e3399 = phi_4118_;
+            if (_e3167 > 0f) {
+                if (_e3167 < 1f) {
+                    phi_4128_ = _e3167;
                 } else {
-                    phi_4116_ = 1f;
+                    phi_4128_ = 1f;
                 }
-                let _e3417 = phi_4116_;
-                phi_4117_ = _e3417;
+                let _e3404 = phi_4128_;
+                phi_4129_ = _e3404;
             } else {
-                phi_4117_ = 0f;
+                phi_4129_ = 0f;
             }
-            let _e3419 = phi_4117_;
-            if (_e3182 > 0f) {
-                if (_e3182 < 1f) {
-                    phi_4127_ = _e3182;
+            let _e3406 = phi_4129_;
+            if (_e3169 > 0f) {
+                if (_e3169 < 1f) {
+                    phi_4139_ = _e3169;
                 } else {
-                    phi_4127_ = 1f;
+                    phi_4139_ = 1f;
                 }
-                let _e3424 = phi_4127_;
-                phi_4128_ = _e3424;
+                let _e3411 = phi_4139_;
+                phi_4140_ = _e3411;
             } else {
-                phi_4128_ = 0f;
+                phi_4140_ = 0f;
             }
-            let _e3426 = phi_4128_;
-            let _e3429 = ((sqrt(_e3412) * 255f) + 0.5f);
-            let _e3438 = ((sqrt(_e3419) * 255f) + 0.5f);
-            let _e3450 = ((sqrt(_e3426) * 255f) + 0.5f);
-            phi_4163_ = abi_Sample(vec3<f32>(_e2985, _e2986, _e2987), _e3184, _e3077, _e3189, _e3406, ((select(select(u32(_e3429), 0u, (_e3429 < bitcast<f32>(0u))), 4294967295u, (_e3429 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3438), 0u, (_e3438 < bitcast<f32>(0u))), 4294967295u, (_e3438 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3450), 0u, (_e3450 < bitcast<f32>(0u))), 4294967295u, (_e3450 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3413 = phi_4140_;
+            let _e3416 = ((sqrt(_e3399) * 255f) + 0.5f);
+            let _e3425 = ((sqrt(_e3406) * 255f) + 0.5f);
+            let _e3437 = ((sqrt(_e3413) * 255f) + 0.5f);
+            phi_4175_ = abi_Sample(vec3<f32>(_e2972, _e2973, _e2974), _e3171, _e3064, _e3176, _e3393, ((select(select(u32(_e3416), 0u, (_e3416 < bitcast<f32>(0u))), 4294967295u, (_e3416 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3425), 0u, (_e3425 < bitcast<f32>(0u))), 4294967295u, (_e3425 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3437), 0u, (_e3437 < bitcast<f32>(0u))), 4294967295u, (_e3437 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4163_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4175_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3464 = phi_4163_;
-        if (_e100.first_primitive < arrayLength((&samples.member))) {
+        let _e3451 = phi_4175_;
+        if (_e100.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3464;
+        samples.member[(0u + _e100.shift)] = _e3451;
     }
     return;
 }

@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -183,19 +183,19 @@ var<storage> before: type_26;
 @group(0) @binding(9) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_229_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_229_: lt_mask_LightPlace;
     var phi_230_: bool;
-    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_231_: lt_mask_LightPlace;
     var phi_232_: bool;
-    var phi_237_: lt_bvh_traverse_Tree;
+    var phi_237_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_229_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_229_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_230_ = false;
         } else {
-            phi_229_ = lt_bvh_traverse_Tree();
+            phi_229_ = lt_mask_LightPlace();
             phi_230_ = true;
         }
         let _e84 = phi_229_;
@@ -203,18 +203,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_231_ = _e84;
         phi_232_ = _e86;
     } else {
-        phi_231_ = lt_bvh_traverse_Tree();
+        phi_231_ = lt_mask_LightPlace();
         phi_232_ = true;
     }
     let _e88 = phi_231_;
     let _e90 = phi_232_;
     if _e90 {
-        phi_237_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_237_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_237_ = _e88;
     }
     let _e95 = phi_237_;
-    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -634,296 +634,292 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_802_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_822_: bool;
     var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
     var phi_841_: bool;
     var phi_842_: bool;
-    var phi_846_: bool;
-    var phi_850_: bool;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_849_: bool;
     var phi_925_: f32;
     var phi_932_: f32;
     var phi_940_: f32;
     var phi_947_: f32;
     var phi_955_: f32;
     var phi_962_: f32;
-    var phi_987_: f32;
-    var phi_992_: f32;
-    var phi_997_: f32;
-    var phi_1019_: u32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_995_: f32;
+    var phi_1000_: f32;
+    var phi_1005_: f32;
     var phi_1024_: u32;
     var phi_1029_: u32;
-    var phi_1143_: bool;
-    var phi_1144_: bool;
-    var phi_1175_: u32;
-    var phi_1177_: u32;
-    var phi_1180_: lt_bvh_Hit;
-    var phi_1265_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1292_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1319_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1325_: u32;
-    var phi_1328_: u32;
-    var phi_1342_: u32;
-    var phi_1352_: u32;
-    var phi_1362_: u32;
-    var phi_1380_: u32;
-    var phi_1390_: u32;
-    var phi_1400_: u32;
-    var phi_1436_: u32;
-    var phi_1449_: u32;
+    var phi_1034_: u32;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_1180_: u32;
+    var phi_1182_: u32;
+    var phi_1185_: lt_bvh_Hit;
+    var phi_1270_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1297_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1324_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1330_: u32;
+    var phi_1333_: u32;
+    var phi_1347_: u32;
+    var phi_1357_: u32;
+    var phi_1367_: u32;
+    var phi_1385_: u32;
+    var phi_1395_: u32;
+    var phi_1405_: u32;
+    var phi_1441_: u32;
     var phi_1454_: u32;
-    var phi_1455_: u32;
-    var phi_1456_: u32;
-    var phi_1326_: u32;
-    var phi_1329_: u32;
+    var phi_1459_: u32;
+    var phi_1460_: u32;
+    var phi_1461_: u32;
+    var phi_1331_: u32;
+    var phi_1334_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1514_: u32;
-    var phi_1517_: lt_bvh_Hit;
-    var phi_1572_: f32;
+    var phi_1519_: u32;
+    var phi_1522_: lt_bvh_Hit;
     var phi_1577_: f32;
     var phi_1582_: f32;
-    var phi_1590_: f32;
+    var phi_1587_: f32;
     var phi_1595_: f32;
     var phi_1600_: f32;
-    var phi_1756_: bool;
+    var phi_1605_: f32;
+    var phi_1737_: bool;
+    var phi_1738_: bool;
+    var phi_1739_: bool;
+    var phi_1740_: bool;
+    var phi_1744_: bool;
     var phi_1757_: bool;
     var phi_1758_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
+    var phi_1759_: bool;
+    var phi_1760_: bool;
     var phi_1764_: bool;
-    var phi_1765_: bool;
-    var phi_1766_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
-    var phi_1771_: bool;
-    var phi_1772_: bool;
-    var phi_1773_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: bool;
-    var phi_1776_: bool;
     var phi_1777_: bool;
     var phi_1778_: bool;
     var phi_1779_: bool;
     var phi_1783_: bool;
+    var phi_1784_: bool;
+    var phi_1785_: bool;
+    var phi_1786_: bool;
     var phi_1787_: bool;
-    var phi_1857_: f32;
-    var phi_1864_: f32;
-    var phi_1871_: f32;
-    var phi_1878_: f32;
-    var phi_1885_: f32;
-    var phi_1892_: f32;
-    var phi_1909_: f32;
-    var phi_1914_: f32;
-    var phi_1919_: f32;
-    var phi_1947_: bool;
-    var phi_1948_: bool;
-    var phi_1956_: u32;
-    var phi_1957_: u32;
-    var phi_1968_: vec3<f32>;
-    var phi_1969_: vec3<f32>;
-    var phi_1982_: u32;
-    var phi_1987_: u32;
-    var phi_1992_: u32;
-    var phi_2106_: bool;
-    var phi_2107_: bool;
-    var phi_2138_: u32;
-    var phi_2140_: lt_bvh_Hit;
-    var phi_2143_: u32;
-    var phi_2224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2278_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2284_: u32;
-    var phi_2287_: u32;
-    var phi_2301_: u32;
-    var phi_2311_: u32;
-    var phi_2321_: u32;
-    var phi_2339_: u32;
-    var phi_2349_: u32;
-    var phi_2359_: u32;
-    var phi_2395_: u32;
-    var phi_2408_: u32;
-    var phi_2413_: u32;
-    var phi_2414_: u32;
-    var phi_2415_: u32;
-    var phi_2285_: u32;
-    var phi_2288_: u32;
+    var phi_1791_: bool;
+    var phi_1861_: f32;
+    var phi_1868_: f32;
+    var phi_1875_: f32;
+    var phi_1882_: f32;
+    var phi_1889_: f32;
+    var phi_1896_: f32;
+    var phi_1913_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1928_: f32;
+    var phi_1933_: f32;
+    var phi_1959_: bool;
+    var phi_1960_: bool;
+    var phi_1968_: u32;
+    var phi_1969_: u32;
+    var phi_1980_: vec3<f32>;
+    var phi_1981_: vec3<f32>;
+    var phi_1994_: u32;
+    var phi_1999_: u32;
+    var phi_2004_: u32;
+    var phi_2118_: bool;
+    var phi_2119_: bool;
+    var phi_2150_: u32;
+    var phi_2152_: lt_bvh_Hit;
+    var phi_2155_: u32;
+    var phi_2236_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2263_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2290_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2296_: u32;
+    var phi_2299_: u32;
+    var phi_2313_: u32;
+    var phi_2323_: u32;
+    var phi_2333_: u32;
+    var phi_2351_: u32;
+    var phi_2361_: u32;
+    var phi_2371_: u32;
+    var phi_2407_: u32;
+    var phi_2420_: u32;
+    var phi_2425_: u32;
+    var phi_2426_: u32;
+    var phi_2427_: u32;
+    var phi_2297_: u32;
+    var phi_2300_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2473_: lt_bvh_Hit;
-    var phi_2476_: u32;
-    var phi_2520_: vec3<f32>;
-    var phi_2521_: vec3<f32>;
-    var phi_2550_: vec3<f32>;
-    var phi_2551_: vec3<f32>;
-    var phi_2580_: vec3<f32>;
-    var phi_2581_: vec3<f32>;
-    var phi_2599_: bool;
-    var phi_2600_: bool;
-    var phi_2604_: f32;
-    var phi_2605_: f32;
-    var phi_2606_: f32;
-    var phi_2607_: f32;
-    var phi_2615_: f32;
-    var phi_2625_: bool;
-    var phi_2626_: bool;
-    var phi_2630_: f32;
-    var phi_2631_: f32;
-    var phi_2632_: f32;
-    var phi_2633_: f32;
-    var phi_2641_: f32;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2656_: f32;
-    var phi_2657_: f32;
-    var phi_2658_: f32;
-    var phi_2659_: f32;
-    var phi_2667_: f32;
-    var phi_2682_: f32;
-    var phi_2683_: bool;
-    var phi_2684_: f32;
-    var phi_2685_: bool;
-    var phi_2686_: f32;
-    var phi_2687_: bool;
-    var phi_2705_: f32;
-    var phi_2706_: bool;
-    var phi_2707_: bool;
-    var phi_2708_: f32;
-    var phi_2709_: bool;
-    var phi_2710_: bool;
-    var phi_2714_: bool;
-    var phi_2715_: f32;
-    var phi_2716_: bool;
-    var phi_2744_: vec3<f32>;
-    var phi_2745_: vec3<f32>;
-    var phi_2770_: vec3<f32>;
-    var phi_2771_: vec3<f32>;
-    var phi_2796_: vec3<f32>;
-    var phi_2797_: vec3<f32>;
-    var phi_2853_: f32;
-    var phi_2862_: f32;
-    var phi_2871_: f32;
-    var phi_2880_: f32;
-    var phi_2887_: f32;
-    var phi_2894_: f32;
-    var phi_2907_: f32;
-    var phi_2916_: f32;
-    var phi_2925_: f32;
-    var phi_2934_: f32;
-    var phi_2941_: f32;
-    var phi_2948_: f32;
-    var phi_2965_: f32;
-    var phi_2970_: f32;
-    var phi_2975_: f32;
-    var phi_2983_: f32;
-    var phi_2988_: f32;
-    var phi_2993_: f32;
+    var phi_2485_: lt_bvh_Hit;
+    var phi_2488_: u32;
+    var phi_2532_: vec3<f32>;
+    var phi_2533_: vec3<f32>;
+    var phi_2562_: vec3<f32>;
+    var phi_2563_: vec3<f32>;
+    var phi_2592_: vec3<f32>;
+    var phi_2593_: vec3<f32>;
+    var phi_2611_: bool;
+    var phi_2612_: bool;
+    var phi_2616_: f32;
+    var phi_2617_: f32;
+    var phi_2618_: f32;
+    var phi_2619_: f32;
+    var phi_2627_: f32;
+    var phi_2637_: bool;
+    var phi_2638_: bool;
+    var phi_2642_: f32;
+    var phi_2643_: f32;
+    var phi_2644_: f32;
+    var phi_2645_: f32;
+    var phi_2653_: f32;
+    var phi_2663_: bool;
+    var phi_2664_: bool;
+    var phi_2668_: f32;
+    var phi_2669_: f32;
+    var phi_2670_: f32;
+    var phi_2671_: f32;
+    var phi_2679_: f32;
+    var phi_2694_: f32;
+    var phi_2695_: bool;
+    var phi_2696_: f32;
+    var phi_2697_: bool;
+    var phi_2698_: f32;
+    var phi_2699_: bool;
+    var phi_2717_: f32;
+    var phi_2718_: bool;
+    var phi_2719_: bool;
+    var phi_2720_: f32;
+    var phi_2721_: bool;
+    var phi_2722_: bool;
+    var phi_2726_: bool;
+    var phi_2727_: f32;
+    var phi_2728_: bool;
+    var phi_2756_: vec3<f32>;
+    var phi_2757_: vec3<f32>;
+    var phi_2782_: vec3<f32>;
+    var phi_2783_: vec3<f32>;
+    var phi_2808_: vec3<f32>;
+    var phi_2809_: vec3<f32>;
+    var phi_2865_: f32;
+    var phi_2874_: f32;
+    var phi_2883_: f32;
+    var phi_2892_: f32;
+    var phi_2899_: f32;
+    var phi_2906_: f32;
+    var phi_2919_: f32;
+    var phi_2928_: f32;
+    var phi_2937_: f32;
+    var phi_2946_: f32;
+    var phi_2953_: f32;
+    var phi_2960_: f32;
+    var phi_2977_: f32;
+    var phi_2982_: f32;
+    var phi_2987_: f32;
+    var phi_2995_: f32;
+    var phi_3000_: f32;
     var phi_3005_: f32;
-    var phi_3010_: f32;
-    var phi_3015_: f32;
-    var phi_3020_: f32;
-    var phi_3025_: lt_bvh_triangle_Intersection;
-    var phi_3026_: bool;
-    var phi_3027_: lt_bvh_triangle_Intersection;
-    var phi_3028_: bool;
-    var phi_3032_: lt_bvh_triangle_Intersection;
-    var phi_3033_: bool;
-    var phi_3034_: lt_bvh_triangle_Intersection;
-    var phi_3035_: bool;
-    var phi_3036_: bool;
+    var phi_3017_: f32;
+    var phi_3022_: f32;
+    var phi_3027_: f32;
+    var phi_3032_: f32;
+    var phi_3037_: lt_bvh_triangle_Intersection;
+    var phi_3038_: bool;
+    var phi_3039_: lt_bvh_triangle_Intersection;
     var phi_3040_: bool;
     var phi_3044_: lt_bvh_triangle_Intersection;
-    var phi_3082_: bool;
-    var phi_3083_: bool;
-    var phi_3084_: bool;
-    var phi_3085_: bool;
-    var phi_3086_: bool;
-    var phi_3087_: bool;
-    var phi_3091_: bool;
-    var phi_3092_: bool;
-    var phi_3295_: f32;
-    var phi_3298_: bool;
-    var phi_3299_: bool;
-    var phi_3303_: bool;
-    var phi_3311_: lt_bvh_Hit;
-    var phi_3312_: lt_bvh_Hit;
-    var phi_3313_: lt_bvh_Hit;
-    var phi_3314_: lt_bvh_Hit;
-    var phi_2474_: lt_bvh_Hit;
-    var phi_2477_: u32;
+    var phi_3045_: bool;
+    var phi_3046_: lt_bvh_triangle_Intersection;
+    var phi_3047_: bool;
+    var phi_3048_: bool;
+    var phi_3052_: bool;
+    var phi_3056_: lt_bvh_triangle_Intersection;
+    var phi_3094_: bool;
+    var phi_3095_: bool;
+    var phi_3096_: bool;
+    var phi_3097_: bool;
+    var phi_3098_: bool;
+    var phi_3099_: bool;
+    var phi_3103_: bool;
+    var phi_3104_: bool;
+    var phi_3307_: f32;
+    var phi_3310_: bool;
+    var phi_3311_: bool;
     var phi_3315_: bool;
-    var phi_3354_: bool;
-    var phi_3355_: bool;
-    var phi_3386_: u32;
-    var phi_2141_: lt_bvh_Hit;
-    var phi_2144_: u32;
-    var phi_3387_: lt_bvh_Hit;
-    var phi_3388_: lt_bvh_Hit;
-    var phi_3389_: bool;
-    var phi_3393_: lt_bvh_Hit;
-    var phi_3394_: lt_bvh_Hit;
-    var phi_3395_: lt_bvh_Hit;
-    var phi_3396_: lt_bvh_Hit;
-    var phi_1515_: u32;
-    var phi_1518_: lt_bvh_Hit;
-    var phi_3397_: bool;
-    var phi_3436_: bool;
-    var phi_3437_: bool;
-    var phi_3468_: u32;
-    var phi_1178_: u32;
-    var phi_1181_: lt_bvh_Hit;
-    var phi_3469_: lt_bvh_Hit;
-    var phi_3470_: lt_bvh_Hit;
-    var phi_3471_: bool;
-    var phi_3475_: lt_bvh_Hit;
-    var phi_3663_: f32;
-    var phi_3668_: f32;
-    var phi_3673_: f32;
-    var phi_3681_: f32;
-    var phi_3686_: f32;
-    var phi_3691_: f32;
-    var phi_3755_: vec3<f32>;
-    var phi_3876_: u32;
-    var phi_3903_: f32;
-    var phi_3910_: f32;
-    var phi_3917_: f32;
-    var phi_3952_: f32;
-    var phi_3959_: f32;
-    var phi_3966_: f32;
-    var phi_4004_: f32;
-    var phi_4011_: f32;
-    var phi_4018_: f32;
-    var phi_4104_: vec3<f32>;
-    var phi_4105_: vec3<f32>;
-    var phi_4106_: vec3<f32>;
-    var phi_4115_: f32;
-    var phi_4116_: f32;
-    var phi_4126_: f32;
+    var phi_3323_: lt_bvh_Hit;
+    var phi_3324_: lt_bvh_Hit;
+    var phi_3325_: lt_bvh_Hit;
+    var phi_3326_: lt_bvh_Hit;
+    var phi_2486_: lt_bvh_Hit;
+    var phi_2489_: u32;
+    var phi_3327_: bool;
+    var phi_3366_: bool;
+    var phi_3367_: bool;
+    var phi_3398_: u32;
+    var phi_2153_: lt_bvh_Hit;
+    var phi_2156_: u32;
+    var phi_3399_: lt_bvh_Hit;
+    var phi_3400_: lt_bvh_Hit;
+    var phi_3401_: bool;
+    var phi_3405_: lt_bvh_Hit;
+    var phi_3406_: lt_bvh_Hit;
+    var phi_3407_: lt_bvh_Hit;
+    var phi_3408_: lt_bvh_Hit;
+    var phi_1520_: u32;
+    var phi_1523_: lt_bvh_Hit;
+    var phi_3409_: bool;
+    var phi_3448_: bool;
+    var phi_3449_: bool;
+    var phi_3480_: u32;
+    var phi_1183_: u32;
+    var phi_1186_: lt_bvh_Hit;
+    var phi_3481_: lt_bvh_Hit;
+    var phi_3482_: lt_bvh_Hit;
+    var phi_3483_: bool;
+    var phi_3487_: lt_bvh_Hit;
+    var phi_3675_: f32;
+    var phi_3680_: f32;
+    var phi_3685_: f32;
+    var phi_3693_: f32;
+    var phi_3698_: f32;
+    var phi_3703_: f32;
+    var phi_3767_: vec3<f32>;
+    var phi_3888_: u32;
+    var phi_3915_: f32;
+    var phi_3922_: f32;
+    var phi_3929_: f32;
+    var phi_3964_: f32;
+    var phi_3971_: f32;
+    var phi_3978_: f32;
+    var phi_4016_: f32;
+    var phi_4023_: f32;
+    var phi_4030_: f32;
+    var phi_4116_: vec3<f32>;
+    var phi_4117_: vec3<f32>;
+    var phi_4118_: vec3<f32>;
     var phi_4127_: f32;
-    var phi_4137_: f32;
+    var phi_4128_: f32;
     var phi_4138_: f32;
-    var phi_4173_: abi_Sample;
-    var phi_4396_: vec3<f32>;
+    var phi_4139_: f32;
+    var phi_4149_: f32;
+    var phi_4150_: f32;
+    var phi_4185_: abi_Sample;
+    var phi_4408_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -940,7 +936,7 @@ fn function_() {
     let _e105 = p.member.size[0u];
     let _e107 = p.member.size[1u];
     let _e108 = lt_shaders_entry_pixel_index(_e74, _e105, _e107);
-    if (bitcast<i32>(_e108.root) != 0i) {
+    if (bitcast<i32>(_e108.word) != 0i) {
         let _e114 = p.member.root;
         let _e118 = p.member.eye;
         let _e123 = p.member.size[0u];
@@ -952,2233 +948,2235 @@ fn function_() {
         let _e154 = p.member.up;
         let _e165 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e138.x + (_e140.x * _e127)) + (_e154.x * _e136)), ((_e138.y + (_e140.y * _e127)) + (_e154.y * _e136)), ((_e138.z + (_e140.z * _e127)) + (_e154.z * _e136))));
         let _e167 = lt_bvh_Hit(_e165.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e177 = abs(_e165.direction.x);
-        let _e179 = abs(_e165.direction.y);
-        let _e181 = abs(_e165.direction.z);
+        let _e170 = abs(_e165.direction.x);
+        let _e172 = abs(_e165.direction.y);
+        let _e174 = abs(_e165.direction.z);
         if (abs(_e165.origin.x) < 1000000000000000f) {
             if (abs(_e165.origin.y) < 1000000000000000f) {
-                if (abs(_e165.origin.z) < 1000000000000000f) {
-                    if (_e177 < 1000000000000000f) {
-                        if (_e179 < 1000000000000000f) {
-                            if (_e181 < 1000000000000000f) {
-                                if (_e177 > 0f) {
-                                    phi_820_ = bool();
-                                    phi_821_ = true;
-                                } else {
-                                    let _e189 = (_e179 > 0f);
-                                    if _e189 {
-                                        phi_819_ = bool();
-                                    } else {
-                                        phi_819_ = (_e181 > 0f);
-                                    }
-                                    let _e192 = phi_819_;
-                                    phi_820_ = _e192;
-                                    phi_821_ = _e189;
-                                }
-                                let _e194 = phi_820_;
-                                let _e196 = phi_821_;
-                                if _e196 {
-                                    phi_825_ = true;
-                                } else {
-                                    phi_825_ = _e194;
-                                }
-                                let _e198 = phi_825_;
-                                phi_826_ = _e198;
-                                phi_827_ = false;
-                            } else {
-                                phi_826_ = bool();
-                                phi_827_ = true;
-                            }
-                            let _e200 = phi_826_;
-                            let _e202 = phi_827_;
-                            phi_828_ = _e200;
-                            phi_829_ = false;
-                            phi_830_ = _e202;
-                        } else {
-                            phi_828_ = bool();
-                            phi_829_ = true;
-                            phi_830_ = false;
-                        }
-                        let _e204 = phi_828_;
-                        let _e206 = phi_829_;
-                        let _e208 = phi_830_;
-                        phi_831_ = _e204;
-                        phi_832_ = _e206;
-                        phi_833_ = _e208;
-                    } else {
-                        phi_831_ = bool();
-                        phi_832_ = true;
-                        phi_833_ = false;
-                    }
-                    let _e210 = phi_831_;
-                    let _e212 = phi_832_;
-                    let _e214 = phi_833_;
-                    phi_834_ = _e210;
-                    phi_835_ = _e212;
-                    phi_836_ = _e214;
-                } else {
-                    phi_834_ = bool();
-                    phi_835_ = true;
-                    phi_836_ = false;
-                }
-                let _e216 = phi_834_;
-                let _e218 = phi_835_;
-                let _e220 = phi_836_;
-                phi_837_ = _e216;
-                phi_838_ = _e218;
-                phi_839_ = _e220;
+                phi_795_ = (abs(_e165.origin.z) < 1000000000000000f);
+                phi_796_ = false;
             } else {
-                phi_837_ = bool();
-                phi_838_ = true;
-                phi_839_ = false;
+                phi_795_ = bool();
+                phi_796_ = true;
             }
-            let _e222 = phi_837_;
-            let _e224 = phi_838_;
-            let _e226 = phi_839_;
-            phi_840_ = _e222;
-            phi_841_ = _e224;
-            phi_842_ = _e226;
+            let _e186 = phi_795_;
+            let _e188 = phi_796_;
+            phi_797_ = _e186;
+            phi_798_ = _e188;
         } else {
-            phi_840_ = bool();
-            phi_841_ = true;
-            phi_842_ = false;
+            phi_797_ = bool();
+            phi_798_ = true;
         }
-        let _e228 = phi_840_;
-        let _e230 = phi_841_;
-        let _e232 = phi_842_;
-        if _e230 {
-            phi_846_ = true;
+        let _e190 = phi_797_;
+        let _e192 = phi_798_;
+        if _e192 {
+            phi_802_ = false;
         } else {
-            phi_846_ = _e232;
+            phi_802_ = _e190;
         }
-        let _e234 = phi_846_;
-        if _e234 {
-            phi_850_ = false;
+        let _e194 = phi_802_;
+        if _e194 {
+            if (_e170 < 1000000000000000f) {
+                if (_e172 < 1000000000000000f) {
+                    phi_815_ = (_e174 < 1000000000000000f);
+                    phi_816_ = false;
+                } else {
+                    phi_815_ = bool();
+                    phi_816_ = true;
+                }
+                let _e199 = phi_815_;
+                let _e201 = phi_816_;
+                phi_817_ = _e199;
+                phi_818_ = _e201;
+            } else {
+                phi_817_ = bool();
+                phi_818_ = true;
+            }
+            let _e203 = phi_817_;
+            let _e205 = phi_818_;
+            if _e205 {
+                phi_822_ = false;
+            } else {
+                phi_822_ = _e203;
+            }
+            let _e207 = phi_822_;
+            if _e207 {
+                if (_e170 > 0f) {
+                    phi_836_ = bool();
+                    phi_837_ = true;
+                } else {
+                    let _e209 = (_e172 > 0f);
+                    if _e209 {
+                        phi_835_ = bool();
+                    } else {
+                        phi_835_ = (_e174 > 0f);
+                    }
+                    let _e212 = phi_835_;
+                    phi_836_ = _e212;
+                    phi_837_ = _e209;
+                }
+                let _e214 = phi_836_;
+                let _e216 = phi_837_;
+                if _e216 {
+                    phi_841_ = true;
+                } else {
+                    phi_841_ = _e214;
+                }
+                let _e218 = phi_841_;
+                phi_842_ = _e218;
+                phi_843_ = false;
+            } else {
+                phi_842_ = bool();
+                phi_843_ = true;
+            }
+            let _e220 = phi_842_;
+            let _e222 = phi_843_;
+            phi_844_ = _e220;
+            phi_845_ = _e222;
         } else {
-            phi_850_ = _e228;
+            phi_844_ = bool();
+            phi_845_ = true;
         }
-        let _e236 = phi_850_;
-        if _e236 {
-            let _e237 = (_e114 >= _e78);
-            if _e237 {
-                phi_3469_ = lt_bvh_Hit();
+        let _e224 = phi_844_;
+        let _e226 = phi_845_;
+        if _e226 {
+            phi_849_ = false;
+        } else {
+            phi_849_ = _e224;
+        }
+        let _e228 = phi_849_;
+        if _e228 {
+            let _e229 = (_e114 >= _e78);
+            if _e229 {
+                phi_3481_ = lt_bvh_Hit();
             } else {
                 if (_e114 < _e78) {
                 } else {
                     return;
                 }
-                let _e243 = nodes.member[(0u + _e114)].frame[0u];
-                let _e247 = nodes.member[(0u + _e114)].frame[1u];
-                let _e251 = nodes.member[(0u + _e114)].frame[2u];
-                let _e255 = nodes.member[(0u + _e114)].frame[0u];
-                let _e259 = nodes.member[(0u + _e114)].frame[1u];
-                let _e263 = nodes.member[(0u + _e114)].frame[2u];
-                let _e267 = nodes.member[(0u + _e114)].frame[3u];
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
-                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, abs(_e165.direction.z));
-                let _e307 = (_e306 * 0.0000000000009094947f);
-                if (abs(_e165.direction.x) < _e307) {
-                    phi_925_ = _e307;
+                let _e235 = nodes.member[(0u + _e114)].frame[0u];
+                let _e239 = nodes.member[(0u + _e114)].frame[1u];
+                let _e243 = nodes.member[(0u + _e114)].frame[2u];
+                let _e247 = nodes.member[(0u + _e114)].frame[0u];
+                let _e251 = nodes.member[(0u + _e114)].frame[1u];
+                let _e255 = nodes.member[(0u + _e114)].frame[2u];
+                let _e259 = nodes.member[(0u + _e114)].frame[3u];
+                let _e298 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
+                let _e299 = core_intrinsics_maximum_number_nsz_f32_(_e298, abs(_e165.direction.z));
+                let _e300 = (_e299 * 0.0000000000009094947f);
+                if (abs(_e165.direction.x) < _e300) {
+                    phi_925_ = _e300;
                 } else {
                     phi_925_ = abs(_e165.direction.x);
                 }
-                let _e314 = phi_925_;
+                let _e306 = phi_925_;
                 if (_e165.direction.x < 0f) {
-                    phi_932_ = (-1f / _e314);
+                    phi_932_ = (-1f / _e306);
                 } else {
-                    phi_932_ = (1f / _e314);
+                    phi_932_ = (1f / _e306);
                 }
-                let _e319 = phi_932_;
-                if (abs(_e165.direction.y) < _e307) {
-                    phi_940_ = _e307;
+                let _e311 = phi_932_;
+                if (abs(_e165.direction.y) < _e300) {
+                    phi_940_ = _e300;
                 } else {
                     phi_940_ = abs(_e165.direction.y);
                 }
-                let _e326 = phi_940_;
+                let _e317 = phi_940_;
                 if (_e165.direction.y < 0f) {
-                    phi_947_ = (-1f / _e326);
+                    phi_947_ = (-1f / _e317);
                 } else {
-                    phi_947_ = (1f / _e326);
+                    phi_947_ = (1f / _e317);
                 }
-                let _e331 = phi_947_;
-                if (abs(_e165.direction.z) < _e307) {
-                    phi_955_ = _e307;
+                let _e322 = phi_947_;
+                if (abs(_e165.direction.z) < _e300) {
+                    phi_955_ = _e300;
                 } else {
                     phi_955_ = abs(_e165.direction.z);
                 }
-                let _e338 = phi_955_;
+                let _e328 = phi_955_;
                 if (_e165.direction.z < 0f) {
-                    phi_962_ = (-1f / _e338);
+                    phi_962_ = (-1f / _e328);
                 } else {
-                    phi_962_ = (1f / _e338);
+                    phi_962_ = (1f / _e328);
                 }
-                let _e343 = phi_962_;
-                let _e351 = abs((bitcast<f32>(_e243) - _e165.origin.x));
-                let _e352 = abs((bitcast<f32>(_e247) - _e165.origin.y));
-                let _e353 = abs((bitcast<f32>(_e251) - _e165.origin.z));
-                let _e361 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
-                let _e362 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
-                let _e363 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
-                if (_e351 > _e361) {
-                    phi_987_ = _e351;
+                let _e333 = phi_962_;
+                let _e340 = abs((bitcast<f32>(_e235) - _e165.origin.x));
+                let _e341 = abs((bitcast<f32>(_e239) - _e165.origin.y));
+                let _e342 = abs((bitcast<f32>(_e243) - _e165.origin.z));
+                let _e349 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
+                let _e350 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
+                let _e351 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
+                if (_e340 > _e349) {
+                    phi_985_ = _e340;
                 } else {
-                    phi_987_ = _e361;
+                    phi_985_ = _e349;
                 }
-                let _e366 = phi_987_;
-                if (_e352 > _e362) {
-                    phi_992_ = _e352;
+                let _e354 = phi_985_;
+                if (_e341 > _e350) {
+                    phi_990_ = _e341;
                 } else {
-                    phi_992_ = _e362;
+                    phi_990_ = _e350;
                 }
-                let _e369 = phi_992_;
-                if (_e353 > _e363) {
-                    phi_997_ = _e353;
+                let _e357 = phi_990_;
+                if (_e342 > _e351) {
+                    phi_995_ = _e342;
                 } else {
-                    phi_997_ = _e363;
+                    phi_995_ = _e351;
                 }
-                let _e372 = phi_997_;
-                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e369);
-                let _e374 = core_intrinsics_maximum_number_nsz_f32_(_e373, _e372);
-                let _e379 = (_e374 * 0.0000019073486f);
-                let _e380 = (abs(_e319) * _e379);
-                let _e381 = (abs(_e331) * _e379);
-                let _e382 = (abs(_e343) * _e379);
-                let _e386 = (_e374 * 0.0000009536743f);
-                let _e387 = (abs(_e319) * _e386);
-                let _e388 = (abs(_e331) * _e386);
-                let _e389 = (abs(_e343) * _e386);
-                if (_e319 < 0f) {
-                    phi_1019_ = 0u;
+                let _e360 = phi_995_;
+                if (_e354 > _e357) {
+                    phi_1000_ = _e354;
                 } else {
-                    phi_1019_ = 1u;
+                    phi_1000_ = _e357;
                 }
-                let _e392 = phi_1019_;
-                if (_e331 < 0f) {
+                let _e363 = phi_1000_;
+                if (_e363 > _e360) {
+                    phi_1005_ = _e363;
+                } else {
+                    phi_1005_ = _e360;
+                }
+                let _e366 = phi_1005_;
+                let _e370 = (_e366 * 0.0000019073486f);
+                let _e371 = (abs(_e311) * _e370);
+                let _e372 = (abs(_e322) * _e370);
+                let _e373 = (abs(_e333) * _e370);
+                let _e377 = (_e366 * 0.0000009536743f);
+                let _e378 = (abs(_e311) * _e377);
+                let _e379 = (abs(_e322) * _e377);
+                let _e380 = (abs(_e333) * _e377);
+                if (_e311 < 0f) {
                     phi_1024_ = 0u;
                 } else {
-                    phi_1024_ = 2u;
+                    phi_1024_ = 1u;
                 }
-                let _e395 = phi_1024_;
-                if (_e343 < 0f) {
+                let _e383 = phi_1024_;
+                if (_e322 < 0f) {
                     phi_1029_ = 0u;
                 } else {
-                    phi_1029_ = 4u;
+                    phi_1029_ = 2u;
                 }
-                let _e398 = phi_1029_;
-                let _e400 = ((_e392 | _e395) | _e398);
-                let _e401 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e401.first[0], _e401.first[1], _e401.first[2], _e401.first[3], _e401.first[4], _e401.first[5], _e401.first[6], _e401.first[7], _e401.first[8], _e401.first[9], _e401.first[10], _e401.first[11], _e401.first[12], _e401.first[13], _e401.first[14], _e401.first[15], _e401.first[16], _e401.first[17], _e401.first[18], _e401.first[19], _e401.first[20], _e401.first[21], _e401.first[22], _e401.first[23], _e401.first[24], _e401.first[25], _e401.first[26], _e401.first[27], _e401.first[28], _e401.first[29], _e401.first[30], _e401.first[31]), array<u32, 32>(_e401.mask[0], _e401.mask[1], _e401.mask[2], _e401.mask[3], _e401.mask[4], _e401.mask[5], _e401.mask[6], _e401.mask[7], _e401.mask[8], _e401.mask[9], _e401.mask[10], _e401.mask[11], _e401.mask[12], _e401.mask[13], _e401.mask[14], _e401.mask[15], _e401.mask[16], _e401.mask[17], _e401.mask[18], _e401.mask[19], _e401.mask[20], _e401.mask[21], _e401.mask[22], _e401.mask[23], _e401.mask[24], _e401.mask[25], _e401.mask[26], _e401.mask[27], _e401.mask[28], _e401.mask[29], _e401.mask[30], _e401.mask[31]), _e401.len, _e401.group, _e401.group_mask);
-                let _e475 = local_2.group_mask;
-                if ((_e475 & 4278190080u) == 0u) {
-                    let _e479 = local_2.len;
-                    if (_e479 == 0u) {
-                        phi_1143_ = false;
+                let _e386 = phi_1029_;
+                if (_e333 < 0f) {
+                    phi_1034_ = 0u;
+                } else {
+                    phi_1034_ = 4u;
+                }
+                let _e389 = phi_1034_;
+                let _e391 = ((_e383 | _e386) | _e389);
+                let _e392 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e392.first[0], _e392.first[1], _e392.first[2], _e392.first[3], _e392.first[4], _e392.first[5], _e392.first[6], _e392.first[7], _e392.first[8], _e392.first[9], _e392.first[10], _e392.first[11], _e392.first[12], _e392.first[13], _e392.first[14], _e392.first[15], _e392.first[16], _e392.first[17], _e392.first[18], _e392.first[19], _e392.first[20], _e392.first[21], _e392.first[22], _e392.first[23], _e392.first[24], _e392.first[25], _e392.first[26], _e392.first[27], _e392.first[28], _e392.first[29], _e392.first[30], _e392.first[31]), array<u32, 32>(_e392.mask[0], _e392.mask[1], _e392.mask[2], _e392.mask[3], _e392.mask[4], _e392.mask[5], _e392.mask[6], _e392.mask[7], _e392.mask[8], _e392.mask[9], _e392.mask[10], _e392.mask[11], _e392.mask[12], _e392.mask[13], _e392.mask[14], _e392.mask[15], _e392.mask[16], _e392.mask[17], _e392.mask[18], _e392.mask[19], _e392.mask[20], _e392.mask[21], _e392.mask[22], _e392.mask[23], _e392.mask[24], _e392.mask[25], _e392.mask[26], _e392.mask[27], _e392.mask[28], _e392.mask[29], _e392.mask[30], _e392.mask[31]), _e392.len, _e392.group, _e392.group_mask);
+                let _e466 = local_2.group_mask;
+                if ((_e466 & 4278190080u) == 0u) {
+                    let _e470 = local_2.len;
+                    if (_e470 == 0u) {
+                        phi_1148_ = false;
                     } else {
-                        let _e483 = local_2.len;
-                        local_2.len = (_e483 - 1u);
-                        let _e486 = local_2.len;
-                        if (_e486 < 32u) {
+                        let _e474 = local_2.len;
+                        local_2.len = (_e474 - 1u);
+                        let _e477 = local_2.len;
+                        if (_e477 < 32u) {
                         } else {
                             return;
                         }
-                        let _e491 = local_2.first[(0u + _e486)];
-                        local_2.group = _e491;
-                        let _e494 = local_2.len;
-                        if (_e494 < 32u) {
+                        let _e482 = local_2.first[(0u + _e477)];
+                        local_2.group = _e482;
+                        let _e485 = local_2.len;
+                        if (_e485 < 32u) {
                         } else {
                             return;
                         }
-                        let _e499 = local_2.mask[(0u + _e494)];
-                        local_2.group_mask = _e499;
-                        phi_1143_ = true;
+                        let _e490 = local_2.mask[(0u + _e485)];
+                        local_2.group_mask = _e490;
+                        phi_1148_ = true;
                     }
-                    let _e502 = phi_1143_;
-                    phi_1144_ = _e502;
+                    let _e493 = phi_1148_;
+                    phi_1149_ = _e493;
                 } else {
-                    phi_1144_ = true;
+                    phi_1149_ = true;
                 }
-                let _e504 = phi_1144_;
-                if _e504 {
-                    let _e506 = local_2.group_mask;
-                    let _e512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, (_e506 == 0u)));
-                    let _e516 = local_2.group_mask;
-                    let _e530 = local_2.group_mask;
-                    local_2.group_mask = (_e530 & ~((1u << bitcast<u32>((_e512 & 31u)))));
-                    let _e533 = local_2.group;
-                    phi_1175_ = (_e533 + countOneBits(((_e516 & ~((4294967295u << bitcast<u32>((((_e512 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e495 = phi_1149_;
+                if _e495 {
+                    let _e497 = local_2.group_mask;
+                    let _e503 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e497)), 32u, (_e497 == 0u)));
+                    let _e507 = local_2.group_mask;
+                    let _e521 = local_2.group_mask;
+                    local_2.group_mask = (_e521 & ~((1u << bitcast<u32>((_e503 & 31u)))));
+                    let _e524 = local_2.group;
+                    phi_1180_ = (_e524 + countOneBits(((_e507 & ~((4294967295u << bitcast<u32>((((_e503 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1175_ = 4294967295u;
+                    phi_1180_ = 4294967295u;
                 }
-                let _e536 = phi_1175_;
-                phi_1177_ = _e536;
-                phi_1180_ = _e167;
+                let _e527 = phi_1180_;
+                phi_1182_ = _e527;
+                phi_1185_ = _e167;
                 loop {
-                    let _e538 = phi_1177_;
-                    let _e540 = phi_1180_;
-                    local_12 = _e540;
-                    let _e541 = (_e538 != 4294967295u);
-                    if _e541 {
-                        if (_e538 < _e78) {
+                    let _e529 = phi_1182_;
+                    let _e531 = phi_1185_;
+                    local_12 = _e531;
+                    let _e532 = (_e529 != 4294967295u);
+                    if _e532 {
+                        if (_e529 < _e78) {
                         } else {
                             return;
                         }
-                        let _e549 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e574 = (bitcast<f32>((((_e549 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e575 = (bitcast<f32>((((_e549 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
-                        let _e576 = (bitcast<f32>((((_e549 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
-                        let _e579 = nodes.member[(0u + _e538)].frame[0u];
-                        let _e583 = nodes.member[(0u + _e538)].frame[1u];
-                        let _e587 = nodes.member[(0u + _e538)].frame[2u];
-                        let _e595 = ((bitcast<f32>(_e579) - _e165.origin.x) * _e319);
-                        let _e596 = ((bitcast<f32>(_e583) - _e165.origin.y) * _e331);
-                        let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
-                        let _e605 = nodes.member[(0u + _e538)].x;
-                        if (_e319 < 0f) {
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e616.unnamed.root, _e605.w), _e616.unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e605.x, _e622.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e628.unnamed_1.root, _e605.y));
+                        let _e540 = nodes.member[(0u + _e529)].frame[3u];
+                        let _e565 = (bitcast<f32>((((_e540 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
+                        let _e566 = (bitcast<f32>((((_e540 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
+                        let _e567 = (bitcast<f32>((((_e540 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e333);
+                        let _e570 = nodes.member[(0u + _e529)].frame[0u];
+                        let _e574 = nodes.member[(0u + _e529)].frame[1u];
+                        let _e578 = nodes.member[(0u + _e529)].frame[2u];
+                        let _e586 = ((bitcast<f32>(_e570) - _e165.origin.x) * _e311);
+                        let _e587 = ((bitcast<f32>(_e574) - _e165.origin.y) * _e322);
+                        let _e588 = ((bitcast<f32>(_e578) - _e165.origin.z) * _e333);
+                        let _e596 = nodes.member[(0u + _e529)].x;
+                        if (_e311 < 0f) {
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.unnamed.word, _e596.w), _e607.unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_mask_LightPlace(_e596.x, _e613.unnamed_1.shift));
+                            phi_1270_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e619.unnamed_1.word, _e596.y));
                         } else {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e605.y), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e605.z, _e650.unnamed_1.first_primitive));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e605.w));
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.unnamed.word, _e596.y), _e635.unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_mask_LightPlace(_e596.z, _e641.unnamed_1.shift));
+                            phi_1270_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e647.unnamed_1.word, _e596.w));
                         }
-                        let _e664 = phi_1265_;
-                        let _e674 = nodes.member[(0u + _e538)].y;
-                        if (_e331 < 0f) {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e674.w), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e674.x, _e691.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e674.y));
+                        let _e655 = phi_1270_;
+                        let _e665 = nodes.member[(0u + _e529)].y;
+                        if (_e322 < 0f) {
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.unnamed.word, _e665.w), _e676.unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e665.x, _e682.unnamed_1.shift));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e688.unnamed_1.word, _e665.y));
                         } else {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e674.y), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e674.z, _e719.unnamed_1.first_primitive));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e674.w));
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.unnamed.word, _e665.y), _e704.unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e665.z, _e710.unnamed_1.shift));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e716.unnamed_1.word, _e665.w));
                         }
-                        let _e733 = phi_1292_;
-                        let _e743 = nodes.member[(0u + _e538)].z;
-                        if (_e343 < 0f) {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e743.w), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e743.x, _e760.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e743.y));
+                        let _e724 = phi_1297_;
+                        let _e734 = nodes.member[(0u + _e529)].z;
+                        if (_e333 < 0f) {
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.unnamed.word, _e734.w), _e745.unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e734.x, _e751.unnamed_1.shift));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e757.unnamed_1.word, _e734.y));
                         } else {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e743.y), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e743.z, _e788.unnamed_1.first_primitive));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e743.w));
+                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.unnamed.word, _e734.y), _e773.unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e734.z, _e779.unnamed_1.shift));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e785.unnamed_1.word, _e734.w));
                         }
-                        let _e802 = phi_1319_;
-                        phi_1325_ = 0u;
-                        phi_1328_ = 0u;
+                        let _e793 = phi_1324_;
+                        phi_1330_ = 0u;
+                        phi_1333_ = 0u;
                         loop {
-                            let _e812 = phi_1325_;
-                            let _e814 = phi_1328_;
-                            local_3 = _e814;
-                            local_4 = _e814;
-                            local_5 = _e814;
-                            let _e815 = (_e812 < 8u);
-                            if _e815 {
-                                let _e817 = (_e812 >> bitcast<u32>(2i));
-                                let _e818 = (_e812 & 3u);
-                                if (_e817 == 0u) {
-                                    phi_1342_ = _e664.unnamed.root;
+                            let _e803 = phi_1330_;
+                            let _e805 = phi_1333_;
+                            local_3 = _e805;
+                            local_4 = _e805;
+                            local_5 = _e805;
+                            let _e806 = (_e803 < 8u);
+                            if _e806 {
+                                let _e808 = (_e803 >> bitcast<u32>(2i));
+                                let _e809 = (_e803 & 3u);
+                                if (_e808 == 0u) {
+                                    phi_1347_ = _e655.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e664.unnamed.first_primitive;
+                                    phi_1347_ = _e655.unnamed.shift;
                                 }
-                                let _e821 = phi_1342_;
-                                if (_e817 == 0u) {
-                                    phi_1352_ = _e733.unnamed.root;
+                                let _e812 = phi_1347_;
+                                if (_e808 == 0u) {
+                                    phi_1357_ = _e724.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e733.unnamed.first_primitive;
+                                    phi_1357_ = _e724.unnamed.shift;
                                 }
-                                let _e830 = phi_1352_;
-                                if (_e817 == 0u) {
-                                    phi_1362_ = _e802.unnamed.root;
+                                let _e821 = phi_1357_;
+                                if (_e808 == 0u) {
+                                    phi_1367_ = _e793.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e802.unnamed.first_primitive;
+                                    phi_1367_ = _e793.unnamed.shift;
                                 }
-                                let _e839 = phi_1362_;
-                                let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
-                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
-                                if (_e817 == 0u) {
-                                    phi_1380_ = _e664.unnamed_1.root;
+                                let _e830 = phi_1367_;
+                                let _e843 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)), ((f32(((_e821 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)));
+                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
+                                if (_e808 == 0u) {
+                                    phi_1385_ = _e655.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e664.unnamed_1.first_primitive;
+                                    phi_1385_ = _e655.unnamed_1.shift;
                                 }
-                                let _e856 = phi_1380_;
-                                if (_e817 == 0u) {
-                                    phi_1390_ = _e733.unnamed_1.root;
+                                let _e847 = phi_1385_;
+                                if (_e808 == 0u) {
+                                    phi_1395_ = _e724.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e733.unnamed_1.first_primitive;
+                                    phi_1395_ = _e724.unnamed_1.shift;
                                 }
-                                let _e865 = phi_1390_;
-                                if (_e817 == 0u) {
-                                    phi_1400_ = _e802.unnamed_1.root;
+                                let _e856 = phi_1395_;
+                                if (_e808 == 0u) {
+                                    phi_1405_ = _e793.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e802.unnamed_1.first_primitive;
+                                    phi_1405_ = _e793.unnamed_1.shift;
                                 }
-                                let _e874 = phi_1400_;
-                                let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
-                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
-                                if (_e853 <= _e888) {
-                                    if (_e853 <= _e540.t) {
-                                        if (_e888 >= _e165.tmin) {
-                                            if (_e817 == 0u) {
-                                                let _e895 = nodes.member[(0u + _e538)].links[2u];
-                                                phi_1436_ = _e895;
+                                let _e865 = phi_1405_;
+                                let _e878 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e847 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e565) + (_e586 + _e371)), ((f32(((_e856 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)));
+                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(_e878, ((f32(((_e865 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
+                                if (_e844 <= _e879) {
+                                    if (_e844 <= _e531.t) {
+                                        if (_e879 >= _e165.tmin) {
+                                            if (_e808 == 0u) {
+                                                let _e886 = nodes.member[(0u + _e529)].links[2u];
+                                                phi_1441_ = _e886;
                                             } else {
-                                                let _e898 = nodes.member[(0u + _e538)].links[3u];
-                                                phi_1436_ = _e898;
+                                                let _e889 = nodes.member[(0u + _e529)].links[3u];
+                                                phi_1441_ = _e889;
                                             }
-                                            let _e900 = phi_1436_;
-                                            let _e905 = ((_e900 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u);
-                                            let _e906 = (_e905 & 31u);
-                                            if (_e906 >= 24u) {
-                                                phi_1449_ = (24u + ((_e906 - 24u) ^ _e400));
+                                            let _e891 = phi_1441_;
+                                            let _e896 = ((_e891 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u);
+                                            let _e897 = (_e896 & 31u);
+                                            if (_e897 >= 24u) {
+                                                phi_1454_ = (24u + ((_e897 - 24u) ^ _e391));
                                             } else {
-                                                phi_1449_ = _e906;
+                                                phi_1454_ = _e897;
                                             }
-                                            let _e912 = phi_1449_;
-                                            phi_1454_ = (_e814 | ((_e905 >> bitcast<u32>(5i)) << bitcast<u32>((_e912 & 31u))));
+                                            let _e903 = phi_1454_;
+                                            phi_1459_ = (_e805 | ((_e896 >> bitcast<u32>(5i)) << bitcast<u32>((_e903 & 31u))));
                                         } else {
-                                            phi_1454_ = _e814;
+                                            phi_1459_ = _e805;
                                         }
-                                        let _e920 = phi_1454_;
-                                        phi_1455_ = _e920;
+                                        let _e911 = phi_1459_;
+                                        phi_1460_ = _e911;
                                     } else {
-                                        phi_1455_ = _e814;
+                                        phi_1460_ = _e805;
                                     }
-                                    let _e922 = phi_1455_;
-                                    phi_1456_ = _e922;
+                                    let _e913 = phi_1460_;
+                                    phi_1461_ = _e913;
                                 } else {
-                                    phi_1456_ = _e814;
+                                    phi_1461_ = _e805;
                                 }
-                                let _e924 = phi_1456_;
-                                phi_1326_ = (_e812 + 1u);
-                                phi_1329_ = _e924;
+                                let _e915 = phi_1461_;
+                                phi_1331_ = (_e803 + 1u);
+                                phi_1334_ = _e915;
                             } else {
-                                phi_1326_ = u32();
-                                phi_1329_ = u32();
+                                phi_1331_ = u32();
+                                phi_1334_ = u32();
                             }
-                            let _e927 = phi_1326_;
-                            let _e929 = phi_1329_;
+                            let _e918 = phi_1331_;
+                            let _e920 = phi_1334_;
                             continue;
                             continuing {
-                                phi_1325_ = _e927;
-                                phi_1328_ = _e929;
-                                break if !(_e815);
+                                phi_1330_ = _e918;
+                                phi_1333_ = _e920;
+                                break if !(_e806);
                             }
                         }
-                        let _e933 = nodes.member[(0u + _e538)].links[0u];
-                        let _e937 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e941 = local_3;
-                        if ((_e941 & 4278190080u) == 0u) {
+                        let _e924 = nodes.member[(0u + _e529)].links[0u];
+                        let _e928 = nodes.member[(0u + _e529)].frame[3u];
+                        let _e932 = local_3;
+                        if ((_e932 & 4278190080u) == 0u) {
                         } else {
-                            let _e945 = local_2.group_mask;
-                            if ((_e945 & 4278190080u) == 0u) {
+                            let _e936 = local_2.group_mask;
+                            if ((_e936 & 4278190080u) == 0u) {
                             } else {
-                                let _e949 = local_2.len;
-                                if (_e949 < 32u) {
-                                    let _e952 = local_2.group;
-                                    let _e954 = local_2.len;
-                                    if (_e954 < 32u) {
+                                let _e940 = local_2.len;
+                                if (_e940 < 32u) {
+                                    let _e943 = local_2.group;
+                                    let _e945 = local_2.len;
+                                    if (_e945 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e954)] = _e952;
-                                    let _e960 = local_2.group_mask;
-                                    let _e962 = local_2.len;
-                                    if (_e962 < 32u) {
+                                    local_2.first[(0u + _e945)] = _e943;
+                                    let _e951 = local_2.group_mask;
+                                    let _e953 = local_2.len;
+                                    if (_e953 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e962)] = _e960;
-                                    let _e969 = local_2.len;
-                                    local_2.len = (_e969 + 1u);
+                                    local_2.mask[(0u + _e953)] = _e951;
+                                    let _e960 = local_2.len;
+                                    local_2.len = (_e960 + 1u);
                                 }
                             }
-                            local_2.group = (_e114 + _e933);
-                            let _e973 = local_4;
-                            local_2.group_mask = ((_e973 & 4278190080u) | (_e937 >> bitcast<u32>(24i)));
+                            local_2.group = (_e114 + _e924);
+                            let _e964 = local_4;
+                            local_2.group_mask = ((_e964 & 4278190080u) | (_e928 >> bitcast<u32>(24i)));
                         }
-                        let _e978 = local_5;
-                        phi_1514_ = (_e978 & 16777215u);
-                        phi_1517_ = _e540;
+                        let _e969 = local_5;
+                        phi_1519_ = (_e969 & 16777215u);
+                        phi_1522_ = _e531;
                         loop {
-                            let _e981 = phi_1514_;
-                            let _e983 = phi_1517_;
-                            local_11 = _e983;
-                            if (_e981 == 0u) {
-                                phi_1515_ = u32();
-                                phi_1518_ = lt_bvh_Hit();
-                                phi_3397_ = false;
+                            let _e972 = phi_1519_;
+                            let _e974 = phi_1522_;
+                            local_11 = _e974;
+                            if (_e972 == 0u) {
+                                phi_1520_ = u32();
+                                phi_1523_ = lt_bvh_Hit();
+                                phi_3409_ = false;
                             } else {
-                                let _e987 = nodes.member[(0u + _e538)].links[1u];
-                                let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
-                                if (_e991 < _e93) {
+                                let _e978 = nodes.member[(0u + _e529)].links[1u];
+                                let _e982 = (_e978 + select(firstTrailingBit(_e972), 32u, (_e972 == 0u)));
+                                if (_e982 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e998 = instances.member[(0u + _e991)].low_world;
-                                let _e1000 = instances.member[(0u + _e991)].high_world;
-                                let _e1010 = ((_e998.x - _e165.origin.x) * _e319);
-                                let _e1011 = ((_e998.y - _e165.origin.y) * _e331);
-                                let _e1012 = ((_e998.z - _e165.origin.z) * _e343);
-                                let _e1022 = ((_e1000.x - _e165.origin.x) * _e319);
-                                let _e1023 = ((_e1000.y - _e165.origin.y) * _e331);
-                                let _e1024 = ((_e1000.z - _e165.origin.z) * _e343);
-                                if (_e1010 < _e1022) {
-                                    phi_1572_ = _e1010;
+                                let _e989 = instances.member[(0u + _e982)].low_world;
+                                let _e991 = instances.member[(0u + _e982)].high_world;
+                                let _e1001 = ((_e989.x - _e165.origin.x) * _e311);
+                                let _e1002 = ((_e989.y - _e165.origin.y) * _e322);
+                                let _e1003 = ((_e989.z - _e165.origin.z) * _e333);
+                                let _e1013 = ((_e991.x - _e165.origin.x) * _e311);
+                                let _e1014 = ((_e991.y - _e165.origin.y) * _e322);
+                                let _e1015 = ((_e991.z - _e165.origin.z) * _e333);
+                                if (_e1001 < _e1013) {
+                                    phi_1577_ = _e1001;
                                 } else {
-                                    phi_1572_ = _e1022;
+                                    phi_1577_ = _e1013;
                                 }
-                                let _e1027 = phi_1572_;
-                                if (_e1011 < _e1023) {
-                                    phi_1577_ = _e1011;
+                                let _e1018 = phi_1577_;
+                                if (_e1002 < _e1014) {
+                                    phi_1582_ = _e1002;
                                 } else {
-                                    phi_1577_ = _e1023;
+                                    phi_1582_ = _e1014;
                                 }
-                                let _e1030 = phi_1577_;
-                                if (_e1012 < _e1024) {
-                                    phi_1582_ = _e1012;
+                                let _e1021 = phi_1582_;
+                                if (_e1003 < _e1015) {
+                                    phi_1587_ = _e1003;
                                 } else {
-                                    phi_1582_ = _e1024;
+                                    phi_1587_ = _e1015;
                                 }
-                                let _e1033 = phi_1582_;
-                                if (_e1010 > _e1022) {
-                                    phi_1590_ = _e1010;
+                                let _e1024 = phi_1587_;
+                                if (_e1001 > _e1013) {
+                                    phi_1595_ = _e1001;
                                 } else {
-                                    phi_1590_ = _e1022;
+                                    phi_1595_ = _e1013;
                                 }
-                                let _e1039 = phi_1590_;
-                                if (_e1011 > _e1023) {
-                                    phi_1595_ = _e1011;
+                                let _e1030 = phi_1595_;
+                                if (_e1002 > _e1014) {
+                                    phi_1600_ = _e1002;
                                 } else {
-                                    phi_1595_ = _e1023;
+                                    phi_1600_ = _e1014;
                                 }
-                                let _e1042 = phi_1595_;
-                                if (_e1012 > _e1024) {
-                                    phi_1600_ = _e1012;
+                                let _e1033 = phi_1600_;
+                                if (_e1003 > _e1015) {
+                                    phi_1605_ = _e1003;
                                 } else {
-                                    phi_1600_ = _e1024;
+                                    phi_1605_ = _e1015;
                                 }
-                                let _e1045 = phi_1600_;
-                                let _e1049 = core_intrinsics_maximum_number_nsz_f32_((_e1027 - _e387), (_e1030 - _e388));
-                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_(_e1049, (_e1033 - _e389));
-                                let _e1051 = core_intrinsics_minimum_number_nsz_f32_((_e1039 + _e387), (_e1042 + _e388));
-                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_(_e1051, (_e1045 + _e389));
-                                if (_e1050 <= _e1052) {
-                                    if (_e1050 <= _e983.t) {
-                                        if (_e1052 >= _e165.tmin) {
-                                            let _e1064 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1075 = ((((_e1064.x * _e165.origin.x) + (_e1064.y * _e165.origin.y)) + (_e1064.z * _e165.origin.z)) + (_e1064.w * 1f));
-                                            let _e1077 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1088 = ((((_e1077.x * _e165.origin.x) + (_e1077.y * _e165.origin.y)) + (_e1077.z * _e165.origin.z)) + (_e1077.w * 1f));
-                                            let _e1090 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1101 = ((((_e1090.x * _e165.origin.x) + (_e1090.y * _e165.origin.y)) + (_e1090.z * _e165.origin.z)) + (_e1090.w * 1f));
-                                            let _e1108 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1119 = ((((_e1108.x * _e165.direction.x) + (_e1108.y * _e165.direction.y)) + (_e1108.z * _e165.direction.z)) + (_e1108.w * 0f));
-                                            let _e1121 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1132 = ((((_e1121.x * _e165.direction.x) + (_e1121.y * _e165.direction.y)) + (_e1121.z * _e165.direction.z)) + (_e1121.w * 0f));
-                                            let _e1134 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1145 = ((((_e1134.x * _e165.direction.x) + (_e1134.y * _e165.direction.y)) + (_e1134.z * _e165.direction.z)) + (_e1134.w * 0f));
-                                            let _e1150 = instances.member[(0u + _e991)].root;
-                                            let _e1152 = instances.member[(0u + _e991)].first_triangle;
-                                            let _e1156 = abs(_e1119);
-                                            let _e1157 = abs(_e1132);
-                                            let _e1158 = abs(_e1145);
-                                            if (abs(_e1075) < 1000000000000000f) {
-                                                if (abs(_e1088) < 1000000000000000f) {
-                                                    if (abs(_e1101) < 1000000000000000f) {
-                                                        if (_e1156 < 1000000000000000f) {
-                                                            if (_e1157 < 1000000000000000f) {
-                                                                if (_e1158 < 1000000000000000f) {
-                                                                    if (_e1156 > 0f) {
-                                                                        phi_1757_ = bool();
-                                                                        phi_1758_ = true;
-                                                                    } else {
-                                                                        let _e1166 = (_e1157 > 0f);
-                                                                        if _e1166 {
-                                                                            phi_1756_ = bool();
-                                                                        } else {
-                                                                            phi_1756_ = (_e1158 > 0f);
-                                                                        }
-                                                                        let _e1169 = phi_1756_;
-                                                                        phi_1757_ = _e1169;
-                                                                        phi_1758_ = _e1166;
-                                                                    }
-                                                                    let _e1171 = phi_1757_;
-                                                                    let _e1173 = phi_1758_;
-                                                                    if _e1173 {
-                                                                        phi_1762_ = true;
-                                                                    } else {
-                                                                        phi_1762_ = _e1171;
-                                                                    }
-                                                                    let _e1175 = phi_1762_;
-                                                                    phi_1763_ = _e1175;
-                                                                    phi_1764_ = false;
-                                                                } else {
-                                                                    phi_1763_ = bool();
-                                                                    phi_1764_ = true;
-                                                                }
-                                                                let _e1177 = phi_1763_;
-                                                                let _e1179 = phi_1764_;
-                                                                phi_1765_ = _e1177;
-                                                                phi_1766_ = false;
-                                                                phi_1767_ = _e1179;
-                                                            } else {
-                                                                phi_1765_ = bool();
-                                                                phi_1766_ = true;
-                                                                phi_1767_ = false;
-                                                            }
-                                                            let _e1181 = phi_1765_;
-                                                            let _e1183 = phi_1766_;
-                                                            let _e1185 = phi_1767_;
-                                                            phi_1768_ = _e1181;
-                                                            phi_1769_ = _e1183;
-                                                            phi_1770_ = _e1185;
-                                                        } else {
-                                                            phi_1768_ = bool();
-                                                            phi_1769_ = true;
-                                                            phi_1770_ = false;
-                                                        }
-                                                        let _e1187 = phi_1768_;
-                                                        let _e1189 = phi_1769_;
-                                                        let _e1191 = phi_1770_;
-                                                        phi_1771_ = _e1187;
-                                                        phi_1772_ = _e1189;
-                                                        phi_1773_ = _e1191;
-                                                    } else {
-                                                        phi_1771_ = bool();
-                                                        phi_1772_ = true;
-                                                        phi_1773_ = false;
-                                                    }
-                                                    let _e1193 = phi_1771_;
-                                                    let _e1195 = phi_1772_;
-                                                    let _e1197 = phi_1773_;
-                                                    phi_1774_ = _e1193;
-                                                    phi_1775_ = _e1195;
-                                                    phi_1776_ = _e1197;
+                                let _e1036 = phi_1605_;
+                                let _e1040 = core_intrinsics_maximum_number_nsz_f32_((_e1018 - _e378), (_e1021 - _e379));
+                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_(_e1040, (_e1024 - _e380));
+                                let _e1042 = core_intrinsics_minimum_number_nsz_f32_((_e1030 + _e378), (_e1033 + _e379));
+                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_(_e1042, (_e1036 + _e380));
+                                if (_e1041 <= _e1043) {
+                                    if (_e1041 <= _e974.t) {
+                                        if (_e1043 >= _e165.tmin) {
+                                            let _e1055 = instances.member[(0u + _e982)].world_to_object[0u];
+                                            let _e1066 = ((((_e1055.x * _e165.origin.x) + (_e1055.y * _e165.origin.y)) + (_e1055.z * _e165.origin.z)) + (_e1055.w * 1f));
+                                            let _e1068 = instances.member[(0u + _e982)].world_to_object[1u];
+                                            let _e1079 = ((((_e1068.x * _e165.origin.x) + (_e1068.y * _e165.origin.y)) + (_e1068.z * _e165.origin.z)) + (_e1068.w * 1f));
+                                            let _e1081 = instances.member[(0u + _e982)].world_to_object[2u];
+                                            let _e1092 = ((((_e1081.x * _e165.origin.x) + (_e1081.y * _e165.origin.y)) + (_e1081.z * _e165.origin.z)) + (_e1081.w * 1f));
+                                            let _e1099 = instances.member[(0u + _e982)].world_to_object[0u];
+                                            let _e1110 = ((((_e1099.x * _e165.direction.x) + (_e1099.y * _e165.direction.y)) + (_e1099.z * _e165.direction.z)) + (_e1099.w * 0f));
+                                            let _e1112 = instances.member[(0u + _e982)].world_to_object[1u];
+                                            let _e1123 = ((((_e1112.x * _e165.direction.x) + (_e1112.y * _e165.direction.y)) + (_e1112.z * _e165.direction.z)) + (_e1112.w * 0f));
+                                            let _e1125 = instances.member[(0u + _e982)].world_to_object[2u];
+                                            let _e1136 = ((((_e1125.x * _e165.direction.x) + (_e1125.y * _e165.direction.y)) + (_e1125.z * _e165.direction.z)) + (_e1125.w * 0f));
+                                            let _e1141 = instances.member[(0u + _e982)].root;
+                                            let _e1143 = instances.member[(0u + _e982)].first_triangle;
+                                            let _e1144 = abs(_e1110);
+                                            let _e1145 = abs(_e1123);
+                                            let _e1146 = abs(_e1136);
+                                            if (abs(_e1066) < 1000000000000000f) {
+                                                if (abs(_e1079) < 1000000000000000f) {
+                                                    phi_1737_ = (abs(_e1092) < 1000000000000000f);
+                                                    phi_1738_ = false;
                                                 } else {
-                                                    phi_1774_ = bool();
-                                                    phi_1775_ = true;
-                                                    phi_1776_ = false;
+                                                    phi_1737_ = bool();
+                                                    phi_1738_ = true;
                                                 }
-                                                let _e1199 = phi_1774_;
-                                                let _e1201 = phi_1775_;
-                                                let _e1203 = phi_1776_;
-                                                phi_1777_ = _e1199;
-                                                phi_1778_ = _e1201;
-                                                phi_1779_ = _e1203;
+                                                let _e1154 = phi_1737_;
+                                                let _e1156 = phi_1738_;
+                                                phi_1739_ = _e1154;
+                                                phi_1740_ = _e1156;
                                             } else {
-                                                phi_1777_ = bool();
-                                                phi_1778_ = true;
-                                                phi_1779_ = false;
+                                                phi_1739_ = bool();
+                                                phi_1740_ = true;
                                             }
-                                            let _e1205 = phi_1777_;
-                                            let _e1207 = phi_1778_;
-                                            let _e1209 = phi_1779_;
-                                            if _e1207 {
-                                                phi_1783_ = true;
+                                            let _e1158 = phi_1739_;
+                                            let _e1160 = phi_1740_;
+                                            if _e1160 {
+                                                phi_1744_ = false;
                                             } else {
-                                                phi_1783_ = _e1209;
+                                                phi_1744_ = _e1158;
                                             }
-                                            let _e1211 = phi_1783_;
-                                            if _e1211 {
-                                                phi_1787_ = false;
-                                            } else {
-                                                phi_1787_ = _e1205;
-                                            }
-                                            let _e1213 = phi_1787_;
-                                            if _e1213 {
-                                                let _e1214 = (_e1150 >= _e78);
-                                                if _e1214 {
-                                                    phi_3387_ = lt_bvh_Hit();
+                                            let _e1162 = phi_1744_;
+                                            if _e1162 {
+                                                if (_e1144 < 1000000000000000f) {
+                                                    if (_e1145 < 1000000000000000f) {
+                                                        phi_1757_ = (_e1146 < 1000000000000000f);
+                                                        phi_1758_ = false;
+                                                    } else {
+                                                        phi_1757_ = bool();
+                                                        phi_1758_ = true;
+                                                    }
+                                                    let _e1167 = phi_1757_;
+                                                    let _e1169 = phi_1758_;
+                                                    phi_1759_ = _e1167;
+                                                    phi_1760_ = _e1169;
                                                 } else {
-                                                    if (_e1150 < _e78) {
+                                                    phi_1759_ = bool();
+                                                    phi_1760_ = true;
+                                                }
+                                                let _e1171 = phi_1759_;
+                                                let _e1173 = phi_1760_;
+                                                if _e1173 {
+                                                    phi_1764_ = false;
+                                                } else {
+                                                    phi_1764_ = _e1171;
+                                                }
+                                                let _e1175 = phi_1764_;
+                                                if _e1175 {
+                                                    if (_e1144 > 0f) {
+                                                        phi_1778_ = bool();
+                                                        phi_1779_ = true;
+                                                    } else {
+                                                        let _e1177 = (_e1145 > 0f);
+                                                        if _e1177 {
+                                                            phi_1777_ = bool();
+                                                        } else {
+                                                            phi_1777_ = (_e1146 > 0f);
+                                                        }
+                                                        let _e1180 = phi_1777_;
+                                                        phi_1778_ = _e1180;
+                                                        phi_1779_ = _e1177;
+                                                    }
+                                                    let _e1182 = phi_1778_;
+                                                    let _e1184 = phi_1779_;
+                                                    if _e1184 {
+                                                        phi_1783_ = true;
+                                                    } else {
+                                                        phi_1783_ = _e1182;
+                                                    }
+                                                    let _e1186 = phi_1783_;
+                                                    phi_1784_ = _e1186;
+                                                    phi_1785_ = false;
+                                                } else {
+                                                    phi_1784_ = bool();
+                                                    phi_1785_ = true;
+                                                }
+                                                let _e1188 = phi_1784_;
+                                                let _e1190 = phi_1785_;
+                                                phi_1786_ = _e1188;
+                                                phi_1787_ = _e1190;
+                                            } else {
+                                                phi_1786_ = bool();
+                                                phi_1787_ = true;
+                                            }
+                                            let _e1192 = phi_1786_;
+                                            let _e1194 = phi_1787_;
+                                            if _e1194 {
+                                                phi_1791_ = false;
+                                            } else {
+                                                phi_1791_ = _e1192;
+                                            }
+                                            let _e1196 = phi_1791_;
+                                            if _e1196 {
+                                                let _e1197 = (_e1141 >= _e78);
+                                                if _e1197 {
+                                                    phi_3399_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1141 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
-                                                    let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1119), abs(_e1132));
-                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1145));
-                                                    let _e1280 = (_e1279 * 0.0000000000009094947f);
-                                                    if (abs(_e1119) < _e1280) {
-                                                        phi_1857_ = _e1280;
+                                                    let _e1203 = nodes.member[(0u + _e1141)].frame[0u];
+                                                    let _e1207 = nodes.member[(0u + _e1141)].frame[1u];
+                                                    let _e1211 = nodes.member[(0u + _e1141)].frame[2u];
+                                                    let _e1215 = nodes.member[(0u + _e1141)].frame[0u];
+                                                    let _e1219 = nodes.member[(0u + _e1141)].frame[1u];
+                                                    let _e1223 = nodes.member[(0u + _e1141)].frame[2u];
+                                                    let _e1227 = nodes.member[(0u + _e1141)].frame[3u];
+                                                    let _e1261 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1110), abs(_e1123));
+                                                    let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1261, abs(_e1136));
+                                                    let _e1263 = (_e1262 * 0.0000000000009094947f);
+                                                    if (abs(_e1110) < _e1263) {
+                                                        phi_1861_ = _e1263;
                                                     } else {
-                                                        phi_1857_ = abs(_e1119);
+                                                        phi_1861_ = abs(_e1110);
                                                     }
-                                                    let _e1285 = phi_1857_;
-                                                    if (_e1119 < 0f) {
-                                                        phi_1864_ = (-1f / _e1285);
+                                                    let _e1268 = phi_1861_;
+                                                    if (_e1110 < 0f) {
+                                                        phi_1868_ = (-1f / _e1268);
                                                     } else {
-                                                        phi_1864_ = (1f / _e1285);
+                                                        phi_1868_ = (1f / _e1268);
                                                     }
-                                                    let _e1290 = phi_1864_;
-                                                    if (abs(_e1132) < _e1280) {
-                                                        phi_1871_ = _e1280;
+                                                    let _e1273 = phi_1868_;
+                                                    if (abs(_e1123) < _e1263) {
+                                                        phi_1875_ = _e1263;
                                                     } else {
-                                                        phi_1871_ = abs(_e1132);
+                                                        phi_1875_ = abs(_e1123);
                                                     }
-                                                    let _e1295 = phi_1871_;
-                                                    if (_e1132 < 0f) {
-                                                        phi_1878_ = (-1f / _e1295);
+                                                    let _e1278 = phi_1875_;
+                                                    if (_e1123 < 0f) {
+                                                        phi_1882_ = (-1f / _e1278);
                                                     } else {
-                                                        phi_1878_ = (1f / _e1295);
+                                                        phi_1882_ = (1f / _e1278);
                                                     }
-                                                    let _e1300 = phi_1878_;
-                                                    if (abs(_e1145) < _e1280) {
-                                                        phi_1885_ = _e1280;
+                                                    let _e1283 = phi_1882_;
+                                                    if (abs(_e1136) < _e1263) {
+                                                        phi_1889_ = _e1263;
                                                     } else {
-                                                        phi_1885_ = abs(_e1145);
+                                                        phi_1889_ = abs(_e1136);
                                                     }
-                                                    let _e1305 = phi_1885_;
-                                                    if (_e1145 < 0f) {
-                                                        phi_1892_ = (-1f / _e1305);
+                                                    let _e1288 = phi_1889_;
+                                                    if (_e1136 < 0f) {
+                                                        phi_1896_ = (-1f / _e1288);
                                                     } else {
-                                                        phi_1892_ = (1f / _e1305);
+                                                        phi_1896_ = (1f / _e1288);
                                                     }
-                                                    let _e1310 = phi_1892_;
-                                                    let _e1314 = abs((bitcast<f32>(_e1220) - _e1075));
-                                                    let _e1315 = abs((bitcast<f32>(_e1224) - _e1088));
-                                                    let _e1316 = abs((bitcast<f32>(_e1228) - _e1101));
-                                                    let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1075));
-                                                    let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1088));
-                                                    let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
-                                                    if (_e1314 > _e1320) {
-                                                        phi_1909_ = _e1314;
+                                                    let _e1293 = phi_1896_;
+                                                    let _e1297 = abs((bitcast<f32>(_e1203) - _e1066));
+                                                    let _e1298 = abs((bitcast<f32>(_e1207) - _e1079));
+                                                    let _e1299 = abs((bitcast<f32>(_e1211) - _e1092));
+                                                    let _e1303 = abs(((bitcast<f32>(_e1215) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1066));
+                                                    let _e1304 = abs(((bitcast<f32>(_e1219) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1079));
+                                                    let _e1305 = abs(((bitcast<f32>(_e1223) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1092));
+                                                    if (_e1297 > _e1303) {
+                                                        phi_1913_ = _e1297;
                                                     } else {
-                                                        phi_1909_ = _e1320;
+                                                        phi_1913_ = _e1303;
                                                     }
-                                                    let _e1325 = phi_1909_;
-                                                    if (_e1315 > _e1321) {
-                                                        phi_1914_ = _e1315;
+                                                    let _e1308 = phi_1913_;
+                                                    if (_e1298 > _e1304) {
+                                                        phi_1918_ = _e1298;
                                                     } else {
-                                                        phi_1914_ = _e1321;
+                                                        phi_1918_ = _e1304;
                                                     }
-                                                    let _e1328 = phi_1914_;
-                                                    if (_e1316 > _e1322) {
-                                                        phi_1919_ = _e1316;
+                                                    let _e1311 = phi_1918_;
+                                                    if (_e1299 > _e1305) {
+                                                        phi_1923_ = _e1299;
                                                     } else {
-                                                        phi_1919_ = _e1322;
+                                                        phi_1923_ = _e1305;
                                                     }
-                                                    let _e1331 = phi_1919_;
-                                                    let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
-                                                    let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
-                                                    let _e1337 = (_e1333 * 0.0000019073486f);
-                                                    let _e1338 = (abs(_e1290) * _e1337);
-                                                    let _e1339 = (abs(_e1300) * _e1337);
-                                                    let _e1340 = (abs(_e1310) * _e1337);
-                                                    let _e1344 = (_e1333 * 0.0000009536743f);
-                                                    let _e1345 = (abs(_e1290) * _e1344);
-                                                    let _e1346 = (abs(_e1300) * _e1344);
-                                                    let _e1347 = (abs(_e1310) * _e1344);
-                                                    let _e1348 = abs(_e1119);
-                                                    let _e1349 = abs(_e1132);
-                                                    let _e1350 = abs(_e1145);
-                                                    if (_e1348 >= _e1349) {
-                                                        if (_e1348 >= _e1350) {
-                                                            phi_1947_ = false;
+                                                    let _e1314 = phi_1923_;
+                                                    if (_e1308 > _e1311) {
+                                                        phi_1928_ = _e1308;
+                                                    } else {
+                                                        phi_1928_ = _e1311;
+                                                    }
+                                                    let _e1317 = phi_1928_;
+                                                    if (_e1317 > _e1314) {
+                                                        phi_1933_ = _e1317;
+                                                    } else {
+                                                        phi_1933_ = _e1314;
+                                                    }
+                                                    let _e1320 = phi_1933_;
+                                                    let _e1324 = (_e1320 * 0.0000019073486f);
+                                                    let _e1325 = (abs(_e1273) * _e1324);
+                                                    let _e1326 = (abs(_e1283) * _e1324);
+                                                    let _e1327 = (abs(_e1293) * _e1324);
+                                                    let _e1331 = (_e1320 * 0.0000009536743f);
+                                                    let _e1332 = (abs(_e1273) * _e1331);
+                                                    let _e1333 = (abs(_e1283) * _e1331);
+                                                    let _e1334 = (abs(_e1293) * _e1331);
+                                                    let _e1335 = abs(_e1110);
+                                                    let _e1336 = abs(_e1123);
+                                                    let _e1337 = abs(_e1136);
+                                                    if (_e1335 >= _e1336) {
+                                                        if (_e1335 >= _e1337) {
+                                                            phi_1959_ = false;
                                                         } else {
-                                                            phi_1947_ = true;
+                                                            phi_1959_ = true;
                                                         }
-                                                        let _e1354 = phi_1947_;
-                                                        phi_1948_ = _e1354;
+                                                        let _e1341 = phi_1959_;
+                                                        phi_1960_ = _e1341;
                                                     } else {
-                                                        phi_1948_ = true;
+                                                        phi_1960_ = true;
                                                     }
-                                                    let _e1356 = phi_1948_;
-                                                    if _e1356 {
-                                                        if (_e1349 >= _e1350) {
-                                                            phi_1956_ = 1u;
+                                                    let _e1343 = phi_1960_;
+                                                    if _e1343 {
+                                                        if (_e1336 >= _e1337) {
+                                                            phi_1968_ = 1u;
                                                         } else {
-                                                            phi_1956_ = 2u;
+                                                            phi_1968_ = 2u;
                                                         }
-                                                        let _e1359 = phi_1956_;
-                                                        phi_1957_ = _e1359;
+                                                        let _e1346 = phi_1968_;
+                                                        phi_1969_ = _e1346;
                                                     } else {
-                                                        phi_1957_ = 0u;
+                                                        phi_1969_ = 0u;
                                                     }
-                                                    let _e1361 = phi_1957_;
-                                                    if (_e1361 == 0u) {
-                                                        phi_1969_ = vec3<f32>(_e1132, _e1145, _e1119);
+                                                    let _e1348 = phi_1969_;
+                                                    if (_e1348 == 0u) {
+                                                        phi_1981_ = vec3<f32>(_e1123, _e1136, _e1110);
                                                     } else {
-                                                        if (_e1361 == 1u) {
-                                                            phi_1968_ = vec3<f32>(_e1145, _e1119, _e1132);
+                                                        if (_e1348 == 1u) {
+                                                            phi_1980_ = vec3<f32>(_e1136, _e1110, _e1123);
                                                         } else {
-                                                            phi_1968_ = vec3<f32>(_e1119, _e1132, _e1145);
+                                                            phi_1980_ = vec3<f32>(_e1110, _e1123, _e1136);
                                                         }
-                                                        let _e1367 = phi_1968_;
-                                                        phi_1969_ = _e1367;
+                                                        let _e1354 = phi_1980_;
+                                                        phi_1981_ = _e1354;
                                                     }
-                                                    let _e1369 = phi_1969_;
-                                                    let _e1372 = (_e1369.x / _e1369.z);
-                                                    let _e1375 = (_e1369.y / _e1369.z);
-                                                    if (_e1290 < 0f) {
-                                                        phi_1982_ = 0u;
+                                                    let _e1356 = phi_1981_;
+                                                    let _e1359 = (_e1356.x / _e1356.z);
+                                                    let _e1362 = (_e1356.y / _e1356.z);
+                                                    if (_e1273 < 0f) {
+                                                        phi_1994_ = 0u;
                                                     } else {
-                                                        phi_1982_ = 1u;
+                                                        phi_1994_ = 1u;
                                                     }
-                                                    let _e1380 = phi_1982_;
-                                                    if (_e1300 < 0f) {
-                                                        phi_1987_ = 0u;
+                                                    let _e1367 = phi_1994_;
+                                                    if (_e1283 < 0f) {
+                                                        phi_1999_ = 0u;
                                                     } else {
-                                                        phi_1987_ = 2u;
+                                                        phi_1999_ = 2u;
                                                     }
-                                                    let _e1383 = phi_1987_;
-                                                    if (_e1310 < 0f) {
-                                                        phi_1992_ = 0u;
+                                                    let _e1370 = phi_1999_;
+                                                    if (_e1293 < 0f) {
+                                                        phi_2004_ = 0u;
                                                     } else {
-                                                        phi_1992_ = 4u;
+                                                        phi_2004_ = 4u;
                                                     }
-                                                    let _e1386 = phi_1992_;
-                                                    let _e1388 = ((_e1380 | _e1383) | _e1386);
-                                                    let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
-                                                    let _e1463 = local_1.group_mask;
-                                                    if ((_e1463 & 4278190080u) == 0u) {
-                                                        let _e1467 = local_1.len;
-                                                        if (_e1467 == 0u) {
-                                                            phi_2106_ = false;
+                                                    let _e1373 = phi_2004_;
+                                                    let _e1375 = ((_e1367 | _e1370) | _e1373);
+                                                    let _e1376 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1141, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1376.first[0], _e1376.first[1], _e1376.first[2], _e1376.first[3], _e1376.first[4], _e1376.first[5], _e1376.first[6], _e1376.first[7], _e1376.first[8], _e1376.first[9], _e1376.first[10], _e1376.first[11], _e1376.first[12], _e1376.first[13], _e1376.first[14], _e1376.first[15], _e1376.first[16], _e1376.first[17], _e1376.first[18], _e1376.first[19], _e1376.first[20], _e1376.first[21], _e1376.first[22], _e1376.first[23], _e1376.first[24], _e1376.first[25], _e1376.first[26], _e1376.first[27], _e1376.first[28], _e1376.first[29], _e1376.first[30], _e1376.first[31]), array<u32, 32>(_e1376.mask[0], _e1376.mask[1], _e1376.mask[2], _e1376.mask[3], _e1376.mask[4], _e1376.mask[5], _e1376.mask[6], _e1376.mask[7], _e1376.mask[8], _e1376.mask[9], _e1376.mask[10], _e1376.mask[11], _e1376.mask[12], _e1376.mask[13], _e1376.mask[14], _e1376.mask[15], _e1376.mask[16], _e1376.mask[17], _e1376.mask[18], _e1376.mask[19], _e1376.mask[20], _e1376.mask[21], _e1376.mask[22], _e1376.mask[23], _e1376.mask[24], _e1376.mask[25], _e1376.mask[26], _e1376.mask[27], _e1376.mask[28], _e1376.mask[29], _e1376.mask[30], _e1376.mask[31]), _e1376.len, _e1376.group, _e1376.group_mask);
+                                                    let _e1450 = local_1.group_mask;
+                                                    if ((_e1450 & 4278190080u) == 0u) {
+                                                        let _e1454 = local_1.len;
+                                                        if (_e1454 == 0u) {
+                                                            phi_2118_ = false;
                                                         } else {
-                                                            let _e1471 = local_1.len;
-                                                            local_1.len = (_e1471 - 1u);
-                                                            let _e1474 = local_1.len;
-                                                            if (_e1474 < 32u) {
+                                                            let _e1458 = local_1.len;
+                                                            local_1.len = (_e1458 - 1u);
+                                                            let _e1461 = local_1.len;
+                                                            if (_e1461 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1479 = local_1.first[(0u + _e1474)];
-                                                            local_1.group = _e1479;
-                                                            let _e1482 = local_1.len;
-                                                            if (_e1482 < 32u) {
+                                                            let _e1466 = local_1.first[(0u + _e1461)];
+                                                            local_1.group = _e1466;
+                                                            let _e1469 = local_1.len;
+                                                            if (_e1469 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1487 = local_1.mask[(0u + _e1482)];
-                                                            local_1.group_mask = _e1487;
-                                                            phi_2106_ = true;
+                                                            let _e1474 = local_1.mask[(0u + _e1469)];
+                                                            local_1.group_mask = _e1474;
+                                                            phi_2118_ = true;
                                                         }
-                                                        let _e1490 = phi_2106_;
-                                                        phi_2107_ = _e1490;
+                                                        let _e1477 = phi_2118_;
+                                                        phi_2119_ = _e1477;
                                                     } else {
-                                                        phi_2107_ = true;
+                                                        phi_2119_ = true;
                                                     }
-                                                    let _e1492 = phi_2107_;
-                                                    if _e1492 {
-                                                        let _e1494 = local_1.group_mask;
-                                                        let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
-                                                        let _e1504 = local_1.group_mask;
-                                                        let _e1518 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
-                                                        let _e1521 = local_1.group;
-                                                        phi_2138_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1479 = phi_2119_;
+                                                    if _e1479 {
+                                                        let _e1481 = local_1.group_mask;
+                                                        let _e1487 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1481)), 32u, (_e1481 == 0u)));
+                                                        let _e1491 = local_1.group_mask;
+                                                        let _e1505 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1505 & ~((1u << bitcast<u32>((_e1487 & 31u)))));
+                                                        let _e1508 = local_1.group;
+                                                        phi_2150_ = (_e1508 + countOneBits(((_e1491 & ~((4294967295u << bitcast<u32>((((_e1487 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2138_ = 4294967295u;
+                                                        phi_2150_ = 4294967295u;
                                                     }
-                                                    let _e1524 = phi_2138_;
-                                                    phi_2140_ = _e983;
-                                                    phi_2143_ = _e1524;
+                                                    let _e1511 = phi_2150_;
+                                                    phi_2152_ = _e974;
+                                                    phi_2155_ = _e1511;
                                                     loop {
-                                                        let _e1526 = phi_2140_;
-                                                        let _e1528 = phi_2143_;
-                                                        local_10 = _e1526;
-                                                        let _e1529 = (_e1528 != 4294967295u);
-                                                        if _e1529 {
-                                                            if (_e1528 < _e78) {
+                                                        let _e1513 = phi_2152_;
+                                                        let _e1515 = phi_2155_;
+                                                        local_10 = _e1513;
+                                                        let _e1516 = (_e1515 != 4294967295u);
+                                                        if _e1516 {
+                                                            if (_e1515 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1536 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1561 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1562 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
-                                                            let _e1563 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
-                                                            let _e1566 = nodes.member[(0u + _e1528)].frame[0u];
-                                                            let _e1570 = nodes.member[(0u + _e1528)].frame[1u];
-                                                            let _e1574 = nodes.member[(0u + _e1528)].frame[2u];
-                                                            let _e1579 = ((bitcast<f32>(_e1566) - _e1075) * _e1290);
-                                                            let _e1580 = ((bitcast<f32>(_e1570) - _e1088) * _e1300);
-                                                            let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
-                                                            let _e1589 = nodes.member[(0u + _e1528)].x;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                            let _e1523 = nodes.member[(0u + _e1515)].frame[3u];
+                                                            let _e1548 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1273);
+                                                            let _e1549 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1283);
+                                                            let _e1550 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1293);
+                                                            let _e1553 = nodes.member[(0u + _e1515)].frame[0u];
+                                                            let _e1557 = nodes.member[(0u + _e1515)].frame[1u];
+                                                            let _e1561 = nodes.member[(0u + _e1515)].frame[2u];
+                                                            let _e1566 = ((bitcast<f32>(_e1553) - _e1066) * _e1273);
+                                                            let _e1567 = ((bitcast<f32>(_e1557) - _e1079) * _e1283);
+                                                            let _e1568 = ((bitcast<f32>(_e1561) - _e1092) * _e1293);
+                                                            let _e1576 = nodes.member[(0u + _e1515)].x;
+                                                            if (_e1273 < 0f) {
+                                                                let _e1587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1587.unnamed.word, _e1576.w), _e1587.unnamed_1);
+                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1593.unnamed, lt_mask_LightPlace(_e1576.x, _e1593.unnamed_1.shift));
+                                                                phi_2236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_mask_LightPlace(_e1599.unnamed_1.word, _e1576.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1615.unnamed.word, _e1576.y), _e1615.unnamed_1);
+                                                                let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1621.unnamed, lt_mask_LightPlace(_e1576.z, _e1621.unnamed_1.shift));
+                                                                phi_2236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_mask_LightPlace(_e1627.unnamed_1.word, _e1576.w));
                                                             }
-                                                            let _e1648 = phi_2224_;
-                                                            let _e1658 = nodes.member[(0u + _e1528)].y;
-                                                            if (_e1300 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                            let _e1635 = phi_2236_;
+                                                            let _e1645 = nodes.member[(0u + _e1515)].y;
+                                                            if (_e1283 < 0f) {
+                                                                let _e1656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1656.unnamed.word, _e1645.w), _e1656.unnamed_1);
+                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1662.unnamed, lt_mask_LightPlace(_e1645.x, _e1662.unnamed_1.shift));
+                                                                phi_2263_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_mask_LightPlace(_e1668.unnamed_1.word, _e1645.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1684.unnamed.word, _e1645.y), _e1684.unnamed_1);
+                                                                let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1690.unnamed, lt_mask_LightPlace(_e1645.z, _e1690.unnamed_1.shift));
+                                                                phi_2263_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_mask_LightPlace(_e1696.unnamed_1.word, _e1645.w));
                                                             }
-                                                            let _e1717 = phi_2251_;
-                                                            let _e1727 = nodes.member[(0u + _e1528)].z;
-                                                            if (_e1310 < 0f) {
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1738.unnamed.root, _e1727.w), _e1738.unnamed_1);
-                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1727.x, _e1744.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_bvh_traverse_Tree(_e1750.unnamed_1.root, _e1727.y));
+                                                            let _e1704 = phi_2263_;
+                                                            let _e1714 = nodes.member[(0u + _e1515)].z;
+                                                            if (_e1293 < 0f) {
+                                                                let _e1725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1725.unnamed.word, _e1714.w), _e1725.unnamed_1);
+                                                                let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1731.unnamed, lt_mask_LightPlace(_e1714.x, _e1731.unnamed_1.shift));
+                                                                phi_2290_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_mask_LightPlace(_e1737.unnamed_1.word, _e1714.y));
                                                             } else {
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1766.unnamed.root, _e1727.y), _e1766.unnamed_1);
-                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_bvh_traverse_Tree(_e1727.z, _e1772.unnamed_1.first_primitive));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_bvh_traverse_Tree(_e1778.unnamed_1.root, _e1727.w));
+                                                                let _e1753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1753.unnamed.word, _e1714.y), _e1753.unnamed_1);
+                                                                let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1759.unnamed, lt_mask_LightPlace(_e1714.z, _e1759.unnamed_1.shift));
+                                                                phi_2290_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_mask_LightPlace(_e1765.unnamed_1.word, _e1714.w));
                                                             }
-                                                            let _e1786 = phi_2278_;
-                                                            phi_2284_ = 0u;
-                                                            phi_2287_ = 0u;
+                                                            let _e1773 = phi_2290_;
+                                                            phi_2296_ = 0u;
+                                                            phi_2299_ = 0u;
                                                             loop {
-                                                                let _e1796 = phi_2284_;
-                                                                let _e1798 = phi_2287_;
-                                                                local_6 = _e1798;
-                                                                local_7 = _e1798;
-                                                                local_8 = _e1798;
-                                                                let _e1799 = (_e1796 < 8u);
-                                                                if _e1799 {
-                                                                    let _e1801 = (_e1796 >> bitcast<u32>(2i));
-                                                                    let _e1802 = (_e1796 & 3u);
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2301_ = _e1648.unnamed.root;
+                                                                let _e1783 = phi_2296_;
+                                                                let _e1785 = phi_2299_;
+                                                                local_6 = _e1785;
+                                                                local_7 = _e1785;
+                                                                local_8 = _e1785;
+                                                                let _e1786 = (_e1783 < 8u);
+                                                                if _e1786 {
+                                                                    let _e1788 = (_e1783 >> bitcast<u32>(2i));
+                                                                    let _e1789 = (_e1783 & 3u);
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2313_ = _e1635.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1648.unnamed.first_primitive;
+                                                                        phi_2313_ = _e1635.unnamed.shift;
                                                                     }
-                                                                    let _e1805 = phi_2301_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2311_ = _e1717.unnamed.root;
+                                                                    let _e1792 = phi_2313_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2323_ = _e1704.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1717.unnamed.first_primitive;
+                                                                        phi_2323_ = _e1704.unnamed.shift;
                                                                     }
-                                                                    let _e1814 = phi_2311_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2321_ = _e1786.unnamed.root;
+                                                                    let _e1801 = phi_2323_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2333_ = _e1773.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1786.unnamed.first_primitive;
+                                                                        phi_2333_ = _e1773.unnamed.shift;
                                                                     }
-                                                                    let _e1823 = phi_2321_;
-                                                                    let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
-                                                                    let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2339_ = _e1648.unnamed_1.root;
+                                                                    let _e1810 = phi_2333_;
+                                                                    let _e1823 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1792 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)), ((f32(((_e1801 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)));
+                                                                    let _e1824 = core_intrinsics_maximum_number_nsz_f32_(_e1823, ((f32(((_e1810 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2351_ = _e1635.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1648.unnamed_1.first_primitive;
+                                                                        phi_2351_ = _e1635.unnamed_1.shift;
                                                                     }
-                                                                    let _e1840 = phi_2339_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2349_ = _e1717.unnamed_1.root;
+                                                                    let _e1827 = phi_2351_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2361_ = _e1704.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1717.unnamed_1.first_primitive;
+                                                                        phi_2361_ = _e1704.unnamed_1.shift;
                                                                     }
-                                                                    let _e1849 = phi_2349_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2359_ = _e1786.unnamed_1.root;
+                                                                    let _e1836 = phi_2361_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2371_ = _e1773.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1786.unnamed_1.first_primitive;
+                                                                        phi_2371_ = _e1773.unnamed_1.shift;
                                                                     }
-                                                                    let _e1858 = phi_2359_;
-                                                                    let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
-                                                                    let _e1872 = core_intrinsics_minimum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)));
-                                                                    if (_e1837 <= _e1872) {
-                                                                        if (_e1837 <= _e1526.t) {
-                                                                            if (_e1872 >= _e165.tmin) {
-                                                                                if (_e1801 == 0u) {
-                                                                                    let _e1879 = nodes.member[(0u + _e1528)].links[2u];
-                                                                                    phi_2395_ = _e1879;
+                                                                    let _e1845 = phi_2371_;
+                                                                    let _e1858 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1827 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 + _e1325)), ((f32(((_e1836 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)));
+                                                                    let _e1859 = core_intrinsics_minimum_number_nsz_f32_(_e1858, ((f32(((_e1845 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
+                                                                    if (_e1824 <= _e1859) {
+                                                                        if (_e1824 <= _e1513.t) {
+                                                                            if (_e1859 >= _e165.tmin) {
+                                                                                if (_e1788 == 0u) {
+                                                                                    let _e1866 = nodes.member[(0u + _e1515)].links[2u];
+                                                                                    phi_2407_ = _e1866;
                                                                                 } else {
-                                                                                    let _e1882 = nodes.member[(0u + _e1528)].links[3u];
-                                                                                    phi_2395_ = _e1882;
+                                                                                    let _e1869 = nodes.member[(0u + _e1515)].links[3u];
+                                                                                    phi_2407_ = _e1869;
                                                                                 }
-                                                                                let _e1884 = phi_2395_;
-                                                                                let _e1889 = ((_e1884 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u);
-                                                                                let _e1890 = (_e1889 & 31u);
-                                                                                if (_e1890 >= 24u) {
-                                                                                    phi_2408_ = (24u + ((_e1890 - 24u) ^ _e1388));
+                                                                                let _e1871 = phi_2407_;
+                                                                                let _e1876 = ((_e1871 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u);
+                                                                                let _e1877 = (_e1876 & 31u);
+                                                                                if (_e1877 >= 24u) {
+                                                                                    phi_2420_ = (24u + ((_e1877 - 24u) ^ _e1375));
                                                                                 } else {
-                                                                                    phi_2408_ = _e1890;
+                                                                                    phi_2420_ = _e1877;
                                                                                 }
-                                                                                let _e1896 = phi_2408_;
-                                                                                phi_2413_ = (_e1798 | ((_e1889 >> bitcast<u32>(5i)) << bitcast<u32>((_e1896 & 31u))));
+                                                                                let _e1883 = phi_2420_;
+                                                                                phi_2425_ = (_e1785 | ((_e1876 >> bitcast<u32>(5i)) << bitcast<u32>((_e1883 & 31u))));
                                                                             } else {
-                                                                                phi_2413_ = _e1798;
+                                                                                phi_2425_ = _e1785;
                                                                             }
-                                                                            let _e1904 = phi_2413_;
-                                                                            phi_2414_ = _e1904;
+                                                                            let _e1891 = phi_2425_;
+                                                                            phi_2426_ = _e1891;
                                                                         } else {
-                                                                            phi_2414_ = _e1798;
+                                                                            phi_2426_ = _e1785;
                                                                         }
-                                                                        let _e1906 = phi_2414_;
-                                                                        phi_2415_ = _e1906;
+                                                                        let _e1893 = phi_2426_;
+                                                                        phi_2427_ = _e1893;
                                                                     } else {
-                                                                        phi_2415_ = _e1798;
+                                                                        phi_2427_ = _e1785;
                                                                     }
-                                                                    let _e1908 = phi_2415_;
-                                                                    phi_2285_ = (_e1796 + 1u);
-                                                                    phi_2288_ = _e1908;
+                                                                    let _e1895 = phi_2427_;
+                                                                    phi_2297_ = (_e1783 + 1u);
+                                                                    phi_2300_ = _e1895;
                                                                 } else {
-                                                                    phi_2285_ = u32();
-                                                                    phi_2288_ = u32();
+                                                                    phi_2297_ = u32();
+                                                                    phi_2300_ = u32();
                                                                 }
-                                                                let _e1911 = phi_2285_;
-                                                                let _e1913 = phi_2288_;
+                                                                let _e1898 = phi_2297_;
+                                                                let _e1900 = phi_2300_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2284_ = _e1911;
-                                                                    phi_2287_ = _e1913;
-                                                                    break if !(_e1799);
+                                                                    phi_2296_ = _e1898;
+                                                                    phi_2299_ = _e1900;
+                                                                    break if !(_e1786);
                                                                 }
                                                             }
-                                                            let _e1917 = nodes.member[(0u + _e1528)].links[0u];
-                                                            let _e1921 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1925 = local_6;
-                                                            if ((_e1925 & 4278190080u) == 0u) {
+                                                            let _e1904 = nodes.member[(0u + _e1515)].links[0u];
+                                                            let _e1908 = nodes.member[(0u + _e1515)].frame[3u];
+                                                            let _e1912 = local_6;
+                                                            if ((_e1912 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1929 = local_1.group_mask;
-                                                                if ((_e1929 & 4278190080u) == 0u) {
+                                                                let _e1916 = local_1.group_mask;
+                                                                if ((_e1916 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1933 = local_1.len;
-                                                                    if (_e1933 < 32u) {
-                                                                        let _e1936 = local_1.group;
-                                                                        let _e1938 = local_1.len;
-                                                                        if (_e1938 < 32u) {
+                                                                    let _e1920 = local_1.len;
+                                                                    if (_e1920 < 32u) {
+                                                                        let _e1923 = local_1.group;
+                                                                        let _e1925 = local_1.len;
+                                                                        if (_e1925 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1938)] = _e1936;
-                                                                        let _e1944 = local_1.group_mask;
-                                                                        let _e1946 = local_1.len;
-                                                                        if (_e1946 < 32u) {
+                                                                        local_1.first[(0u + _e1925)] = _e1923;
+                                                                        let _e1931 = local_1.group_mask;
+                                                                        let _e1933 = local_1.len;
+                                                                        if (_e1933 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1946)] = _e1944;
-                                                                        let _e1953 = local_1.len;
-                                                                        local_1.len = (_e1953 + 1u);
+                                                                        local_1.mask[(0u + _e1933)] = _e1931;
+                                                                        let _e1940 = local_1.len;
+                                                                        local_1.len = (_e1940 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1150 + _e1917);
-                                                                let _e1957 = local_7;
-                                                                local_1.group_mask = ((_e1957 & 4278190080u) | (_e1921 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1141 + _e1904);
+                                                                let _e1944 = local_7;
+                                                                local_1.group_mask = ((_e1944 & 4278190080u) | (_e1908 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1962 = local_8;
-                                                            phi_2473_ = _e1526;
-                                                            phi_2476_ = (_e1962 & 16777215u);
+                                                            let _e1949 = local_8;
+                                                            phi_2485_ = _e1513;
+                                                            phi_2488_ = (_e1949 & 16777215u);
                                                             loop {
-                                                                let _e1965 = phi_2473_;
-                                                                let _e1967 = phi_2476_;
-                                                                local_9 = _e1965;
-                                                                if (_e1967 == 0u) {
-                                                                    phi_2474_ = lt_bvh_Hit();
-                                                                    phi_2477_ = u32();
-                                                                    phi_3315_ = false;
+                                                                let _e1952 = phi_2485_;
+                                                                let _e1954 = phi_2488_;
+                                                                local_9 = _e1952;
+                                                                if (_e1954 == 0u) {
+                                                                    phi_2486_ = lt_bvh_Hit();
+                                                                    phi_2489_ = u32();
+                                                                    phi_3327_ = false;
                                                                 } else {
-                                                                    let _e1971 = nodes.member[(0u + _e1528)].links[1u];
-                                                                    let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
-                                                                    if (_e1976 < _e81) {
+                                                                    let _e1958 = nodes.member[(0u + _e1515)].links[1u];
+                                                                    let _e1963 = ((_e1143 + _e1958) + select(firstTrailingBit(_e1954), 32u, (_e1954 == 0u)));
+                                                                    if (_e1963 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1983 = triangles.member[(0u + _e1976)].v0_;
-                                                                    let _e1985 = (_e1983.x - _e1075);
-                                                                    let _e1987 = (_e1983.y - _e1088);
-                                                                    let _e1989 = (_e1983.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2521_ = vec3<f32>(_e1987, _e1989, _e1985);
+                                                                    let _e1970 = triangles.member[(0u + _e1963)].v0_;
+                                                                    let _e1972 = (_e1970.x - _e1066);
+                                                                    let _e1974 = (_e1970.y - _e1079);
+                                                                    let _e1976 = (_e1970.z - _e1092);
+                                                                    if (_e1348 == 0u) {
+                                                                        phi_2533_ = vec3<f32>(_e1974, _e1976, _e1972);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2520_ = vec3<f32>(_e1989, _e1985, _e1987);
+                                                                        if (_e1348 == 1u) {
+                                                                            phi_2532_ = vec3<f32>(_e1976, _e1972, _e1974);
                                                                         } else {
-                                                                            phi_2520_ = (_e1983 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2532_ = (_e1970 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                         }
-                                                                        let _e1997 = phi_2520_;
-                                                                        phi_2521_ = _e1997;
+                                                                        let _e1984 = phi_2532_;
+                                                                        phi_2533_ = _e1984;
                                                                     }
-                                                                    let _e1999 = phi_2521_;
-                                                                    let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
-                                                                    let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
-                                                                    let _e2009 = triangles.member[(0u + _e1976)].v1_;
-                                                                    let _e2011 = (_e2009.x - _e1075);
-                                                                    let _e2013 = (_e2009.y - _e1088);
-                                                                    let _e2015 = (_e2009.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2551_ = vec3<f32>(_e2013, _e2015, _e2011);
+                                                                    let _e1986 = phi_2533_;
+                                                                    let _e1990 = (_e1986.x - (_e1359 * _e1986.z));
+                                                                    let _e1994 = (_e1986.y - (_e1362 * _e1986.z));
+                                                                    let _e1996 = triangles.member[(0u + _e1963)].v1_;
+                                                                    let _e1998 = (_e1996.x - _e1066);
+                                                                    let _e2000 = (_e1996.y - _e1079);
+                                                                    let _e2002 = (_e1996.z - _e1092);
+                                                                    if (_e1348 == 0u) {
+                                                                        phi_2563_ = vec3<f32>(_e2000, _e2002, _e1998);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2550_ = vec3<f32>(_e2015, _e2011, _e2013);
+                                                                        if (_e1348 == 1u) {
+                                                                            phi_2562_ = vec3<f32>(_e2002, _e1998, _e2000);
                                                                         } else {
-                                                                            phi_2550_ = (_e2009 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2562_ = (_e1996 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                         }
-                                                                        let _e2023 = phi_2550_;
-                                                                        phi_2551_ = _e2023;
+                                                                        let _e2010 = phi_2562_;
+                                                                        phi_2563_ = _e2010;
                                                                     }
-                                                                    let _e2025 = phi_2551_;
-                                                                    let _e2029 = (_e2025.x - (_e1372 * _e2025.z));
-                                                                    let _e2033 = (_e2025.y - (_e1375 * _e2025.z));
-                                                                    let _e2035 = triangles.member[(0u + _e1976)].v2_;
-                                                                    let _e2037 = (_e2035.x - _e1075);
-                                                                    let _e2039 = (_e2035.y - _e1088);
-                                                                    let _e2041 = (_e2035.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2581_ = vec3<f32>(_e2039, _e2041, _e2037);
+                                                                    let _e2012 = phi_2563_;
+                                                                    let _e2016 = (_e2012.x - (_e1359 * _e2012.z));
+                                                                    let _e2020 = (_e2012.y - (_e1362 * _e2012.z));
+                                                                    let _e2022 = triangles.member[(0u + _e1963)].v2_;
+                                                                    let _e2024 = (_e2022.x - _e1066);
+                                                                    let _e2026 = (_e2022.y - _e1079);
+                                                                    let _e2028 = (_e2022.z - _e1092);
+                                                                    if (_e1348 == 0u) {
+                                                                        phi_2593_ = vec3<f32>(_e2026, _e2028, _e2024);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2580_ = vec3<f32>(_e2041, _e2037, _e2039);
+                                                                        if (_e1348 == 1u) {
+                                                                            phi_2592_ = vec3<f32>(_e2028, _e2024, _e2026);
                                                                         } else {
-                                                                            phi_2580_ = (_e2035 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2592_ = (_e2022 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                         }
-                                                                        let _e2049 = phi_2580_;
-                                                                        phi_2581_ = _e2049;
+                                                                        let _e2036 = phi_2592_;
+                                                                        phi_2593_ = _e2036;
                                                                     }
-                                                                    let _e2051 = phi_2581_;
-                                                                    let _e2055 = (_e2051.x - (_e1372 * _e2051.z));
-                                                                    let _e2059 = (_e2051.y - (_e1375 * _e2051.z));
-                                                                    if (_e2029 < _e2055) {
-                                                                        phi_2600_ = true;
+                                                                    let _e2038 = phi_2593_;
+                                                                    let _e2042 = (_e2038.x - (_e1359 * _e2038.z));
+                                                                    let _e2046 = (_e2038.y - (_e1362 * _e2038.z));
+                                                                    if (_e2016 < _e2042) {
+                                                                        phi_2612_ = true;
                                                                     } else {
-                                                                        if (_e2029 == _e2055) {
-                                                                            phi_2599_ = (_e2033 < _e2059);
+                                                                        if (_e2016 == _e2042) {
+                                                                            phi_2611_ = (_e2020 < _e2046);
                                                                         } else {
-                                                                            phi_2599_ = false;
+                                                                            phi_2611_ = false;
                                                                         }
-                                                                        let _e2064 = phi_2599_;
-                                                                        phi_2600_ = _e2064;
+                                                                        let _e2051 = phi_2611_;
+                                                                        phi_2612_ = _e2051;
                                                                     }
-                                                                    let _e2066 = phi_2600_;
-                                                                    if _e2066 {
-                                                                        phi_2604_ = _e2059;
-                                                                        phi_2605_ = _e2055;
-                                                                        phi_2606_ = _e2033;
-                                                                        phi_2607_ = _e2029;
+                                                                    let _e2053 = phi_2612_;
+                                                                    if _e2053 {
+                                                                        phi_2616_ = _e2046;
+                                                                        phi_2617_ = _e2042;
+                                                                        phi_2618_ = _e2020;
+                                                                        phi_2619_ = _e2016;
                                                                     } else {
-                                                                        phi_2604_ = _e2033;
-                                                                        phi_2605_ = _e2029;
-                                                                        phi_2606_ = _e2059;
-                                                                        phi_2607_ = _e2055;
+                                                                        phi_2616_ = _e2020;
+                                                                        phi_2617_ = _e2016;
+                                                                        phi_2618_ = _e2046;
+                                                                        phi_2619_ = _e2042;
                                                                     }
-                                                                    let _e2068 = phi_2604_;
-                                                                    let _e2070 = phi_2605_;
-                                                                    let _e2072 = phi_2606_;
-                                                                    let _e2074 = phi_2607_;
-                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
-                                                                    if _e2066 {
-                                                                        phi_2615_ = -(_e2077);
+                                                                    let _e2055 = phi_2616_;
+                                                                    let _e2057 = phi_2617_;
+                                                                    let _e2059 = phi_2618_;
+                                                                    let _e2061 = phi_2619_;
+                                                                    let _e2064 = ((_e2061 * _e2055) - (_e2059 * _e2057));
+                                                                    if _e2053 {
+                                                                        phi_2627_ = -(_e2064);
                                                                     } else {
-                                                                        phi_2615_ = _e2077;
+                                                                        phi_2627_ = _e2064;
                                                                     }
-                                                                    let _e2080 = phi_2615_;
-                                                                    if (_e2055 < _e2003) {
-                                                                        phi_2626_ = true;
+                                                                    let _e2067 = phi_2627_;
+                                                                    if (_e2042 < _e1990) {
+                                                                        phi_2638_ = true;
                                                                     } else {
-                                                                        if (_e2055 == _e2003) {
-                                                                            phi_2625_ = (_e2059 < _e2007);
+                                                                        if (_e2042 == _e1990) {
+                                                                            phi_2637_ = (_e2046 < _e1994);
                                                                         } else {
-                                                                            phi_2625_ = false;
+                                                                            phi_2637_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2625_;
-                                                                        phi_2626_ = _e2085;
+                                                                        let _e2072 = phi_2637_;
+                                                                        phi_2638_ = _e2072;
                                                                     }
-                                                                    let _e2087 = phi_2626_;
-                                                                    if _e2087 {
-                                                                        phi_2630_ = _e2007;
-                                                                        phi_2631_ = _e2003;
-                                                                        phi_2632_ = _e2059;
-                                                                        phi_2633_ = _e2055;
+                                                                    let _e2074 = phi_2638_;
+                                                                    if _e2074 {
+                                                                        phi_2642_ = _e1994;
+                                                                        phi_2643_ = _e1990;
+                                                                        phi_2644_ = _e2046;
+                                                                        phi_2645_ = _e2042;
                                                                     } else {
-                                                                        phi_2630_ = _e2059;
-                                                                        phi_2631_ = _e2055;
-                                                                        phi_2632_ = _e2007;
-                                                                        phi_2633_ = _e2003;
+                                                                        phi_2642_ = _e2046;
+                                                                        phi_2643_ = _e2042;
+                                                                        phi_2644_ = _e1994;
+                                                                        phi_2645_ = _e1990;
                                                                     }
-                                                                    let _e2089 = phi_2630_;
-                                                                    let _e2091 = phi_2631_;
-                                                                    let _e2093 = phi_2632_;
-                                                                    let _e2095 = phi_2633_;
-                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
-                                                                    if _e2087 {
-                                                                        phi_2641_ = -(_e2098);
+                                                                    let _e2076 = phi_2642_;
+                                                                    let _e2078 = phi_2643_;
+                                                                    let _e2080 = phi_2644_;
+                                                                    let _e2082 = phi_2645_;
+                                                                    let _e2085 = ((_e2082 * _e2076) - (_e2080 * _e2078));
+                                                                    if _e2074 {
+                                                                        phi_2653_ = -(_e2085);
                                                                     } else {
-                                                                        phi_2641_ = _e2098;
+                                                                        phi_2653_ = _e2085;
                                                                     }
-                                                                    let _e2101 = phi_2641_;
-                                                                    if (_e2003 < _e2029) {
-                                                                        phi_2652_ = true;
+                                                                    let _e2088 = phi_2653_;
+                                                                    if (_e1990 < _e2016) {
+                                                                        phi_2664_ = true;
                                                                     } else {
-                                                                        if (_e2003 == _e2029) {
-                                                                            phi_2651_ = (_e2007 < _e2033);
+                                                                        if (_e1990 == _e2016) {
+                                                                            phi_2663_ = (_e1994 < _e2020);
                                                                         } else {
-                                                                            phi_2651_ = false;
+                                                                            phi_2663_ = false;
                                                                         }
-                                                                        let _e2106 = phi_2651_;
-                                                                        phi_2652_ = _e2106;
+                                                                        let _e2093 = phi_2663_;
+                                                                        phi_2664_ = _e2093;
                                                                     }
-                                                                    let _e2108 = phi_2652_;
-                                                                    if _e2108 {
-                                                                        phi_2656_ = _e2033;
-                                                                        phi_2657_ = _e2029;
-                                                                        phi_2658_ = _e2007;
-                                                                        phi_2659_ = _e2003;
+                                                                    let _e2095 = phi_2664_;
+                                                                    if _e2095 {
+                                                                        phi_2668_ = _e2020;
+                                                                        phi_2669_ = _e2016;
+                                                                        phi_2670_ = _e1994;
+                                                                        phi_2671_ = _e1990;
                                                                     } else {
-                                                                        phi_2656_ = _e2007;
-                                                                        phi_2657_ = _e2003;
-                                                                        phi_2658_ = _e2033;
-                                                                        phi_2659_ = _e2029;
+                                                                        phi_2668_ = _e1994;
+                                                                        phi_2669_ = _e1990;
+                                                                        phi_2670_ = _e2020;
+                                                                        phi_2671_ = _e2016;
                                                                     }
-                                                                    let _e2110 = phi_2656_;
-                                                                    let _e2112 = phi_2657_;
-                                                                    let _e2114 = phi_2658_;
-                                                                    let _e2116 = phi_2659_;
-                                                                    let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
-                                                                    if _e2108 {
-                                                                        phi_2667_ = -(_e2119);
+                                                                    let _e2097 = phi_2668_;
+                                                                    let _e2099 = phi_2669_;
+                                                                    let _e2101 = phi_2670_;
+                                                                    let _e2103 = phi_2671_;
+                                                                    let _e2106 = ((_e2103 * _e2097) - (_e2101 * _e2099));
+                                                                    if _e2095 {
+                                                                        phi_2679_ = -(_e2106);
                                                                     } else {
-                                                                        phi_2667_ = _e2119;
+                                                                        phi_2679_ = _e2106;
                                                                     }
-                                                                    let _e2122 = phi_2667_;
-                                                                    if (_e2080 >= 0f) {
-                                                                        if (_e2101 >= 0f) {
-                                                                            if (_e2122 >= 0f) {
-                                                                                phi_2682_ = ((_e2080 + _e2101) + _e2122);
-                                                                                phi_2683_ = false;
+                                                                    let _e2109 = phi_2679_;
+                                                                    if (_e2067 >= 0f) {
+                                                                        if (_e2088 >= 0f) {
+                                                                            if (_e2109 >= 0f) {
+                                                                                phi_2694_ = ((_e2067 + _e2088) + _e2109);
+                                                                                phi_2695_ = false;
                                                                             } else {
-                                                                                phi_2682_ = f32();
-                                                                                phi_2683_ = true;
+                                                                                phi_2694_ = f32();
+                                                                                phi_2695_ = true;
                                                                             }
-                                                                            let _e2129 = phi_2682_;
-                                                                            let _e2131 = phi_2683_;
-                                                                            phi_2684_ = _e2129;
-                                                                            phi_2685_ = _e2131;
+                                                                            let _e2116 = phi_2694_;
+                                                                            let _e2118 = phi_2695_;
+                                                                            phi_2696_ = _e2116;
+                                                                            phi_2697_ = _e2118;
                                                                         } else {
-                                                                            phi_2684_ = f32();
-                                                                            phi_2685_ = true;
+                                                                            phi_2696_ = f32();
+                                                                            phi_2697_ = true;
                                                                         }
-                                                                        let _e2133 = phi_2684_;
-                                                                        let _e2135 = phi_2685_;
-                                                                        phi_2686_ = _e2133;
-                                                                        phi_2687_ = _e2135;
+                                                                        let _e2120 = phi_2696_;
+                                                                        let _e2122 = phi_2697_;
+                                                                        phi_2698_ = _e2120;
+                                                                        phi_2699_ = _e2122;
                                                                     } else {
-                                                                        phi_2686_ = f32();
-                                                                        phi_2687_ = true;
+                                                                        phi_2698_ = f32();
+                                                                        phi_2699_ = true;
                                                                     }
-                                                                    let _e2137 = phi_2686_;
-                                                                    let _e2139 = phi_2687_;
-                                                                    if _e2139 {
-                                                                        if (_e2080 <= 0f) {
-                                                                            if (_e2101 <= 0f) {
-                                                                                let _e2142 = (_e2122 <= 0f);
-                                                                                if _e2142 {
+                                                                    let _e2124 = phi_2698_;
+                                                                    let _e2126 = phi_2699_;
+                                                                    if _e2126 {
+                                                                        if (_e2067 <= 0f) {
+                                                                            if (_e2088 <= 0f) {
+                                                                                let _e2129 = (_e2109 <= 0f);
+                                                                                if _e2129 {
                                                                                 }
-                                                                                phi_2705_ = ((_e2080 + _e2101) + _e2122);
-                                                                                phi_2706_ = false;
-                                                                                phi_2707_ = _e2142;
+                                                                                phi_2717_ = ((_e2067 + _e2088) + _e2109);
+                                                                                phi_2718_ = false;
+                                                                                phi_2719_ = _e2129;
                                                                             } else {
-                                                                                phi_2705_ = f32();
-                                                                                phi_2706_ = true;
-                                                                                phi_2707_ = false;
+                                                                                phi_2717_ = f32();
+                                                                                phi_2718_ = true;
+                                                                                phi_2719_ = false;
                                                                             }
-                                                                            let _e2146 = phi_2705_;
-                                                                            let _e2148 = phi_2706_;
-                                                                            let _e2150 = phi_2707_;
-                                                                            phi_2708_ = _e2146;
-                                                                            phi_2709_ = _e2148;
-                                                                            phi_2710_ = _e2150;
+                                                                            let _e2133 = phi_2717_;
+                                                                            let _e2135 = phi_2718_;
+                                                                            let _e2137 = phi_2719_;
+                                                                            phi_2720_ = _e2133;
+                                                                            phi_2721_ = _e2135;
+                                                                            phi_2722_ = _e2137;
                                                                         } else {
-                                                                            phi_2708_ = f32();
-                                                                            phi_2709_ = true;
-                                                                            phi_2710_ = false;
+                                                                            phi_2720_ = f32();
+                                                                            phi_2721_ = true;
+                                                                            phi_2722_ = false;
                                                                         }
-                                                                        let _e2152 = phi_2708_;
-                                                                        let _e2154 = phi_2709_;
-                                                                        let _e2156 = phi_2710_;
-                                                                        if _e2154 {
-                                                                            phi_2714_ = false;
+                                                                        let _e2139 = phi_2720_;
+                                                                        let _e2141 = phi_2721_;
+                                                                        let _e2143 = phi_2722_;
+                                                                        if _e2141 {
+                                                                            phi_2726_ = false;
                                                                         } else {
-                                                                            phi_2714_ = _e2156;
+                                                                            phi_2726_ = _e2143;
                                                                         }
-                                                                        let _e2158 = phi_2714_;
-                                                                        phi_2715_ = _e2152;
-                                                                        phi_2716_ = _e2158;
+                                                                        let _e2145 = phi_2726_;
+                                                                        phi_2727_ = _e2139;
+                                                                        phi_2728_ = _e2145;
                                                                     } else {
-                                                                        phi_2715_ = _e2137;
-                                                                        phi_2716_ = true;
+                                                                        phi_2727_ = _e2124;
+                                                                        phi_2728_ = true;
                                                                     }
-                                                                    let _e2160 = phi_2715_;
-                                                                    let _e2162 = phi_2716_;
-                                                                    if _e2162 {
-                                                                        let _e2163 = (_e2160 == 0f);
-                                                                        if _e2163 {
-                                                                            phi_3032_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3033_ = false;
+                                                                    let _e2147 = phi_2727_;
+                                                                    let _e2149 = phi_2728_;
+                                                                    if _e2149 {
+                                                                        let _e2150 = (_e2147 == 0f);
+                                                                        if _e2150 {
+                                                                            phi_3044_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3045_ = false;
                                                                         } else {
-                                                                            let _e2165 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2167 = (_e2165.x - _e1075);
-                                                                            let _e2169 = (_e2165.y - _e1088);
-                                                                            let _e2171 = (_e2165.z - _e1101);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2745_ = vec3<f32>(_e2169, _e2171, _e2167);
+                                                                            let _e2152 = triangles.member[(0u + _e1963)].v0_;
+                                                                            let _e2154 = (_e2152.x - _e1066);
+                                                                            let _e2156 = (_e2152.y - _e1079);
+                                                                            let _e2158 = (_e2152.z - _e1092);
+                                                                            if (_e1348 == 0u) {
+                                                                                phi_2757_ = vec3<f32>(_e2156, _e2158, _e2154);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2744_ = vec3<f32>(_e2171, _e2167, _e2169);
+                                                                                if (_e1348 == 1u) {
+                                                                                    phi_2756_ = vec3<f32>(_e2158, _e2154, _e2156);
                                                                                 } else {
-                                                                                    phi_2744_ = (_e2165 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                                    phi_2756_ = (_e2152 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                                 }
-                                                                                let _e2179 = phi_2744_;
-                                                                                phi_2745_ = _e2179;
+                                                                                let _e2166 = phi_2756_;
+                                                                                phi_2757_ = _e2166;
                                                                             }
-                                                                            let _e2181 = phi_2745_;
-                                                                            let _e2183 = triangles.member[(0u + _e1976)].v1_;
-                                                                            let _e2185 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2188 = (_e2183.x - _e2185.x);
-                                                                            let _e2191 = (_e2183.y - _e2185.y);
-                                                                            let _e2194 = (_e2183.z - _e2185.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2771_ = vec3<f32>(_e2191, _e2194, _e2188);
+                                                                            let _e2168 = phi_2757_;
+                                                                            let _e2170 = triangles.member[(0u + _e1963)].v1_;
+                                                                            let _e2172 = triangles.member[(0u + _e1963)].v0_;
+                                                                            let _e2175 = (_e2170.x - _e2172.x);
+                                                                            let _e2178 = (_e2170.y - _e2172.y);
+                                                                            let _e2181 = (_e2170.z - _e2172.z);
+                                                                            if (_e1348 == 0u) {
+                                                                                phi_2783_ = vec3<f32>(_e2178, _e2181, _e2175);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2770_ = vec3<f32>(_e2194, _e2188, _e2191);
+                                                                                if (_e1348 == 1u) {
+                                                                                    phi_2782_ = vec3<f32>(_e2181, _e2175, _e2178);
                                                                                 } else {
-                                                                                    phi_2770_ = (_e2183 - _e2185);
+                                                                                    phi_2782_ = (_e2170 - _e2172);
                                                                                 }
-                                                                                let _e2201 = phi_2770_;
-                                                                                phi_2771_ = _e2201;
+                                                                                let _e2188 = phi_2782_;
+                                                                                phi_2783_ = _e2188;
                                                                             }
-                                                                            let _e2203 = phi_2771_;
-                                                                            let _e2205 = triangles.member[(0u + _e1976)].v2_;
-                                                                            let _e2207 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2210 = (_e2205.x - _e2207.x);
-                                                                            let _e2213 = (_e2205.y - _e2207.y);
-                                                                            let _e2216 = (_e2205.z - _e2207.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2797_ = vec3<f32>(_e2213, _e2216, _e2210);
+                                                                            let _e2190 = phi_2783_;
+                                                                            let _e2192 = triangles.member[(0u + _e1963)].v2_;
+                                                                            let _e2194 = triangles.member[(0u + _e1963)].v0_;
+                                                                            let _e2197 = (_e2192.x - _e2194.x);
+                                                                            let _e2200 = (_e2192.y - _e2194.y);
+                                                                            let _e2203 = (_e2192.z - _e2194.z);
+                                                                            if (_e1348 == 0u) {
+                                                                                phi_2809_ = vec3<f32>(_e2200, _e2203, _e2197);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2796_ = vec3<f32>(_e2216, _e2210, _e2213);
+                                                                                if (_e1348 == 1u) {
+                                                                                    phi_2808_ = vec3<f32>(_e2203, _e2197, _e2200);
                                                                                 } else {
-                                                                                    phi_2796_ = (_e2205 - _e2207);
+                                                                                    phi_2808_ = (_e2192 - _e2194);
                                                                                 }
-                                                                                let _e2223 = phi_2796_;
-                                                                                phi_2797_ = _e2223;
+                                                                                let _e2210 = phi_2808_;
+                                                                                phi_2809_ = _e2210;
                                                                             }
-                                                                            let _e2225 = phi_2797_;
-                                                                            let _e2232 = ((_e2203.y * _e2225.z) - (_e2203.z * _e2225.y));
-                                                                            let _e2239 = ((_e2203.z * _e2225.x) - (_e2203.x * _e2225.z));
-                                                                            let _e2246 = ((_e2203.x * _e2225.y) - (_e2203.y * _e2225.x));
-                                                                            let _e2260 = (((1f / _e1369.z) * (((_e2232 * _e2181.x) + (_e2239 * _e2181.y)) + (_e2246 * _e2181.z))) / (((_e2232 * _e1372) + (_e2239 * _e1375)) + _e2246));
-                                                                            if (_e2260 > _e165.tmin) {
-                                                                                if (_e2260 < _e165.tmax) {
-                                                                                    let _e2264 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2266 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2264.x < _e2266.x) {
-                                                                                        phi_2853_ = _e2264.x;
+                                                                            let _e2212 = phi_2809_;
+                                                                            let _e2219 = ((_e2190.y * _e2212.z) - (_e2190.z * _e2212.y));
+                                                                            let _e2226 = ((_e2190.z * _e2212.x) - (_e2190.x * _e2212.z));
+                                                                            let _e2233 = ((_e2190.x * _e2212.y) - (_e2190.y * _e2212.x));
+                                                                            let _e2247 = (((1f / _e1356.z) * (((_e2219 * _e2168.x) + (_e2226 * _e2168.y)) + (_e2233 * _e2168.z))) / (((_e2219 * _e1359) + (_e2226 * _e1362)) + _e2233));
+                                                                            if (_e2247 > _e165.tmin) {
+                                                                                if (_e2247 < _e165.tmax) {
+                                                                                    let _e2251 = triangles.member[(0u + _e1963)].v0_;
+                                                                                    let _e2253 = triangles.member[(0u + _e1963)].v1_;
+                                                                                    if (_e2251.x < _e2253.x) {
+                                                                                        phi_2865_ = _e2251.x;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2266.x;
+                                                                                        phi_2865_ = _e2253.x;
                                                                                     }
-                                                                                    let _e2273 = phi_2853_;
-                                                                                    if (_e2264.y < _e2266.y) {
-                                                                                        phi_2862_ = _e2264.y;
+                                                                                    let _e2260 = phi_2865_;
+                                                                                    if (_e2251.y < _e2253.y) {
+                                                                                        phi_2874_ = _e2251.y;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2266.y;
+                                                                                        phi_2874_ = _e2253.y;
                                                                                     }
-                                                                                    let _e2280 = phi_2862_;
-                                                                                    if (_e2264.z < _e2266.z) {
-                                                                                        phi_2871_ = _e2264.z;
+                                                                                    let _e2267 = phi_2874_;
+                                                                                    if (_e2251.z < _e2253.z) {
+                                                                                        phi_2883_ = _e2251.z;
                                                                                     } else {
-                                                                                        phi_2871_ = _e2266.z;
+                                                                                        phi_2883_ = _e2253.z;
                                                                                     }
-                                                                                    let _e2287 = phi_2871_;
-                                                                                    let _e2289 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2273 < _e2289.x) {
-                                                                                        phi_2880_ = _e2273;
+                                                                                    let _e2274 = phi_2883_;
+                                                                                    let _e2276 = triangles.member[(0u + _e1963)].v2_;
+                                                                                    if (_e2260 < _e2276.x) {
+                                                                                        phi_2892_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2880_ = _e2289.x;
+                                                                                        phi_2892_ = _e2276.x;
                                                                                     }
-                                                                                    let _e2294 = phi_2880_;
-                                                                                    if (_e2280 < _e2289.y) {
-                                                                                        phi_2887_ = _e2280;
+                                                                                    let _e2281 = phi_2892_;
+                                                                                    if (_e2267 < _e2276.y) {
+                                                                                        phi_2899_ = _e2267;
                                                                                     } else {
-                                                                                        phi_2887_ = _e2289.y;
+                                                                                        phi_2899_ = _e2276.y;
                                                                                     }
-                                                                                    let _e2299 = phi_2887_;
-                                                                                    if (_e2287 < _e2289.z) {
-                                                                                        phi_2894_ = _e2287;
+                                                                                    let _e2286 = phi_2899_;
+                                                                                    if (_e2274 < _e2276.z) {
+                                                                                        phi_2906_ = _e2274;
                                                                                     } else {
-                                                                                        phi_2894_ = _e2289.z;
+                                                                                        phi_2906_ = _e2276.z;
                                                                                     }
-                                                                                    let _e2304 = phi_2894_;
-                                                                                    let _e2306 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2308 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2306.x > _e2308.x) {
-                                                                                        phi_2907_ = _e2306.x;
+                                                                                    let _e2291 = phi_2906_;
+                                                                                    let _e2293 = triangles.member[(0u + _e1963)].v0_;
+                                                                                    let _e2295 = triangles.member[(0u + _e1963)].v1_;
+                                                                                    if (_e2293.x > _e2295.x) {
+                                                                                        phi_2919_ = _e2293.x;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2308.x;
+                                                                                        phi_2919_ = _e2295.x;
                                                                                     }
-                                                                                    let _e2315 = phi_2907_;
-                                                                                    if (_e2306.y > _e2308.y) {
-                                                                                        phi_2916_ = _e2306.y;
+                                                                                    let _e2302 = phi_2919_;
+                                                                                    if (_e2293.y > _e2295.y) {
+                                                                                        phi_2928_ = _e2293.y;
                                                                                     } else {
-                                                                                        phi_2916_ = _e2308.y;
+                                                                                        phi_2928_ = _e2295.y;
                                                                                     }
-                                                                                    let _e2322 = phi_2916_;
-                                                                                    if (_e2306.z > _e2308.z) {
-                                                                                        phi_2925_ = _e2306.z;
+                                                                                    let _e2309 = phi_2928_;
+                                                                                    if (_e2293.z > _e2295.z) {
+                                                                                        phi_2937_ = _e2293.z;
                                                                                     } else {
-                                                                                        phi_2925_ = _e2308.z;
+                                                                                        phi_2937_ = _e2295.z;
                                                                                     }
-                                                                                    let _e2329 = phi_2925_;
-                                                                                    let _e2331 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2315 > _e2331.x) {
-                                                                                        phi_2934_ = _e2315;
+                                                                                    let _e2316 = phi_2937_;
+                                                                                    let _e2318 = triangles.member[(0u + _e1963)].v2_;
+                                                                                    if (_e2302 > _e2318.x) {
+                                                                                        phi_2946_ = _e2302;
                                                                                     } else {
-                                                                                        phi_2934_ = _e2331.x;
+                                                                                        phi_2946_ = _e2318.x;
                                                                                     }
-                                                                                    let _e2336 = phi_2934_;
-                                                                                    if (_e2322 > _e2331.y) {
-                                                                                        phi_2941_ = _e2322;
+                                                                                    let _e2323 = phi_2946_;
+                                                                                    if (_e2309 > _e2318.y) {
+                                                                                        phi_2953_ = _e2309;
                                                                                     } else {
-                                                                                        phi_2941_ = _e2331.y;
+                                                                                        phi_2953_ = _e2318.y;
                                                                                     }
-                                                                                    let _e2341 = phi_2941_;
-                                                                                    if (_e2329 > _e2331.z) {
-                                                                                        phi_2948_ = _e2329;
+                                                                                    let _e2328 = phi_2953_;
+                                                                                    if (_e2316 > _e2318.z) {
+                                                                                        phi_2960_ = _e2316;
                                                                                     } else {
-                                                                                        phi_2948_ = _e2331.z;
+                                                                                        phi_2960_ = _e2318.z;
                                                                                     }
-                                                                                    let _e2346 = phi_2948_;
-                                                                                    let _e2350 = ((_e2294 - _e1075) * _e1290);
-                                                                                    let _e2351 = ((_e2299 - _e1088) * _e1300);
-                                                                                    let _e2352 = ((_e2304 - _e1101) * _e1310);
-                                                                                    let _e2356 = ((_e2336 - _e1075) * _e1290);
-                                                                                    let _e2357 = ((_e2341 - _e1088) * _e1300);
-                                                                                    let _e2358 = ((_e2346 - _e1101) * _e1310);
-                                                                                    if (_e2350 < _e2356) {
-                                                                                        phi_2965_ = _e2350;
+                                                                                    let _e2333 = phi_2960_;
+                                                                                    let _e2337 = ((_e2281 - _e1066) * _e1273);
+                                                                                    let _e2338 = ((_e2286 - _e1079) * _e1283);
+                                                                                    let _e2339 = ((_e2291 - _e1092) * _e1293);
+                                                                                    let _e2343 = ((_e2323 - _e1066) * _e1273);
+                                                                                    let _e2344 = ((_e2328 - _e1079) * _e1283);
+                                                                                    let _e2345 = ((_e2333 - _e1092) * _e1293);
+                                                                                    if (_e2337 < _e2343) {
+                                                                                        phi_2977_ = _e2337;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2356;
+                                                                                        phi_2977_ = _e2343;
                                                                                     }
-                                                                                    let _e2361 = phi_2965_;
-                                                                                    if (_e2351 < _e2357) {
-                                                                                        phi_2970_ = _e2351;
+                                                                                    let _e2348 = phi_2977_;
+                                                                                    if (_e2338 < _e2344) {
+                                                                                        phi_2982_ = _e2338;
                                                                                     } else {
-                                                                                        phi_2970_ = _e2357;
+                                                                                        phi_2982_ = _e2344;
                                                                                     }
-                                                                                    let _e2364 = phi_2970_;
-                                                                                    if (_e2352 < _e2358) {
-                                                                                        phi_2975_ = _e2352;
+                                                                                    let _e2351 = phi_2982_;
+                                                                                    if (_e2339 < _e2345) {
+                                                                                        phi_2987_ = _e2339;
                                                                                     } else {
-                                                                                        phi_2975_ = _e2358;
+                                                                                        phi_2987_ = _e2345;
                                                                                     }
-                                                                                    let _e2367 = phi_2975_;
-                                                                                    if (_e2350 > _e2356) {
-                                                                                        phi_2983_ = _e2350;
+                                                                                    let _e2354 = phi_2987_;
+                                                                                    if (_e2337 > _e2343) {
+                                                                                        phi_2995_ = _e2337;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2356;
+                                                                                        phi_2995_ = _e2343;
                                                                                     }
-                                                                                    let _e2373 = phi_2983_;
-                                                                                    if (_e2351 > _e2357) {
-                                                                                        phi_2988_ = _e2351;
+                                                                                    let _e2360 = phi_2995_;
+                                                                                    if (_e2338 > _e2344) {
+                                                                                        phi_3000_ = _e2338;
                                                                                     } else {
-                                                                                        phi_2988_ = _e2357;
+                                                                                        phi_3000_ = _e2344;
                                                                                     }
-                                                                                    let _e2376 = phi_2988_;
-                                                                                    if (_e2352 > _e2358) {
-                                                                                        phi_2993_ = _e2352;
+                                                                                    let _e2363 = phi_3000_;
+                                                                                    if (_e2339 > _e2345) {
+                                                                                        phi_3005_ = _e2339;
                                                                                     } else {
-                                                                                        phi_2993_ = _e2358;
+                                                                                        phi_3005_ = _e2345;
                                                                                     }
-                                                                                    let _e2379 = phi_2993_;
-                                                                                    let _e2383 = core_intrinsics_maximum_number_nsz_f32_((_e2361 - _e1345), (_e2364 - _e1346));
-                                                                                    let _e2384 = core_intrinsics_maximum_number_nsz_f32_(_e2383, (_e2367 - _e1347));
-                                                                                    let _e2385 = core_intrinsics_minimum_number_nsz_f32_((_e2373 + _e1345), (_e2376 + _e1346));
-                                                                                    let _e2386 = core_intrinsics_minimum_number_nsz_f32_(_e2385, (_e2379 + _e1347));
-                                                                                    if (_e2384 > _e1050) {
-                                                                                        phi_3005_ = _e2384;
+                                                                                    let _e2366 = phi_3005_;
+                                                                                    let _e2370 = core_intrinsics_maximum_number_nsz_f32_((_e2348 - _e1332), (_e2351 - _e1333));
+                                                                                    let _e2371 = core_intrinsics_maximum_number_nsz_f32_(_e2370, (_e2354 - _e1334));
+                                                                                    let _e2372 = core_intrinsics_minimum_number_nsz_f32_((_e2360 + _e1332), (_e2363 + _e1333));
+                                                                                    let _e2373 = core_intrinsics_minimum_number_nsz_f32_(_e2372, (_e2366 + _e1334));
+                                                                                    if (_e2371 > _e1041) {
+                                                                                        phi_3017_ = _e2371;
                                                                                     } else {
-                                                                                        phi_3005_ = _e1050;
+                                                                                        phi_3017_ = _e1041;
                                                                                     }
-                                                                                    let _e2389 = phi_3005_;
-                                                                                    if (_e2386 < _e1052) {
-                                                                                        phi_3010_ = _e2386;
+                                                                                    let _e2376 = phi_3017_;
+                                                                                    if (_e2373 < _e1043) {
+                                                                                        phi_3022_ = _e2373;
                                                                                     } else {
-                                                                                        phi_3010_ = _e1052;
+                                                                                        phi_3022_ = _e1043;
                                                                                     }
-                                                                                    let _e2392 = phi_3010_;
-                                                                                    if (_e2260 < _e2389) {
-                                                                                        phi_3015_ = _e2389;
+                                                                                    let _e2379 = phi_3022_;
+                                                                                    if (_e2247 < _e2376) {
+                                                                                        phi_3027_ = _e2376;
                                                                                     } else {
-                                                                                        phi_3015_ = _e2260;
+                                                                                        phi_3027_ = _e2247;
                                                                                     }
-                                                                                    let _e2395 = phi_3015_;
-                                                                                    if (_e2395 > _e2392) {
-                                                                                        phi_3020_ = _e2392;
+                                                                                    let _e2382 = phi_3027_;
+                                                                                    if (_e2382 > _e2379) {
+                                                                                        phi_3032_ = _e2379;
                                                                                     } else {
-                                                                                        phi_3020_ = _e2395;
+                                                                                        phi_3032_ = _e2382;
                                                                                     }
-                                                                                    let _e2398 = phi_3020_;
-                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2398, (_e2101 / _e2160), (_e2122 / _e2160), (_e2389 <= _e2392));
-                                                                                    phi_3026_ = false;
+                                                                                    let _e2385 = phi_3032_;
+                                                                                    phi_3037_ = lt_bvh_triangle_Intersection(_e2385, (_e2088 / _e2147), (_e2109 / _e2147), (_e2376 <= _e2379));
+                                                                                    phi_3038_ = false;
                                                                                 } else {
-                                                                                    phi_3025_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3026_ = true;
+                                                                                    phi_3037_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3038_ = true;
                                                                                 }
-                                                                                let _e2404 = phi_3025_;
-                                                                                let _e2406 = phi_3026_;
-                                                                                phi_3027_ = _e2404;
-                                                                                phi_3028_ = _e2406;
+                                                                                let _e2391 = phi_3037_;
+                                                                                let _e2393 = phi_3038_;
+                                                                                phi_3039_ = _e2391;
+                                                                                phi_3040_ = _e2393;
                                                                             } else {
-                                                                                phi_3027_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3028_ = true;
+                                                                                phi_3039_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3040_ = true;
                                                                             }
-                                                                            let _e2408 = phi_3027_;
-                                                                            let _e2410 = phi_3028_;
-                                                                            if _e2410 {
+                                                                            let _e2395 = phi_3039_;
+                                                                            let _e2397 = phi_3040_;
+                                                                            if _e2397 {
                                                                             }
-                                                                            phi_3032_ = _e2408;
-                                                                            phi_3033_ = _e2410;
+                                                                            phi_3044_ = _e2395;
+                                                                            phi_3045_ = _e2397;
                                                                         }
-                                                                        let _e2412 = phi_3032_;
-                                                                        let _e2414 = phi_3033_;
-                                                                        phi_3034_ = _e2412;
-                                                                        phi_3035_ = _e2163;
-                                                                        phi_3036_ = _e2414;
+                                                                        let _e2399 = phi_3044_;
+                                                                        let _e2401 = phi_3045_;
+                                                                        phi_3046_ = _e2399;
+                                                                        phi_3047_ = _e2150;
+                                                                        phi_3048_ = _e2401;
                                                                     } else {
-                                                                        phi_3034_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3035_ = true;
-                                                                        phi_3036_ = false;
+                                                                        phi_3046_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3047_ = true;
+                                                                        phi_3048_ = false;
                                                                     }
-                                                                    let _e2416 = phi_3034_;
-                                                                    let _e2418 = phi_3035_;
-                                                                    let _e2420 = phi_3036_;
-                                                                    if _e2418 {
-                                                                        phi_3040_ = true;
+                                                                    let _e2403 = phi_3046_;
+                                                                    let _e2405 = phi_3047_;
+                                                                    let _e2407 = phi_3048_;
+                                                                    if _e2405 {
+                                                                        phi_3052_ = true;
                                                                     } else {
-                                                                        phi_3040_ = _e2420;
+                                                                        phi_3052_ = _e2407;
                                                                     }
-                                                                    let _e2422 = phi_3040_;
-                                                                    if _e2422 {
-                                                                        phi_3044_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2409 = phi_3052_;
+                                                                    if _e2409 {
+                                                                        phi_3056_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3044_ = _e2416;
+                                                                        phi_3056_ = _e2403;
                                                                     }
-                                                                    let _e2424 = phi_3044_;
-                                                                    if _e2424.is_hit {
-                                                                        if (_e2424.t > _e165.tmin) {
-                                                                            if (_e2424.t < _e1965.t) {
-                                                                                phi_3092_ = true;
+                                                                    let _e2411 = phi_3056_;
+                                                                    if _e2411.is_hit {
+                                                                        if (_e2411.t > _e165.tmin) {
+                                                                            if (_e2411.t < _e1952.t) {
+                                                                                phi_3104_ = true;
                                                                             } else {
-                                                                                if (_e2424.t == _e1965.t) {
-                                                                                    if (_e1965.triangle != 4294967295u) {
-                                                                                        if (_e1976 < _e1965.triangle) {
-                                                                                            phi_3083_ = true;
+                                                                                if (_e2411.t == _e1952.t) {
+                                                                                    if (_e1952.triangle != 4294967295u) {
+                                                                                        if (_e1963 < _e1952.triangle) {
+                                                                                            phi_3095_ = true;
                                                                                         } else {
-                                                                                            if (_e1976 == _e1965.triangle) {
-                                                                                                phi_3082_ = (_e991 < _e1965.instance);
+                                                                                            if (_e1963 == _e1952.triangle) {
+                                                                                                phi_3094_ = (_e982 < _e1952.instance);
                                                                                             } else {
-                                                                                                phi_3082_ = false;
+                                                                                                phi_3094_ = false;
                                                                                             }
-                                                                                            let _e2442 = phi_3082_;
-                                                                                            phi_3083_ = _e2442;
+                                                                                            let _e2429 = phi_3094_;
+                                                                                            phi_3095_ = _e2429;
                                                                                         }
-                                                                                        let _e2444 = phi_3083_;
-                                                                                        phi_3084_ = _e2444;
-                                                                                        phi_3085_ = false;
+                                                                                        let _e2431 = phi_3095_;
+                                                                                        phi_3096_ = _e2431;
+                                                                                        phi_3097_ = false;
                                                                                     } else {
-                                                                                        phi_3084_ = bool();
-                                                                                        phi_3085_ = true;
+                                                                                        phi_3096_ = bool();
+                                                                                        phi_3097_ = true;
                                                                                     }
-                                                                                    let _e2446 = phi_3084_;
-                                                                                    let _e2448 = phi_3085_;
-                                                                                    phi_3086_ = _e2446;
-                                                                                    phi_3087_ = _e2448;
+                                                                                    let _e2433 = phi_3096_;
+                                                                                    let _e2435 = phi_3097_;
+                                                                                    phi_3098_ = _e2433;
+                                                                                    phi_3099_ = _e2435;
                                                                                 } else {
-                                                                                    phi_3086_ = bool();
-                                                                                    phi_3087_ = true;
+                                                                                    phi_3098_ = bool();
+                                                                                    phi_3099_ = true;
                                                                                 }
-                                                                                let _e2450 = phi_3086_;
-                                                                                let _e2452 = phi_3087_;
-                                                                                if _e2452 {
-                                                                                    phi_3091_ = false;
+                                                                                let _e2437 = phi_3098_;
+                                                                                let _e2439 = phi_3099_;
+                                                                                if _e2439 {
+                                                                                    phi_3103_ = false;
                                                                                 } else {
-                                                                                    phi_3091_ = _e2450;
+                                                                                    phi_3103_ = _e2437;
                                                                                 }
-                                                                                let _e2454 = phi_3091_;
-                                                                                phi_3092_ = _e2454;
+                                                                                let _e2441 = phi_3103_;
+                                                                                phi_3104_ = _e2441;
                                                                             }
-                                                                            let _e2456 = phi_3092_;
-                                                                            if _e2456 {
-                                                                                let _e2458 = triangles.member[(0u + _e1976)].i0_;
-                                                                                if ((_e2458 & 2147483648u) == 0u) {
-                                                                                    phi_3303_ = true;
+                                                                            let _e2443 = phi_3104_;
+                                                                            if _e2443 {
+                                                                                let _e2445 = triangles.member[(0u + _e1963)].i0_;
+                                                                                if ((_e2445 & 2147483648u) == 0u) {
+                                                                                    phi_3315_ = true;
                                                                                 } else {
-                                                                                    if (_e1976 < _e81) {
+                                                                                    if (_e1963 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2467 = triangles.member[(0u + _e1976)].i0_;
-                                                                                    let _e2468 = (_e2467 & 2147483647u);
-                                                                                    let _e2470 = triangles.member[(0u + _e1976)].i1_;
-                                                                                    let _e2472 = triangles.member[(0u + _e1976)].i2_;
-                                                                                    if (_e2468 < _e84) {
+                                                                                    let _e2454 = triangles.member[(0u + _e1963)].i0_;
+                                                                                    let _e2455 = (_e2454 & 2147483647u);
+                                                                                    let _e2457 = triangles.member[(0u + _e1963)].i1_;
+                                                                                    let _e2459 = triangles.member[(0u + _e1963)].i2_;
+                                                                                    if (_e2455 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2476 = vertices.member[(0u + _e2468)];
-                                                                                    if (_e2470 < _e84) {
+                                                                                    let _e2463 = vertices.member[(0u + _e2455)];
+                                                                                    if (_e2457 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2480 = vertices.member[(0u + _e2470)];
-                                                                                    if (_e2472 < _e84) {
+                                                                                    let _e2467 = vertices.member[(0u + _e2457)];
+                                                                                    if (_e2459 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2484 = vertices.member[(0u + _e2472)];
-                                                                                    let _e2485 = array<abi_Vertex, 3>(_e2476, _e2480, _e2484);
-                                                                                    if (_e2485[0].material < _e87) {
+                                                                                    let _e2471 = vertices.member[(0u + _e2459)];
+                                                                                    let _e2472 = array<abi_Vertex, 3>(_e2463, _e2467, _e2471);
+                                                                                    if (_e2472[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2491 = materials.member[(0u + _e2485[0].material)];
-                                                                                    if ((_e2491.flags & 0u) == 0u) {
-                                                                                        let _e2496 = ((1f - _e2424.u) - _e2424.v);
-                                                                                        if (_e2491.cutoff <= 0f) {
-                                                                                            phi_3298_ = true;
+                                                                                    let _e2478 = materials.member[(0u + _e2472[0].material)];
+                                                                                    if ((_e2478.flags & 0u) == 0u) {
+                                                                                        let _e2483 = ((1f - _e2411.u) - _e2411.v);
+                                                                                        if (_e2478.cutoff <= 0f) {
+                                                                                            phi_3310_ = true;
                                                                                         } else {
-                                                                                            let _e2523 = (_e2491.base_color.w * ((((f32((_e2485[0].color >> bitcast<u32>(24i))) * _e2496) + (f32((_e2485[1].color >> bitcast<u32>(24i))) * _e2424.u)) + (f32((_e2485[2].color >> bitcast<u32>(24i))) * _e2424.v)) * (1f / 255f)));
-                                                                                            if (_e2491.alpha_size == 0u) {
-                                                                                                phi_3295_ = _e2523;
+                                                                                            let _e2510 = (_e2478.base_color.w * ((((f32((_e2472[0].color >> bitcast<u32>(24i))) * _e2483) + (f32((_e2472[1].color >> bitcast<u32>(24i))) * _e2411.u)) + (f32((_e2472[2].color >> bitcast<u32>(24i))) * _e2411.v)) * (1f / 255f)));
+                                                                                            if (_e2478.alpha_size == 0u) {
+                                                                                                phi_3307_ = _e2510;
                                                                                             } else {
-                                                                                                local.offset = _e2491.alpha_offset;
-                                                                                                local.size = _e2491.alpha_size;
-                                                                                                local.flags = _e2491.flags;
-                                                                                                let _e2554 = _lt_shaders_texture_TextureView_quad((&local), (((_e2485[0].u * _e2496) + (_e2485[1].u * _e2424.u)) + (_e2485[2].u * _e2424.v)), (((_e2485[0].v * _e2496) + (_e2485[1].v * _e2424.u)) + (_e2485[2].v * _e2424.v)));
-                                                                                                let _e2558 = (_e2554.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2558 < _e96) {
+                                                                                                local.offset = _e2478.alpha_offset;
+                                                                                                local.size = _e2478.alpha_size;
+                                                                                                local.flags = _e2478.flags;
+                                                                                                let _e2541 = _lt_shaders_texture_TextureView_quad((&local), (((_e2472[0].u * _e2483) + (_e2472[1].u * _e2411.u)) + (_e2472[2].u * _e2411.v)), (((_e2472[0].v * _e2483) + (_e2472[1].v * _e2411.u)) + (_e2472[2].v * _e2411.v)));
+                                                                                                let _e2545 = (_e2541.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2545 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2562 = alpha_texels.member[(0u + _e2558)];
-                                                                                                let _e2578 = (_e2554.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2578 < _e96) {
+                                                                                                let _e2549 = alpha_texels.member[(0u + _e2545)];
+                                                                                                let _e2565 = (_e2541.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2565 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2582 = alpha_texels.member[(0u + _e2578)];
-                                                                                                let _e2599 = (_e2554.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2599 < _e96) {
+                                                                                                let _e2569 = alpha_texels.member[(0u + _e2565)];
+                                                                                                let _e2586 = (_e2541.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2586 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2603 = alpha_texels.member[(0u + _e2599)];
-                                                                                                let _e2620 = (_e2554.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2620 < _e96) {
+                                                                                                let _e2590 = alpha_texels.member[(0u + _e2586)];
+                                                                                                let _e2607 = (_e2541.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2607 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2624 = alpha_texels.member[(0u + _e2620)];
-                                                                                                phi_3295_ = (_e2523 * (((((f32(((_e2562 >> bitcast<u32>((((_e2554.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.x) + ((f32(((_e2582 >> bitcast<u32>((((_e2554.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.y)) + ((f32(((_e2603 >> bitcast<u32>((((_e2554.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.z)) + ((f32(((_e2624 >> bitcast<u32>((((_e2554.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.w)));
+                                                                                                let _e2611 = alpha_texels.member[(0u + _e2607)];
+                                                                                                phi_3307_ = (_e2510 * (((((f32(((_e2549 >> bitcast<u32>((((_e2541.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.x) + ((f32(((_e2569 >> bitcast<u32>((((_e2541.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.y)) + ((f32(((_e2590 >> bitcast<u32>((((_e2541.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.z)) + ((f32(((_e2611 >> bitcast<u32>((((_e2541.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2541.weights.w)));
                                                                                             }
-                                                                                            let _e2640 = phi_3295_;
-                                                                                            phi_3298_ = (_e2640 >= _e2491.cutoff);
+                                                                                            let _e2627 = phi_3307_;
+                                                                                            phi_3310_ = (_e2627 >= _e2478.cutoff);
                                                                                         }
-                                                                                        let _e2644 = phi_3298_;
-                                                                                        phi_3299_ = _e2644;
+                                                                                        let _e2631 = phi_3310_;
+                                                                                        phi_3311_ = _e2631;
                                                                                     } else {
-                                                                                        phi_3299_ = false;
+                                                                                        phi_3311_ = false;
                                                                                     }
-                                                                                    let _e2646 = phi_3299_;
-                                                                                    if _e2646 {
+                                                                                    let _e2633 = phi_3311_;
+                                                                                    if _e2633 {
                                                                                     }
-                                                                                    phi_3303_ = _e2646;
+                                                                                    phi_3315_ = _e2633;
                                                                                 }
-                                                                                let _e2648 = phi_3303_;
-                                                                                if _e2648 {
-                                                                                    phi_3311_ = lt_bvh_Hit(_e2424.t, _e2424.u, _e2424.v, _e1976, _e991);
+                                                                                let _e2635 = phi_3315_;
+                                                                                if _e2635 {
+                                                                                    phi_3323_ = lt_bvh_Hit(_e2411.t, _e2411.u, _e2411.v, _e1963, _e982);
                                                                                 } else {
-                                                                                    phi_3311_ = _e1965;
+                                                                                    phi_3323_ = _e1952;
                                                                                 }
-                                                                                let _e2654 = phi_3311_;
-                                                                                phi_3312_ = _e2654;
+                                                                                let _e2641 = phi_3323_;
+                                                                                phi_3324_ = _e2641;
                                                                             } else {
-                                                                                phi_3312_ = _e1965;
+                                                                                phi_3324_ = _e1952;
                                                                             }
-                                                                            let _e2656 = phi_3312_;
-                                                                            phi_3313_ = _e2656;
+                                                                            let _e2643 = phi_3324_;
+                                                                            phi_3325_ = _e2643;
                                                                         } else {
-                                                                            phi_3313_ = _e1965;
+                                                                            phi_3325_ = _e1952;
                                                                         }
-                                                                        let _e2658 = phi_3313_;
-                                                                        phi_3314_ = _e2658;
+                                                                        let _e2645 = phi_3325_;
+                                                                        phi_3326_ = _e2645;
                                                                     } else {
-                                                                        phi_3314_ = _e1965;
+                                                                        phi_3326_ = _e1952;
                                                                     }
-                                                                    let _e2660 = phi_3314_;
-                                                                    phi_2474_ = _e2660;
-                                                                    phi_2477_ = (_e1967 & (_e1967 - 1u));
-                                                                    phi_3315_ = true;
+                                                                    let _e2647 = phi_3326_;
+                                                                    phi_2486_ = _e2647;
+                                                                    phi_2489_ = (_e1954 & (_e1954 - 1u));
+                                                                    phi_3327_ = true;
                                                                 }
-                                                                let _e2662 = phi_2474_;
-                                                                let _e2664 = phi_2477_;
-                                                                let _e2666 = phi_3315_;
+                                                                let _e2649 = phi_2486_;
+                                                                let _e2651 = phi_2489_;
+                                                                let _e2653 = phi_3327_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2473_ = _e2662;
-                                                                    phi_2476_ = _e2664;
-                                                                    break if !(_e2666);
+                                                                    phi_2485_ = _e2649;
+                                                                    phi_2488_ = _e2651;
+                                                                    break if !(_e2653);
                                                                 }
                                                             }
-                                                            let _e2669 = local_1.group_mask;
-                                                            if ((_e2669 & 4278190080u) == 0u) {
-                                                                let _e2673 = local_1.len;
-                                                                if (_e2673 == 0u) {
-                                                                    phi_3354_ = false;
+                                                            let _e2656 = local_1.group_mask;
+                                                            if ((_e2656 & 4278190080u) == 0u) {
+                                                                let _e2660 = local_1.len;
+                                                                if (_e2660 == 0u) {
+                                                                    phi_3366_ = false;
                                                                 } else {
-                                                                    let _e2677 = local_1.len;
-                                                                    local_1.len = (_e2677 - 1u);
-                                                                    let _e2680 = local_1.len;
-                                                                    if (_e2680 < 32u) {
+                                                                    let _e2664 = local_1.len;
+                                                                    local_1.len = (_e2664 - 1u);
+                                                                    let _e2667 = local_1.len;
+                                                                    if (_e2667 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2685 = local_1.first[(0u + _e2680)];
-                                                                    local_1.group = _e2685;
-                                                                    let _e2688 = local_1.len;
-                                                                    if (_e2688 < 32u) {
+                                                                    let _e2672 = local_1.first[(0u + _e2667)];
+                                                                    local_1.group = _e2672;
+                                                                    let _e2675 = local_1.len;
+                                                                    if (_e2675 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2693 = local_1.mask[(0u + _e2688)];
-                                                                    local_1.group_mask = _e2693;
-                                                                    phi_3354_ = true;
+                                                                    let _e2680 = local_1.mask[(0u + _e2675)];
+                                                                    local_1.group_mask = _e2680;
+                                                                    phi_3366_ = true;
                                                                 }
-                                                                let _e2696 = phi_3354_;
-                                                                phi_3355_ = _e2696;
+                                                                let _e2683 = phi_3366_;
+                                                                phi_3367_ = _e2683;
                                                             } else {
-                                                                phi_3355_ = true;
+                                                                phi_3367_ = true;
                                                             }
-                                                            let _e2698 = phi_3355_;
-                                                            if _e2698 {
-                                                                let _e2700 = local_1.group_mask;
-                                                                let _e2706 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2700)), 32u, (_e2700 == 0u)));
-                                                                let _e2710 = local_1.group_mask;
-                                                                let _e2724 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2724 & ~((1u << bitcast<u32>((_e2706 & 31u)))));
-                                                                let _e2727 = local_1.group;
-                                                                phi_3386_ = (_e2727 + countOneBits(((_e2710 & ~((4294967295u << bitcast<u32>((((_e2706 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            let _e2685 = phi_3367_;
+                                                            if _e2685 {
+                                                                let _e2687 = local_1.group_mask;
+                                                                let _e2693 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2687)), 32u, (_e2687 == 0u)));
+                                                                let _e2697 = local_1.group_mask;
+                                                                let _e2711 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2711 & ~((1u << bitcast<u32>((_e2693 & 31u)))));
+                                                                let _e2714 = local_1.group;
+                                                                phi_3398_ = (_e2714 + countOneBits(((_e2697 & ~((4294967295u << bitcast<u32>((((_e2693 - 24u) ^ _e1375) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3386_ = 4294967295u;
+                                                                phi_3398_ = 4294967295u;
                                                             }
-                                                            let _e2730 = phi_3386_;
-                                                            let _e3912 = local_9;
-                                                            phi_2141_ = _e3912;
-                                                            phi_2144_ = _e2730;
+                                                            let _e2717 = phi_3398_;
+                                                            let _e3895 = local_9;
+                                                            phi_2153_ = _e3895;
+                                                            phi_2156_ = _e2717;
                                                         } else {
-                                                            phi_2141_ = lt_bvh_Hit();
-                                                            phi_2144_ = u32();
+                                                            phi_2153_ = lt_bvh_Hit();
+                                                            phi_2156_ = u32();
                                                         }
-                                                        let _e2732 = phi_2141_;
-                                                        let _e2734 = phi_2144_;
+                                                        let _e2719 = phi_2153_;
+                                                        let _e2721 = phi_2156_;
                                                         continue;
                                                         continuing {
-                                                            phi_2140_ = _e2732;
-                                                            phi_2143_ = _e2734;
-                                                            break if !(_e1529);
+                                                            phi_2152_ = _e2719;
+                                                            phi_2155_ = _e2721;
+                                                            break if !(_e1516);
                                                         }
                                                     }
-                                                    let _e3916 = local_10;
-                                                    phi_3387_ = _e3916;
+                                                    let _e3899 = local_10;
+                                                    phi_3399_ = _e3899;
                                                 }
-                                                let _e2737 = phi_3387_;
-                                                phi_3388_ = _e2737;
-                                                phi_3389_ = _e1214;
+                                                let _e2724 = phi_3399_;
+                                                phi_3400_ = _e2724;
+                                                phi_3401_ = _e1197;
                                             } else {
-                                                phi_3388_ = lt_bvh_Hit();
-                                                phi_3389_ = true;
+                                                phi_3400_ = lt_bvh_Hit();
+                                                phi_3401_ = true;
                                             }
-                                            let _e2739 = phi_3388_;
-                                            let _e2741 = phi_3389_;
-                                            if _e2741 {
-                                                phi_3393_ = _e983;
+                                            let _e2726 = phi_3400_;
+                                            let _e2728 = phi_3401_;
+                                            if _e2728 {
+                                                phi_3405_ = _e974;
                                             } else {
-                                                phi_3393_ = _e2739;
+                                                phi_3405_ = _e2726;
                                             }
-                                            let _e2743 = phi_3393_;
-                                            phi_3394_ = _e2743;
+                                            let _e2730 = phi_3405_;
+                                            phi_3406_ = _e2730;
                                         } else {
-                                            phi_3394_ = _e983;
+                                            phi_3406_ = _e974;
                                         }
-                                        let _e2745 = phi_3394_;
-                                        phi_3395_ = _e2745;
+                                        let _e2732 = phi_3406_;
+                                        phi_3407_ = _e2732;
                                     } else {
-                                        phi_3395_ = _e983;
+                                        phi_3407_ = _e974;
                                     }
-                                    let _e2747 = phi_3395_;
-                                    phi_3396_ = _e2747;
+                                    let _e2734 = phi_3407_;
+                                    phi_3408_ = _e2734;
                                 } else {
-                                    phi_3396_ = _e983;
+                                    phi_3408_ = _e974;
                                 }
-                                let _e2749 = phi_3396_;
-                                phi_1515_ = (_e981 & (_e981 - 1u));
-                                phi_1518_ = _e2749;
-                                phi_3397_ = true;
+                                let _e2736 = phi_3408_;
+                                phi_1520_ = (_e972 & (_e972 - 1u));
+                                phi_1523_ = _e2736;
+                                phi_3409_ = true;
                             }
-                            let _e2751 = phi_1515_;
-                            let _e2753 = phi_1518_;
-                            let _e2755 = phi_3397_;
+                            let _e2738 = phi_1520_;
+                            let _e2740 = phi_1523_;
+                            let _e2742 = phi_3409_;
                             continue;
                             continuing {
-                                phi_1514_ = _e2751;
-                                phi_1517_ = _e2753;
-                                break if !(_e2755);
+                                phi_1519_ = _e2738;
+                                phi_1522_ = _e2740;
+                                break if !(_e2742);
                             }
                         }
-                        let _e2758 = local_2.group_mask;
-                        if ((_e2758 & 4278190080u) == 0u) {
-                            let _e2762 = local_2.len;
-                            if (_e2762 == 0u) {
-                                phi_3436_ = false;
+                        let _e2745 = local_2.group_mask;
+                        if ((_e2745 & 4278190080u) == 0u) {
+                            let _e2749 = local_2.len;
+                            if (_e2749 == 0u) {
+                                phi_3448_ = false;
                             } else {
-                                let _e2766 = local_2.len;
-                                local_2.len = (_e2766 - 1u);
-                                let _e2769 = local_2.len;
-                                if (_e2769 < 32u) {
+                                let _e2753 = local_2.len;
+                                local_2.len = (_e2753 - 1u);
+                                let _e2756 = local_2.len;
+                                if (_e2756 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2774 = local_2.first[(0u + _e2769)];
-                                local_2.group = _e2774;
-                                let _e2777 = local_2.len;
-                                if (_e2777 < 32u) {
+                                let _e2761 = local_2.first[(0u + _e2756)];
+                                local_2.group = _e2761;
+                                let _e2764 = local_2.len;
+                                if (_e2764 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2782 = local_2.mask[(0u + _e2777)];
-                                local_2.group_mask = _e2782;
-                                phi_3436_ = true;
+                                let _e2769 = local_2.mask[(0u + _e2764)];
+                                local_2.group_mask = _e2769;
+                                phi_3448_ = true;
                             }
-                            let _e2785 = phi_3436_;
-                            phi_3437_ = _e2785;
+                            let _e2772 = phi_3448_;
+                            phi_3449_ = _e2772;
                         } else {
-                            phi_3437_ = true;
+                            phi_3449_ = true;
                         }
-                        let _e2787 = phi_3437_;
-                        if _e2787 {
-                            let _e2789 = local_2.group_mask;
-                            let _e2795 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2789)), 32u, (_e2789 == 0u)));
-                            let _e2799 = local_2.group_mask;
-                            let _e2813 = local_2.group_mask;
-                            local_2.group_mask = (_e2813 & ~((1u << bitcast<u32>((_e2795 & 31u)))));
-                            let _e2816 = local_2.group;
-                            phi_3468_ = (_e2816 + countOneBits(((_e2799 & ~((4294967295u << bitcast<u32>((((_e2795 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        let _e2774 = phi_3449_;
+                        if _e2774 {
+                            let _e2776 = local_2.group_mask;
+                            let _e2782 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2776)), 32u, (_e2776 == 0u)));
+                            let _e2786 = local_2.group_mask;
+                            let _e2800 = local_2.group_mask;
+                            local_2.group_mask = (_e2800 & ~((1u << bitcast<u32>((_e2782 & 31u)))));
+                            let _e2803 = local_2.group;
+                            phi_3480_ = (_e2803 + countOneBits(((_e2786 & ~((4294967295u << bitcast<u32>((((_e2782 - 24u) ^ _e391) & 31u))))) & 255u)));
                         } else {
-                            phi_3468_ = 4294967295u;
+                            phi_3480_ = 4294967295u;
                         }
-                        let _e2819 = phi_3468_;
-                        phi_1178_ = _e2819;
-                        let _e3932 = local_11;
-                        phi_1181_ = _e3932;
+                        let _e2806 = phi_3480_;
+                        phi_1183_ = _e2806;
+                        let _e3915 = local_11;
+                        phi_1186_ = _e3915;
                     } else {
-                        phi_1178_ = u32();
-                        phi_1181_ = lt_bvh_Hit();
+                        phi_1183_ = u32();
+                        phi_1186_ = lt_bvh_Hit();
                     }
-                    let _e2821 = phi_1178_;
-                    let _e2823 = phi_1181_;
+                    let _e2808 = phi_1183_;
+                    let _e2810 = phi_1186_;
                     continue;
                     continuing {
-                        phi_1177_ = _e2821;
-                        phi_1180_ = _e2823;
-                        break if !(_e541);
+                        phi_1182_ = _e2808;
+                        phi_1185_ = _e2810;
+                        break if !(_e532);
                     }
                 }
-                let _e3935 = local_12;
-                phi_3469_ = _e3935;
+                let _e3918 = local_12;
+                phi_3481_ = _e3918;
             }
-            let _e2826 = phi_3469_;
-            phi_3470_ = _e2826;
-            phi_3471_ = _e237;
+            let _e2813 = phi_3481_;
+            phi_3482_ = _e2813;
+            phi_3483_ = _e229;
         } else {
-            phi_3470_ = lt_bvh_Hit();
-            phi_3471_ = true;
+            phi_3482_ = lt_bvh_Hit();
+            phi_3483_ = true;
         }
-        let _e2828 = phi_3470_;
-        let _e2830 = phi_3471_;
-        if _e2830 {
-            phi_3475_ = _e167;
+        let _e2815 = phi_3482_;
+        let _e2817 = phi_3483_;
+        if _e2817 {
+            phi_3487_ = _e167;
         } else {
-            phi_3475_ = _e2828;
+            phi_3487_ = _e2815;
         }
-        let _e2832 = phi_3475_;
-        if (_e2832.triangle != 4294967295u) {
-            let _e2838 = ((1f - _e2832.u) - _e2832.v);
-            if (_e2832.triangle < _e81) {
+        let _e2819 = phi_3487_;
+        if (_e2819.triangle != 4294967295u) {
+            let _e2825 = ((1f - _e2819.u) - _e2819.v);
+            if (_e2819.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2844 = triangles.member[(0u + _e2832.triangle)];
-            if (_e2832.instance < _e93) {
+            let _e2831 = triangles.member[(0u + _e2819.triangle)];
+            if (_e2819.instance < _e93) {
             } else {
                 return;
             }
-            let _e2855 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e2866 = ((((_e2855.x * _e2844.v0_.x) + (_e2855.y * _e2844.v0_.y)) + (_e2855.z * _e2844.v0_.z)) + (_e2855.w * 1f));
-            let _e2868 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e2879 = ((((_e2868.x * _e2844.v0_.x) + (_e2868.y * _e2844.v0_.y)) + (_e2868.z * _e2844.v0_.z)) + (_e2868.w * 1f));
-            let _e2881 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            let _e2892 = ((((_e2881.x * _e2844.v0_.x) + (_e2881.y * _e2844.v0_.y)) + (_e2881.z * _e2844.v0_.z)) + (_e2881.w * 1f));
-            let _e2899 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e2910 = ((((_e2899.x * _e2844.v1_.x) + (_e2899.y * _e2844.v1_.y)) + (_e2899.z * _e2844.v1_.z)) + (_e2899.w * 1f));
-            let _e2912 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e2923 = ((((_e2912.x * _e2844.v1_.x) + (_e2912.y * _e2844.v1_.y)) + (_e2912.z * _e2844.v1_.z)) + (_e2912.w * 1f));
-            let _e2925 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            let _e2936 = ((((_e2925.x * _e2844.v1_.x) + (_e2925.y * _e2844.v1_.y)) + (_e2925.z * _e2844.v1_.z)) + (_e2925.w * 1f));
-            let _e2943 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e2954 = ((((_e2943.x * _e2844.v2_.x) + (_e2943.y * _e2844.v2_.y)) + (_e2943.z * _e2844.v2_.z)) + (_e2943.w * 1f));
-            let _e2956 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e2967 = ((((_e2956.x * _e2844.v2_.x) + (_e2956.y * _e2844.v2_.y)) + (_e2956.z * _e2844.v2_.z)) + (_e2956.w * 1f));
-            let _e2969 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            let _e2980 = ((((_e2969.x * _e2844.v2_.x) + (_e2969.y * _e2844.v2_.y)) + (_e2969.z * _e2844.v2_.z)) + (_e2969.w * 1f));
-            let _e2993 = (((_e2866 * _e2838) + (_e2910 * _e2832.u)) + (_e2954 * _e2832.v));
-            let _e2994 = (((_e2879 * _e2838) + (_e2923 * _e2832.u)) + (_e2967 * _e2832.v));
-            let _e2995 = (((_e2892 * _e2838) + (_e2936 * _e2832.u)) + (_e2980 * _e2832.v));
-            let _e2997 = abs(_e2866);
-            let _e2998 = abs(_e2879);
-            let _e2999 = abs(_e2892);
-            let _e3000 = abs(_e2910);
-            let _e3001 = abs(_e2923);
-            let _e3002 = abs(_e2936);
-            if (_e2997 > _e3000) {
-                phi_3663_ = _e2997;
+            let _e2842 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
+            let _e2853 = ((((_e2842.x * _e2831.v0_.x) + (_e2842.y * _e2831.v0_.y)) + (_e2842.z * _e2831.v0_.z)) + (_e2842.w * 1f));
+            let _e2855 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
+            let _e2866 = ((((_e2855.x * _e2831.v0_.x) + (_e2855.y * _e2831.v0_.y)) + (_e2855.z * _e2831.v0_.z)) + (_e2855.w * 1f));
+            let _e2868 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
+            let _e2879 = ((((_e2868.x * _e2831.v0_.x) + (_e2868.y * _e2831.v0_.y)) + (_e2868.z * _e2831.v0_.z)) + (_e2868.w * 1f));
+            let _e2886 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
+            let _e2897 = ((((_e2886.x * _e2831.v1_.x) + (_e2886.y * _e2831.v1_.y)) + (_e2886.z * _e2831.v1_.z)) + (_e2886.w * 1f));
+            let _e2899 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
+            let _e2910 = ((((_e2899.x * _e2831.v1_.x) + (_e2899.y * _e2831.v1_.y)) + (_e2899.z * _e2831.v1_.z)) + (_e2899.w * 1f));
+            let _e2912 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
+            let _e2923 = ((((_e2912.x * _e2831.v1_.x) + (_e2912.y * _e2831.v1_.y)) + (_e2912.z * _e2831.v1_.z)) + (_e2912.w * 1f));
+            let _e2930 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
+            let _e2941 = ((((_e2930.x * _e2831.v2_.x) + (_e2930.y * _e2831.v2_.y)) + (_e2930.z * _e2831.v2_.z)) + (_e2930.w * 1f));
+            let _e2943 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
+            let _e2954 = ((((_e2943.x * _e2831.v2_.x) + (_e2943.y * _e2831.v2_.y)) + (_e2943.z * _e2831.v2_.z)) + (_e2943.w * 1f));
+            let _e2956 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
+            let _e2967 = ((((_e2956.x * _e2831.v2_.x) + (_e2956.y * _e2831.v2_.y)) + (_e2956.z * _e2831.v2_.z)) + (_e2956.w * 1f));
+            let _e2980 = (((_e2853 * _e2825) + (_e2897 * _e2819.u)) + (_e2941 * _e2819.v));
+            let _e2981 = (((_e2866 * _e2825) + (_e2910 * _e2819.u)) + (_e2954 * _e2819.v));
+            let _e2982 = (((_e2879 * _e2825) + (_e2923 * _e2819.u)) + (_e2967 * _e2819.v));
+            let _e2984 = abs(_e2853);
+            let _e2985 = abs(_e2866);
+            let _e2986 = abs(_e2879);
+            let _e2987 = abs(_e2897);
+            let _e2988 = abs(_e2910);
+            let _e2989 = abs(_e2923);
+            if (_e2984 > _e2987) {
+                phi_3675_ = _e2984;
             } else {
-                phi_3663_ = _e3000;
+                phi_3675_ = _e2987;
             }
-            let _e3005 = phi_3663_;
+            let _e2992 = phi_3675_;
+            if (_e2985 > _e2988) {
+                phi_3680_ = _e2985;
+            } else {
+                phi_3680_ = _e2988;
+            }
+            let _e2995 = phi_3680_;
+            if (_e2986 > _e2989) {
+                phi_3685_ = _e2986;
+            } else {
+                phi_3685_ = _e2989;
+            }
+            let _e2998 = phi_3685_;
+            let _e2999 = abs(_e2941);
+            let _e3000 = abs(_e2954);
+            let _e3001 = abs(_e2967);
+            if (_e2992 > _e2999) {
+                phi_3693_ = _e2992;
+            } else {
+                phi_3693_ = _e2999;
+            }
+            let _e3004 = phi_3693_;
+            if (_e2995 > _e3000) {
+                phi_3698_ = _e2995;
+            } else {
+                phi_3698_ = _e3000;
+            }
+            let _e3007 = phi_3698_;
             if (_e2998 > _e3001) {
-                phi_3668_ = _e2998;
+                phi_3703_ = _e2998;
             } else {
-                phi_3668_ = _e3001;
+                phi_3703_ = _e3001;
             }
-            let _e3008 = phi_3668_;
-            if (_e2999 > _e3002) {
-                phi_3673_ = _e2999;
+            let _e3010 = phi_3703_;
+            let _e3011 = (_e2897 - _e2853);
+            let _e3012 = (_e2910 - _e2866);
+            let _e3013 = (_e2923 - _e2879);
+            let _e3014 = (_e2941 - _e2853);
+            let _e3015 = (_e2954 - _e2866);
+            let _e3016 = (_e2967 - _e2879);
+            let _e3020 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3012), abs(_e3013));
+            let _e3021 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3011), _e3020);
+            let _e3022 = (_e3011 / _e3021);
+            let _e3023 = (_e3012 / _e3021);
+            let _e3024 = (_e3013 / _e3021);
+            let _e3028 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3015), abs(_e3016));
+            let _e3029 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3014), _e3028);
+            let _e3030 = (_e3014 / _e3029);
+            let _e3031 = (_e3015 / _e3029);
+            let _e3032 = (_e3016 / _e3029);
+            let _e3035 = ((_e3023 * _e3032) - (_e3031 * _e3024));
+            let _e3038 = ((_e3024 * _e3030) - (_e3032 * _e3022));
+            let _e3041 = ((_e3022 * _e3031) - (_e3030 * _e3023));
+            let _e3043 = p.member.eye;
+            let _e3056 = (1f / sqrt((((_e3035 * _e3035) + (_e3038 * _e3038)) + (_e3041 * _e3041))));
+            let _e3057 = (_e3035 * _e3056);
+            let _e3058 = (_e3038 * _e3056);
+            let _e3059 = (_e3041 * _e3056);
+            if ((((_e3057 * (_e3043.x - _e2980)) + (_e3058 * (_e3043.y - _e2981))) + (_e3059 * (_e3043.z - _e2982))) < 0f) {
+                phi_3767_ = vec3<f32>(-(_e3057), -(_e3058), -(_e3059));
             } else {
-                phi_3673_ = _e3002;
+                phi_3767_ = vec3<f32>(_e3057, _e3058, _e3059);
             }
-            let _e3011 = phi_3673_;
-            let _e3012 = abs(_e2954);
-            let _e3013 = abs(_e2967);
-            let _e3014 = abs(_e2980);
-            if (_e3005 > _e3012) {
-                phi_3681_ = _e3005;
-            } else {
-                phi_3681_ = _e3012;
-            }
-            let _e3017 = phi_3681_;
-            if (_e3008 > _e3013) {
-                phi_3686_ = _e3008;
-            } else {
-                phi_3686_ = _e3013;
-            }
-            let _e3020 = phi_3686_;
-            if (_e3011 > _e3014) {
-                phi_3691_ = _e3011;
-            } else {
-                phi_3691_ = _e3014;
-            }
-            let _e3023 = phi_3691_;
-            let _e3024 = (_e2910 - _e2866);
-            let _e3025 = (_e2923 - _e2879);
-            let _e3026 = (_e2936 - _e2892);
-            let _e3027 = (_e2954 - _e2866);
-            let _e3028 = (_e2967 - _e2879);
-            let _e3029 = (_e2980 - _e2892);
-            let _e3033 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3025), abs(_e3026));
-            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), _e3033);
-            let _e3035 = (_e3024 / _e3034);
-            let _e3036 = (_e3025 / _e3034);
-            let _e3037 = (_e3026 / _e3034);
-            let _e3041 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), abs(_e3029));
-            let _e3042 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3027), _e3041);
-            let _e3043 = (_e3027 / _e3042);
-            let _e3044 = (_e3028 / _e3042);
-            let _e3045 = (_e3029 / _e3042);
-            let _e3048 = ((_e3036 * _e3045) - (_e3044 * _e3037));
-            let _e3051 = ((_e3037 * _e3043) - (_e3045 * _e3035));
-            let _e3054 = ((_e3035 * _e3044) - (_e3043 * _e3036));
-            let _e3056 = p.member.eye;
-            let _e3069 = (1f / sqrt((((_e3048 * _e3048) + (_e3051 * _e3051)) + (_e3054 * _e3054))));
-            let _e3070 = (_e3048 * _e3069);
-            let _e3071 = (_e3051 * _e3069);
-            let _e3072 = (_e3054 * _e3069);
-            if ((((_e3070 * (_e3056.x - _e2993)) + (_e3071 * (_e3056.y - _e2994))) + (_e3072 * (_e3056.z - _e2995))) < 0f) {
-                phi_3755_ = vec3<f32>(-(_e3070), -(_e3071), -(_e3072));
-            } else {
-                phi_3755_ = vec3<f32>(_e3070, _e3071, _e3072);
-            }
-            let _e3085 = phi_3755_;
-            if (_e2832.triangle < _e81) {
+            let _e3072 = phi_3767_;
+            if (_e2819.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3090 = triangles.member[(0u + _e2832.triangle)];
-            let _e3092 = (_e3090.i0_ & 2147483647u);
-            if (_e3092 < _e84) {
+            let _e3077 = triangles.member[(0u + _e2819.triangle)];
+            let _e3079 = (_e3077.i0_ & 2147483647u);
+            if (_e3079 < _e84) {
             } else {
                 return;
             }
-            let _e3098 = vertices.member[(0u + _e3092)];
-            if (_e3090.i1_ < _e84) {
+            let _e3085 = vertices.member[(0u + _e3079)];
+            if (_e3077.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3102 = vertices.member[(0u + _e3090.i1_)];
-            if (_e3090.i2_ < _e84) {
+            let _e3089 = vertices.member[(0u + _e3077.i1_)];
+            if (_e3077.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3106 = vertices.member[(0u + _e3090.i2_)];
-            let _e3107 = array<abi_Vertex, 3>(_e3098, _e3102, _e3106);
-            if (_e3107[0].material < _e87) {
+            let _e3093 = vertices.member[(0u + _e3077.i2_)];
+            let _e3094 = array<abi_Vertex, 3>(_e3085, _e3089, _e3093);
+            if (_e3094[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3113 = materials.member[(0u + _e3107[0].material)];
-            let _e3130 = (1f / 255f);
-            let _e3149 = (1f / 255f);
-            let _e3171 = (1f / 255f);
-            let _e3184 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2838, _e2832.u, _e2832.v));
-            let _e3186 = ((_e3113.base_color.x * ((((f32((_e3107[0].color & 255u)) * _e3130) * _e2838) + ((f32((_e3107[1].color & 255u)) * _e3149) * _e2832.u)) + ((f32((_e3107[2].color & 255u)) * _e3171) * _e2832.v))) * _e3184.x);
-            let _e3188 = ((_e3113.base_color.y * ((((f32(((_e3107[0].color >> bitcast<u32>(8i)) & 255u)) * _e3130) * _e2838) + ((f32(((_e3107[1].color >> bitcast<u32>(8i)) & 255u)) * _e3149) * _e2832.u)) + ((f32(((_e3107[2].color >> bitcast<u32>(8i)) & 255u)) * _e3171) * _e2832.v))) * _e3184.y);
-            let _e3190 = ((_e3113.base_color.z * ((((f32(((_e3107[0].color >> bitcast<u32>(16i)) & 255u)) * _e3130) * _e2838) + ((f32(((_e3107[1].color >> bitcast<u32>(16i)) & 255u)) * _e3149) * _e2832.u)) + ((f32(((_e3107[2].color >> bitcast<u32>(16i)) & 255u)) * _e3171) * _e2832.v))) * _e3184.z);
-            let _e3191 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3020, _e3023);
-            let _e3192 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3017, _e3191);
-            if ((_e3113.flags & 2u) == 0u) {
-                phi_3876_ = 0u;
+            let _e3100 = materials.member[(0u + _e3094[0].material)];
+            let _e3117 = (1f / 255f);
+            let _e3136 = (1f / 255f);
+            let _e3158 = (1f / 255f);
+            let _e3171 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2825, _e2819.u, _e2819.v));
+            let _e3173 = ((_e3100.base_color.x * ((((f32((_e3094[0].color & 255u)) * _e3117) * _e2825) + ((f32((_e3094[1].color & 255u)) * _e3136) * _e2819.u)) + ((f32((_e3094[2].color & 255u)) * _e3158) * _e2819.v))) * _e3171.x);
+            let _e3175 = ((_e3100.base_color.y * ((((f32(((_e3094[0].color >> bitcast<u32>(8i)) & 255u)) * _e3117) * _e2825) + ((f32(((_e3094[1].color >> bitcast<u32>(8i)) & 255u)) * _e3136) * _e2819.u)) + ((f32(((_e3094[2].color >> bitcast<u32>(8i)) & 255u)) * _e3158) * _e2819.v))) * _e3171.y);
+            let _e3177 = ((_e3100.base_color.z * ((((f32(((_e3094[0].color >> bitcast<u32>(16i)) & 255u)) * _e3117) * _e2825) + ((f32(((_e3094[1].color >> bitcast<u32>(16i)) & 255u)) * _e3136) * _e2819.u)) + ((f32(((_e3094[2].color >> bitcast<u32>(16i)) & 255u)) * _e3158) * _e2819.v))) * _e3171.z);
+            let _e3178 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3007, _e3010);
+            let _e3179 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3004, _e3178);
+            if ((_e3100.flags & 2u) == 0u) {
+                phi_3888_ = 0u;
             } else {
-                phi_3876_ = 1u;
+                phi_3888_ = 1u;
             }
-            let _e3197 = phi_3876_;
-            if (_e3107[0].normal == 2147516416u) {
-                phi_4106_ = _e3085;
+            let _e3184 = phi_3888_;
+            if (_e3094[0].normal == 2147516416u) {
+                phi_4118_ = _e3072;
             } else {
-                let _e3210 = (f32((bitcast<i32>((_e3107[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3216 = (f32((bitcast<i32>(_e3107[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3220 = ((1f - abs(_e3210)) - abs(_e3216));
-                if (_e3220 < 0f) {
-                    phi_3903_ = -(_e3220);
+                let _e3197 = (f32((bitcast<i32>((_e3094[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3203 = (f32((bitcast<i32>(_e3094[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3207 = ((1f - abs(_e3197)) - abs(_e3203));
+                if (_e3207 < 0f) {
+                    phi_3915_ = -(_e3207);
                 } else {
-                    phi_3903_ = 0f;
+                    phi_3915_ = 0f;
                 }
-                let _e3224 = phi_3903_;
-                if (_e3210 < 0f) {
-                    phi_3910_ = (_e3210 + _e3224);
+                let _e3211 = phi_3915_;
+                if (_e3197 < 0f) {
+                    phi_3922_ = (_e3197 + _e3211);
                 } else {
-                    phi_3910_ = (_e3210 - _e3224);
+                    phi_3922_ = (_e3197 - _e3211);
                 }
-                let _e3229 = phi_3910_;
-                if (_e3216 < 0f) {
-                    phi_3917_ = (_e3216 + _e3224);
+                let _e3216 = phi_3922_;
+                if (_e3203 < 0f) {
+                    phi_3929_ = (_e3203 + _e3211);
                 } else {
-                    phi_3917_ = (_e3216 - _e3224);
+                    phi_3929_ = (_e3203 - _e3211);
                 }
-                let _e3234 = phi_3917_;
-                let _e3241 = (1f / sqrt((((_e3229 * _e3229) + (_e3234 * _e3234)) + (_e3220 * _e3220))));
-                let _e3257 = (f32((bitcast<i32>((_e3107[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3263 = (f32((bitcast<i32>(_e3107[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3267 = ((1f - abs(_e3257)) - abs(_e3263));
-                if (_e3267 < 0f) {
-                    phi_3952_ = -(_e3267);
+                let _e3221 = phi_3929_;
+                let _e3228 = (1f / sqrt((((_e3216 * _e3216) + (_e3221 * _e3221)) + (_e3207 * _e3207))));
+                let _e3244 = (f32((bitcast<i32>((_e3094[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3250 = (f32((bitcast<i32>(_e3094[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3254 = ((1f - abs(_e3244)) - abs(_e3250));
+                if (_e3254 < 0f) {
+                    phi_3964_ = -(_e3254);
                 } else {
-                    phi_3952_ = 0f;
+                    phi_3964_ = 0f;
                 }
-                let _e3271 = phi_3952_;
-                if (_e3257 < 0f) {
-                    phi_3959_ = (_e3257 + _e3271);
+                let _e3258 = phi_3964_;
+                if (_e3244 < 0f) {
+                    phi_3971_ = (_e3244 + _e3258);
                 } else {
-                    phi_3959_ = (_e3257 - _e3271);
+                    phi_3971_ = (_e3244 - _e3258);
                 }
-                let _e3276 = phi_3959_;
-                if (_e3263 < 0f) {
-                    phi_3966_ = (_e3263 + _e3271);
+                let _e3263 = phi_3971_;
+                if (_e3250 < 0f) {
+                    phi_3978_ = (_e3250 + _e3258);
                 } else {
-                    phi_3966_ = (_e3263 - _e3271);
+                    phi_3978_ = (_e3250 - _e3258);
                 }
-                let _e3281 = phi_3966_;
-                let _e3288 = (1f / sqrt((((_e3276 * _e3276) + (_e3281 * _e3281)) + (_e3267 * _e3267))));
-                let _e3307 = (f32((bitcast<i32>((_e3107[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3313 = (f32((bitcast<i32>(_e3107[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3317 = ((1f - abs(_e3307)) - abs(_e3313));
-                if (_e3317 < 0f) {
-                    phi_4004_ = -(_e3317);
+                let _e3268 = phi_3978_;
+                let _e3275 = (1f / sqrt((((_e3263 * _e3263) + (_e3268 * _e3268)) + (_e3254 * _e3254))));
+                let _e3294 = (f32((bitcast<i32>((_e3094[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3300 = (f32((bitcast<i32>(_e3094[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3304 = ((1f - abs(_e3294)) - abs(_e3300));
+                if (_e3304 < 0f) {
+                    phi_4016_ = -(_e3304);
                 } else {
-                    phi_4004_ = 0f;
+                    phi_4016_ = 0f;
                 }
-                let _e3321 = phi_4004_;
-                if (_e3307 < 0f) {
-                    phi_4011_ = (_e3307 + _e3321);
+                let _e3308 = phi_4016_;
+                if (_e3294 < 0f) {
+                    phi_4023_ = (_e3294 + _e3308);
                 } else {
-                    phi_4011_ = (_e3307 - _e3321);
+                    phi_4023_ = (_e3294 - _e3308);
                 }
-                let _e3326 = phi_4011_;
-                if (_e3313 < 0f) {
-                    phi_4018_ = (_e3313 + _e3321);
+                let _e3313 = phi_4023_;
+                if (_e3300 < 0f) {
+                    phi_4030_ = (_e3300 + _e3308);
                 } else {
-                    phi_4018_ = (_e3313 - _e3321);
+                    phi_4030_ = (_e3300 - _e3308);
                 }
-                let _e3331 = phi_4018_;
-                let _e3338 = (1f / sqrt((((_e3326 * _e3326) + (_e3331 * _e3331)) + (_e3317 * _e3317))));
-                let _e3345 = ((((_e3229 * _e3241) * _e2838) + ((_e3276 * _e3288) * _e2832.u)) + ((_e3326 * _e3338) * _e2832.v));
-                let _e3346 = ((((_e3234 * _e3241) * _e2838) + ((_e3281 * _e3288) * _e2832.u)) + ((_e3331 * _e3338) * _e2832.v));
-                let _e3347 = ((((_e3220 * _e3241) * _e2838) + ((_e3267 * _e3288) * _e2832.u)) + ((_e3317 * _e3338) * _e2832.v));
-                if (_e2832.instance < _e93) {
+                let _e3318 = phi_4030_;
+                let _e3325 = (1f / sqrt((((_e3313 * _e3313) + (_e3318 * _e3318)) + (_e3304 * _e3304))));
+                let _e3332 = ((((_e3216 * _e3228) * _e2825) + ((_e3263 * _e3275) * _e2819.u)) + ((_e3313 * _e3325) * _e2819.v));
+                let _e3333 = ((((_e3221 * _e3228) * _e2825) + ((_e3268 * _e3275) * _e2819.u)) + ((_e3318 * _e3325) * _e2819.v));
+                let _e3334 = ((((_e3207 * _e3228) * _e2825) + ((_e3254 * _e3275) * _e2819.u)) + ((_e3304 * _e3325) * _e2819.v));
+                if (_e2819.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3354 = instances.member[(0u + _e2832.instance)].world_to_object[0u];
-                let _e3363 = instances.member[(0u + _e2832.instance)].world_to_object[1u];
-                let _e3375 = instances.member[(0u + _e2832.instance)].world_to_object[2u];
-                let _e3382 = (((_e3354.x * _e3345) + (_e3363.x * _e3346)) + (_e3375.x * _e3347));
-                let _e3383 = (((_e3354.y * _e3345) + (_e3363.y * _e3346)) + (_e3375.y * _e3347));
-                let _e3384 = (((_e3354.z * _e3345) + (_e3363.z * _e3346)) + (_e3375.z * _e3347));
-                let _e3390 = sqrt((((_e3382 * _e3382) + (_e3383 * _e3383)) + (_e3384 * _e3384)));
-                if (_e3390 > 0f) {
-                    let _e3392 = (_e3382 / _e3390);
-                    let _e3393 = (_e3383 / _e3390);
-                    let _e3394 = (_e3384 / _e3390);
-                    if ((((_e3392 * _e3085.x) + (_e3393 * _e3085.y)) + (_e3394 * _e3085.z)) < 0f) {
-                        phi_4104_ = vec3<f32>(-(_e3392), -(_e3393), -(_e3394));
+                let _e3341 = instances.member[(0u + _e2819.instance)].world_to_object[0u];
+                let _e3350 = instances.member[(0u + _e2819.instance)].world_to_object[1u];
+                let _e3362 = instances.member[(0u + _e2819.instance)].world_to_object[2u];
+                let _e3369 = (((_e3341.x * _e3332) + (_e3350.x * _e3333)) + (_e3362.x * _e3334));
+                let _e3370 = (((_e3341.y * _e3332) + (_e3350.y * _e3333)) + (_e3362.y * _e3334));
+                let _e3371 = (((_e3341.z * _e3332) + (_e3350.z * _e3333)) + (_e3362.z * _e3334));
+                let _e3377 = sqrt((((_e3369 * _e3369) + (_e3370 * _e3370)) + (_e3371 * _e3371)));
+                if (_e3377 > 0f) {
+                    let _e3379 = (_e3369 / _e3377);
+                    let _e3380 = (_e3370 / _e3377);
+                    let _e3381 = (_e3371 / _e3377);
+                    if ((((_e3379 * _e3072.x) + (_e3380 * _e3072.y)) + (_e3381 * _e3072.z)) < 0f) {
+                        phi_4116_ = vec3<f32>(-(_e3379), -(_e3380), -(_e3381));
                     } else {
-                        phi_4104_ = vec3<f32>(_e3392, _e3393, _e3394);
+                        phi_4116_ = vec3<f32>(_e3379, _e3380, _e3381);
                     }
-                    let _e3410 = phi_4104_;
-                    phi_4105_ = _e3410;
+                    let _e3397 = phi_4116_;
+                    phi_4117_ = _e3397;
                 } else {
-                    phi_4105_ = _e3085;
+                    phi_4117_ = _e3072;
                 }
-                let _e3412 = phi_4105_;
-                phi_4106_ = _e3412;
+                let _e3399 = phi_4117_;
+                phi_4118_ = _e3399;
             }
-            let _e3414 = phi_4106_;
-            if (_e3186 > 0f) {
-                if (_e3186 < 1f) {
-                    phi_4115_ = _e3186;
+            let _e3401 = phi_4118_;
+            if (_e3173 > 0f) {
+                if (_e3173 < 1f) {
+                    phi_4127_ = _e3173;
                 } else {
-                    phi_4115_ = 1f;
+                    phi_4127_ = 1f;
                 }
-                let _e3418 = phi_4115_;
-                phi_4116_ = _e3418;
+                let _e3405 = phi_4127_;
+                phi_4128_ = _e3405;
             } else {
-                phi_4116_ = 0f;
+                phi_4128_ = 0f;
             }
-            let _e3420 = phi_4116_;
-            if (_e3188 > 0f) {
-                if (_e3188 < 1f) {
-                    phi_4126_ = _e3188;
+            let _e3407 = phi_4128_;
+            if (_e3175 > 0f) {
+                if (_e3175 < 1f) {
+                    phi_4138_ = _e3175;
                 } else {
-                    phi_4126_ = 1f;
+                    phi_4138_ = 1f;
                 }
-                let _e3425 = phi_4126_;
-                phi_4127_ = _e3425;
+                let _e3412 = phi_4138_;
+                phi_4139_ = _e3412;
             } else {
-                phi_4127_ = 0f;
+                phi_4139_ = 0f;
             }
-            let _e3427 = phi_4127_;
-            if (_e3190 > 0f) {
-                if (_e3190 < 1f) {
-                    phi_4137_ = _e3190;
+            let _e3414 = phi_4139_;
+            if (_e3177 > 0f) {
+                if (_e3177 < 1f) {
+                    phi_4149_ = _e3177;
                 } else {
-                    phi_4137_ = 1f;
+                    phi_4149_ = 1f;
                 }
-                let _e3432 = phi_4137_;
-                phi_4138_ = _e3432;
+                let _e3419 = phi_4149_;
+                phi_4150_ = _e3419;
             } else {
-                phi_4138_ = 0f;
+                phi_4150_ = 0f;
             }
-            let _e3434 = phi_4138_;
-            let _e3437 = ((sqrt(_e3420) * 255f) + 0.5f);
-            let _e3446 = ((sqrt(_e3427) * 255f) + 0.5f);
-            let _e3458 = ((sqrt(_e3434) * 255f) + 0.5f);
-            phi_4173_ = abi_Sample(vec3<f32>(_e2993, _e2994, _e2995), _e3192, _e3085, _e3197, _e3414, ((select(select(u32(_e3437), 0u, (_e3437 < bitcast<f32>(0u))), 4294967295u, (_e3437 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3446), 0u, (_e3446 < bitcast<f32>(0u))), 4294967295u, (_e3446 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3458), 0u, (_e3458 < bitcast<f32>(0u))), 4294967295u, (_e3458 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3421 = phi_4150_;
+            let _e3424 = ((sqrt(_e3407) * 255f) + 0.5f);
+            let _e3433 = ((sqrt(_e3414) * 255f) + 0.5f);
+            let _e3445 = ((sqrt(_e3421) * 255f) + 0.5f);
+            phi_4185_ = abi_Sample(vec3<f32>(_e2980, _e2981, _e2982), _e3179, _e3072, _e3184, _e3401, ((select(select(u32(_e3424), 0u, (_e3424 < bitcast<f32>(0u))), 4294967295u, (_e3424 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3433), 0u, (_e3433 < bitcast<f32>(0u))), 4294967295u, (_e3433 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3445), 0u, (_e3445 < bitcast<f32>(0u))), 4294967295u, (_e3445 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4173_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4185_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3472 = phi_4173_;
-        if (_e108.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e108.first_primitive)] = _e3472;
-        if (_e2832.triangle != 4294967295u) {
-            let _e3481 = ((1f - _e2832.u) - _e2832.v);
-            if (_e2832.triangle < _e81) {
-            } else {
-                return;
-            }
-            let _e3486 = triangles.member[(0u + _e2832.triangle)];
-            let _e3488 = (_e3486.i0_ & 2147483647u);
-            if (_e3488 < _e99) {
-            } else {
-                return;
-            }
-            let _e3494 = before.member[(0u + _e3488)];
-            if (_e3486.i1_ < _e99) {
-            } else {
-                return;
-            }
-            let _e3498 = before.member[(0u + _e3486.i1_)];
-            if (_e3486.i2_ < _e99) {
-            } else {
-                return;
-            }
-            let _e3502 = before.member[(0u + _e3486.i2_)];
-            if (_e2832.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3512 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3525 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3538 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            if (_e2832.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3562 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3575 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3588 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            if (_e2832.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3615 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3628 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3641 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            phi_4396_ = vec3<f32>((((((((_e3512.x * _e3494.x) + (_e3512.y * _e3494.y)) + (_e3512.z * _e3494.z)) + (_e3512.w * 1f)) * _e3481) + (((((_e3562.x * _e3498.x) + (_e3562.y * _e3498.y)) + (_e3562.z * _e3498.z)) + (_e3562.w * 1f)) * _e2832.u)) + (((((_e3615.x * _e3502.x) + (_e3615.y * _e3502.y)) + (_e3615.z * _e3502.z)) + (_e3615.w * 1f)) * _e2832.v)), (((((((_e3525.x * _e3494.x) + (_e3525.y * _e3494.y)) + (_e3525.z * _e3494.z)) + (_e3525.w * 1f)) * _e3481) + (((((_e3575.x * _e3498.x) + (_e3575.y * _e3498.y)) + (_e3575.z * _e3498.z)) + (_e3575.w * 1f)) * _e2832.u)) + (((((_e3628.x * _e3502.x) + (_e3628.y * _e3502.y)) + (_e3628.z * _e3502.z)) + (_e3628.w * 1f)) * _e2832.v)), (((((((_e3538.x * _e3494.x) + (_e3538.y * _e3494.y)) + (_e3538.z * _e3494.z)) + (_e3538.w * 1f)) * _e3481) + (((((_e3588.x * _e3498.x) + (_e3588.y * _e3498.y)) + (_e3588.z * _e3498.z)) + (_e3588.w * 1f)) * _e2832.u)) + (((((_e3641.x * _e3502.x) + (_e3641.y * _e3502.y)) + (_e3641.z * _e3502.z)) + (_e3641.w * 1f)) * _e2832.v)));
-        } else {
-            phi_4396_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e3661 = phi_4396_;
-        if (_e108.first_primitive < arrayLength((&past.member))) {
+        let _e3459 = phi_4185_;
+        if (_e108.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3661.x, _e3661.y, _e3661.z, 1f);
+        samples.member[(0u + _e108.shift)] = _e3459;
+        if (_e2819.triangle != 4294967295u) {
+            let _e3468 = ((1f - _e2819.u) - _e2819.v);
+            if (_e2819.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e3473 = triangles.member[(0u + _e2819.triangle)];
+            let _e3475 = (_e3473.i0_ & 2147483647u);
+            if (_e3475 < _e99) {
+            } else {
+                return;
+            }
+            let _e3481 = before.member[(0u + _e3475)];
+            if (_e3473.i1_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3485 = before.member[(0u + _e3473.i1_)];
+            if (_e3473.i2_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3489 = before.member[(0u + _e3473.i2_)];
+            if (_e2819.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3499 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
+            let _e3512 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
+            let _e3525 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
+            if (_e2819.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3549 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
+            let _e3562 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
+            let _e3575 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
+            if (_e2819.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3602 = instances.member[(0u + _e2819.instance)].object_to_world[0u];
+            let _e3615 = instances.member[(0u + _e2819.instance)].object_to_world[1u];
+            let _e3628 = instances.member[(0u + _e2819.instance)].object_to_world[2u];
+            phi_4408_ = vec3<f32>((((((((_e3499.x * _e3481.x) + (_e3499.y * _e3481.y)) + (_e3499.z * _e3481.z)) + (_e3499.w * 1f)) * _e3468) + (((((_e3549.x * _e3485.x) + (_e3549.y * _e3485.y)) + (_e3549.z * _e3485.z)) + (_e3549.w * 1f)) * _e2819.u)) + (((((_e3602.x * _e3489.x) + (_e3602.y * _e3489.y)) + (_e3602.z * _e3489.z)) + (_e3602.w * 1f)) * _e2819.v)), (((((((_e3512.x * _e3481.x) + (_e3512.y * _e3481.y)) + (_e3512.z * _e3481.z)) + (_e3512.w * 1f)) * _e3468) + (((((_e3562.x * _e3485.x) + (_e3562.y * _e3485.y)) + (_e3562.z * _e3485.z)) + (_e3562.w * 1f)) * _e2819.u)) + (((((_e3615.x * _e3489.x) + (_e3615.y * _e3489.y)) + (_e3615.z * _e3489.z)) + (_e3615.w * 1f)) * _e2819.v)), (((((((_e3525.x * _e3481.x) + (_e3525.y * _e3481.y)) + (_e3525.z * _e3481.z)) + (_e3525.w * 1f)) * _e3468) + (((((_e3575.x * _e3485.x) + (_e3575.y * _e3485.y)) + (_e3575.z * _e3485.z)) + (_e3575.w * 1f)) * _e2819.u)) + (((((_e3628.x * _e3489.x) + (_e3628.y * _e3489.y)) + (_e3628.z * _e3489.z)) + (_e3628.w * 1f)) * _e2819.v)));
+        } else {
+            phi_4408_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3648 = phi_4408_;
+        if (_e108.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e108.shift)] = vec4<f32>(_e3648.x, _e3648.y, _e3648.z, 1f);
     }
     return;
 }

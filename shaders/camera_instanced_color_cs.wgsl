@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -101,8 +101,8 @@ struct type_43 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -175,19 +175,19 @@ var<storage> instances: type_57;
 @group(0) @binding(7) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_216_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_216_: lt_mask_LightPlace;
     var phi_217_: bool;
-    var phi_218_: lt_bvh_traverse_Tree;
+    var phi_218_: lt_mask_LightPlace;
     var phi_219_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_216_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_217_ = false;
         } else {
-            phi_216_ = lt_bvh_traverse_Tree();
+            phi_216_ = lt_mask_LightPlace();
             phi_217_ = true;
         }
         let _e82 = phi_216_;
@@ -195,18 +195,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_218_ = _e82;
         phi_219_ = _e84;
     } else {
-        phi_218_ = lt_bvh_traverse_Tree();
+        phi_218_ = lt_mask_LightPlace();
         phi_219_ = true;
     }
     let _e86 = phi_218_;
     let _e88 = phi_219_;
     if _e88 {
-        phi_224_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_224_ = _e86;
     }
     let _e93 = phi_224_;
-    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
+    return lt_mask_LightPlace(_e93.word, _e93.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -622,293 +622,289 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_774_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_794_: bool;
     var phi_807_: bool;
     var phi_808_: bool;
     var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
     var phi_813_: bool;
     var phi_814_: bool;
-    var phi_818_: bool;
-    var phi_822_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_821_: bool;
     var phi_897_: f32;
     var phi_904_: f32;
     var phi_912_: f32;
     var phi_919_: f32;
     var phi_927_: f32;
     var phi_934_: f32;
-    var phi_959_: f32;
-    var phi_964_: f32;
-    var phi_969_: f32;
-    var phi_991_: u32;
+    var phi_957_: f32;
+    var phi_962_: f32;
+    var phi_967_: f32;
+    var phi_972_: f32;
+    var phi_977_: f32;
     var phi_996_: u32;
     var phi_1001_: u32;
-    var phi_1115_: bool;
-    var phi_1116_: bool;
-    var phi_1147_: u32;
-    var phi_1149_: u32;
-    var phi_1152_: lt_bvh_Hit;
-    var phi_1237_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1264_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1291_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1297_: u32;
-    var phi_1300_: u32;
-    var phi_1314_: u32;
-    var phi_1324_: u32;
-    var phi_1334_: u32;
-    var phi_1352_: u32;
-    var phi_1362_: u32;
-    var phi_1372_: u32;
-    var phi_1408_: u32;
-    var phi_1421_: u32;
+    var phi_1006_: u32;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
+    var phi_1152_: u32;
+    var phi_1154_: u32;
+    var phi_1157_: lt_bvh_Hit;
+    var phi_1242_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1269_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1296_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1302_: u32;
+    var phi_1305_: u32;
+    var phi_1319_: u32;
+    var phi_1329_: u32;
+    var phi_1339_: u32;
+    var phi_1357_: u32;
+    var phi_1367_: u32;
+    var phi_1377_: u32;
+    var phi_1413_: u32;
     var phi_1426_: u32;
-    var phi_1427_: u32;
-    var phi_1428_: u32;
-    var phi_1298_: u32;
-    var phi_1301_: u32;
+    var phi_1431_: u32;
+    var phi_1432_: u32;
+    var phi_1433_: u32;
+    var phi_1303_: u32;
+    var phi_1306_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1486_: u32;
-    var phi_1489_: lt_bvh_Hit;
-    var phi_1544_: f32;
+    var phi_1491_: u32;
+    var phi_1494_: lt_bvh_Hit;
     var phi_1549_: f32;
     var phi_1554_: f32;
-    var phi_1562_: f32;
+    var phi_1559_: f32;
     var phi_1567_: f32;
     var phi_1572_: f32;
-    var phi_1728_: bool;
+    var phi_1577_: f32;
+    var phi_1709_: bool;
+    var phi_1710_: bool;
+    var phi_1711_: bool;
+    var phi_1712_: bool;
+    var phi_1716_: bool;
     var phi_1729_: bool;
     var phi_1730_: bool;
-    var phi_1734_: bool;
-    var phi_1735_: bool;
+    var phi_1731_: bool;
+    var phi_1732_: bool;
     var phi_1736_: bool;
-    var phi_1737_: bool;
-    var phi_1738_: bool;
-    var phi_1739_: bool;
-    var phi_1740_: bool;
-    var phi_1741_: bool;
-    var phi_1742_: bool;
-    var phi_1743_: bool;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
-    var phi_1746_: bool;
-    var phi_1747_: bool;
-    var phi_1748_: bool;
     var phi_1749_: bool;
     var phi_1750_: bool;
     var phi_1751_: bool;
     var phi_1755_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
     var phi_1759_: bool;
-    var phi_1829_: f32;
-    var phi_1836_: f32;
-    var phi_1843_: f32;
-    var phi_1850_: f32;
-    var phi_1857_: f32;
-    var phi_1864_: f32;
-    var phi_1881_: f32;
-    var phi_1886_: f32;
-    var phi_1891_: f32;
-    var phi_1919_: bool;
-    var phi_1920_: bool;
-    var phi_1928_: u32;
-    var phi_1929_: u32;
-    var phi_1940_: vec3<f32>;
-    var phi_1941_: vec3<f32>;
-    var phi_1954_: u32;
-    var phi_1959_: u32;
-    var phi_1964_: u32;
-    var phi_2078_: bool;
-    var phi_2079_: bool;
-    var phi_2110_: u32;
-    var phi_2112_: lt_bvh_Hit;
-    var phi_2115_: u32;
-    var phi_2196_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2223_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2250_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2256_: u32;
-    var phi_2259_: u32;
-    var phi_2273_: u32;
-    var phi_2283_: u32;
-    var phi_2293_: u32;
-    var phi_2311_: u32;
-    var phi_2321_: u32;
-    var phi_2331_: u32;
-    var phi_2367_: u32;
-    var phi_2380_: u32;
-    var phi_2385_: u32;
-    var phi_2386_: u32;
-    var phi_2387_: u32;
-    var phi_2257_: u32;
-    var phi_2260_: u32;
+    var phi_1763_: bool;
+    var phi_1833_: f32;
+    var phi_1840_: f32;
+    var phi_1847_: f32;
+    var phi_1854_: f32;
+    var phi_1861_: f32;
+    var phi_1868_: f32;
+    var phi_1885_: f32;
+    var phi_1890_: f32;
+    var phi_1895_: f32;
+    var phi_1900_: f32;
+    var phi_1905_: f32;
+    var phi_1931_: bool;
+    var phi_1932_: bool;
+    var phi_1940_: u32;
+    var phi_1941_: u32;
+    var phi_1952_: vec3<f32>;
+    var phi_1953_: vec3<f32>;
+    var phi_1966_: u32;
+    var phi_1971_: u32;
+    var phi_1976_: u32;
+    var phi_2090_: bool;
+    var phi_2091_: bool;
+    var phi_2122_: u32;
+    var phi_2124_: lt_bvh_Hit;
+    var phi_2127_: u32;
+    var phi_2208_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2235_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2262_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2268_: u32;
+    var phi_2271_: u32;
+    var phi_2285_: u32;
+    var phi_2295_: u32;
+    var phi_2305_: u32;
+    var phi_2323_: u32;
+    var phi_2333_: u32;
+    var phi_2343_: u32;
+    var phi_2379_: u32;
+    var phi_2392_: u32;
+    var phi_2397_: u32;
+    var phi_2398_: u32;
+    var phi_2399_: u32;
+    var phi_2269_: u32;
+    var phi_2272_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2445_: lt_bvh_Hit;
-    var phi_2448_: u32;
-    var phi_2492_: vec3<f32>;
-    var phi_2493_: vec3<f32>;
-    var phi_2522_: vec3<f32>;
-    var phi_2523_: vec3<f32>;
-    var phi_2552_: vec3<f32>;
-    var phi_2553_: vec3<f32>;
-    var phi_2571_: bool;
-    var phi_2572_: bool;
-    var phi_2576_: f32;
-    var phi_2577_: f32;
-    var phi_2578_: f32;
-    var phi_2579_: f32;
-    var phi_2587_: f32;
-    var phi_2597_: bool;
-    var phi_2598_: bool;
-    var phi_2602_: f32;
-    var phi_2603_: f32;
-    var phi_2604_: f32;
-    var phi_2605_: f32;
-    var phi_2613_: f32;
-    var phi_2623_: bool;
-    var phi_2624_: bool;
-    var phi_2628_: f32;
-    var phi_2629_: f32;
-    var phi_2630_: f32;
-    var phi_2631_: f32;
-    var phi_2639_: f32;
-    var phi_2654_: f32;
-    var phi_2655_: bool;
-    var phi_2656_: f32;
-    var phi_2657_: bool;
-    var phi_2658_: f32;
-    var phi_2659_: bool;
-    var phi_2677_: f32;
-    var phi_2678_: bool;
-    var phi_2679_: bool;
-    var phi_2680_: f32;
-    var phi_2681_: bool;
-    var phi_2682_: bool;
-    var phi_2686_: bool;
-    var phi_2687_: f32;
-    var phi_2688_: bool;
-    var phi_2716_: vec3<f32>;
-    var phi_2717_: vec3<f32>;
-    var phi_2742_: vec3<f32>;
-    var phi_2743_: vec3<f32>;
-    var phi_2768_: vec3<f32>;
-    var phi_2769_: vec3<f32>;
-    var phi_2825_: f32;
-    var phi_2834_: f32;
-    var phi_2843_: f32;
-    var phi_2852_: f32;
-    var phi_2859_: f32;
-    var phi_2866_: f32;
-    var phi_2879_: f32;
-    var phi_2888_: f32;
-    var phi_2897_: f32;
-    var phi_2906_: f32;
-    var phi_2913_: f32;
-    var phi_2920_: f32;
-    var phi_2937_: f32;
-    var phi_2942_: f32;
-    var phi_2947_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2965_: f32;
+    var phi_2457_: lt_bvh_Hit;
+    var phi_2460_: u32;
+    var phi_2504_: vec3<f32>;
+    var phi_2505_: vec3<f32>;
+    var phi_2534_: vec3<f32>;
+    var phi_2535_: vec3<f32>;
+    var phi_2564_: vec3<f32>;
+    var phi_2565_: vec3<f32>;
+    var phi_2583_: bool;
+    var phi_2584_: bool;
+    var phi_2588_: f32;
+    var phi_2589_: f32;
+    var phi_2590_: f32;
+    var phi_2591_: f32;
+    var phi_2599_: f32;
+    var phi_2609_: bool;
+    var phi_2610_: bool;
+    var phi_2614_: f32;
+    var phi_2615_: f32;
+    var phi_2616_: f32;
+    var phi_2617_: f32;
+    var phi_2625_: f32;
+    var phi_2635_: bool;
+    var phi_2636_: bool;
+    var phi_2640_: f32;
+    var phi_2641_: f32;
+    var phi_2642_: f32;
+    var phi_2643_: f32;
+    var phi_2651_: f32;
+    var phi_2666_: f32;
+    var phi_2667_: bool;
+    var phi_2668_: f32;
+    var phi_2669_: bool;
+    var phi_2670_: f32;
+    var phi_2671_: bool;
+    var phi_2689_: f32;
+    var phi_2690_: bool;
+    var phi_2691_: bool;
+    var phi_2692_: f32;
+    var phi_2693_: bool;
+    var phi_2694_: bool;
+    var phi_2698_: bool;
+    var phi_2699_: f32;
+    var phi_2700_: bool;
+    var phi_2728_: vec3<f32>;
+    var phi_2729_: vec3<f32>;
+    var phi_2754_: vec3<f32>;
+    var phi_2755_: vec3<f32>;
+    var phi_2780_: vec3<f32>;
+    var phi_2781_: vec3<f32>;
+    var phi_2837_: f32;
+    var phi_2846_: f32;
+    var phi_2855_: f32;
+    var phi_2864_: f32;
+    var phi_2871_: f32;
+    var phi_2878_: f32;
+    var phi_2891_: f32;
+    var phi_2900_: f32;
+    var phi_2909_: f32;
+    var phi_2918_: f32;
+    var phi_2925_: f32;
+    var phi_2932_: f32;
+    var phi_2949_: f32;
+    var phi_2954_: f32;
+    var phi_2959_: f32;
+    var phi_2967_: f32;
+    var phi_2972_: f32;
     var phi_2977_: f32;
-    var phi_2982_: f32;
-    var phi_2987_: f32;
-    var phi_2992_: f32;
-    var phi_2997_: lt_bvh_triangle_Intersection;
-    var phi_2998_: bool;
-    var phi_2999_: lt_bvh_triangle_Intersection;
-    var phi_3000_: bool;
-    var phi_3004_: lt_bvh_triangle_Intersection;
-    var phi_3005_: bool;
-    var phi_3006_: lt_bvh_triangle_Intersection;
-    var phi_3007_: bool;
-    var phi_3008_: bool;
+    var phi_2989_: f32;
+    var phi_2994_: f32;
+    var phi_2999_: f32;
+    var phi_3004_: f32;
+    var phi_3009_: lt_bvh_triangle_Intersection;
+    var phi_3010_: bool;
+    var phi_3011_: lt_bvh_triangle_Intersection;
     var phi_3012_: bool;
     var phi_3016_: lt_bvh_triangle_Intersection;
-    var phi_3054_: bool;
-    var phi_3055_: bool;
-    var phi_3056_: bool;
-    var phi_3057_: bool;
-    var phi_3058_: bool;
-    var phi_3059_: bool;
-    var phi_3063_: bool;
-    var phi_3064_: bool;
-    var phi_3078_: bool;
-    var phi_3086_: lt_bvh_Hit;
-    var phi_3087_: lt_bvh_Hit;
-    var phi_3088_: lt_bvh_Hit;
-    var phi_3089_: lt_bvh_Hit;
-    var phi_2446_: lt_bvh_Hit;
-    var phi_2449_: u32;
+    var phi_3017_: bool;
+    var phi_3018_: lt_bvh_triangle_Intersection;
+    var phi_3019_: bool;
+    var phi_3020_: bool;
+    var phi_3024_: bool;
+    var phi_3028_: lt_bvh_triangle_Intersection;
+    var phi_3066_: bool;
+    var phi_3067_: bool;
+    var phi_3068_: bool;
+    var phi_3069_: bool;
+    var phi_3070_: bool;
+    var phi_3071_: bool;
+    var phi_3075_: bool;
+    var phi_3076_: bool;
     var phi_3090_: bool;
-    var phi_3129_: bool;
-    var phi_3130_: bool;
-    var phi_3161_: u32;
-    var phi_2113_: lt_bvh_Hit;
-    var phi_2116_: u32;
-    var phi_3162_: lt_bvh_Hit;
-    var phi_3163_: lt_bvh_Hit;
-    var phi_3164_: bool;
-    var phi_3168_: lt_bvh_Hit;
-    var phi_3169_: lt_bvh_Hit;
-    var phi_3170_: lt_bvh_Hit;
-    var phi_3171_: lt_bvh_Hit;
-    var phi_1487_: u32;
-    var phi_1490_: lt_bvh_Hit;
-    var phi_3172_: bool;
-    var phi_3211_: bool;
-    var phi_3212_: bool;
-    var phi_3243_: u32;
-    var phi_1150_: u32;
-    var phi_1153_: lt_bvh_Hit;
-    var phi_3244_: lt_bvh_Hit;
-    var phi_3245_: lt_bvh_Hit;
-    var phi_3246_: bool;
-    var phi_3250_: lt_bvh_Hit;
-    var phi_3437_: f32;
-    var phi_3442_: f32;
-    var phi_3447_: f32;
-    var phi_3455_: f32;
-    var phi_3460_: f32;
-    var phi_3465_: f32;
-    var phi_3529_: vec3<f32>;
-    var phi_3772_: vec3<f32>;
-    var phi_3787_: u32;
-    var phi_3814_: f32;
-    var phi_3821_: f32;
-    var phi_3828_: f32;
-    var phi_3863_: f32;
-    var phi_3870_: f32;
-    var phi_3877_: f32;
-    var phi_3915_: f32;
-    var phi_3922_: f32;
-    var phi_3929_: f32;
-    var phi_4015_: vec3<f32>;
-    var phi_4016_: vec3<f32>;
-    var phi_4017_: vec3<f32>;
-    var phi_4026_: f32;
-    var phi_4027_: f32;
-    var phi_4037_: f32;
+    var phi_3098_: lt_bvh_Hit;
+    var phi_3099_: lt_bvh_Hit;
+    var phi_3100_: lt_bvh_Hit;
+    var phi_3101_: lt_bvh_Hit;
+    var phi_2458_: lt_bvh_Hit;
+    var phi_2461_: u32;
+    var phi_3102_: bool;
+    var phi_3141_: bool;
+    var phi_3142_: bool;
+    var phi_3173_: u32;
+    var phi_2125_: lt_bvh_Hit;
+    var phi_2128_: u32;
+    var phi_3174_: lt_bvh_Hit;
+    var phi_3175_: lt_bvh_Hit;
+    var phi_3176_: bool;
+    var phi_3180_: lt_bvh_Hit;
+    var phi_3181_: lt_bvh_Hit;
+    var phi_3182_: lt_bvh_Hit;
+    var phi_3183_: lt_bvh_Hit;
+    var phi_1492_: u32;
+    var phi_1495_: lt_bvh_Hit;
+    var phi_3184_: bool;
+    var phi_3223_: bool;
+    var phi_3224_: bool;
+    var phi_3255_: u32;
+    var phi_1155_: u32;
+    var phi_1158_: lt_bvh_Hit;
+    var phi_3256_: lt_bvh_Hit;
+    var phi_3257_: lt_bvh_Hit;
+    var phi_3258_: bool;
+    var phi_3262_: lt_bvh_Hit;
+    var phi_3449_: f32;
+    var phi_3454_: f32;
+    var phi_3459_: f32;
+    var phi_3467_: f32;
+    var phi_3472_: f32;
+    var phi_3477_: f32;
+    var phi_3541_: vec3<f32>;
+    var phi_3784_: vec3<f32>;
+    var phi_3799_: u32;
+    var phi_3826_: f32;
+    var phi_3833_: f32;
+    var phi_3840_: f32;
+    var phi_3875_: f32;
+    var phi_3882_: f32;
+    var phi_3889_: f32;
+    var phi_3927_: f32;
+    var phi_3934_: f32;
+    var phi_3941_: f32;
+    var phi_4027_: vec3<f32>;
+    var phi_4028_: vec3<f32>;
+    var phi_4029_: vec3<f32>;
     var phi_4038_: f32;
-    var phi_4048_: f32;
+    var phi_4039_: f32;
     var phi_4049_: f32;
-    var phi_4084_: abi_Sample;
+    var phi_4050_: f32;
+    var phi_4060_: f32;
+    var phi_4061_: f32;
+    var phi_4096_: abi_Sample;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -923,7 +919,7 @@ fn function_() {
     let _e97 = p.member.size[0u];
     let _e99 = p.member.size[1u];
     let _e100 = lt_shaders_entry_pixel_index(_e72, _e97, _e99);
-    if (bitcast<i32>(_e100.root) != 0i) {
+    if (bitcast<i32>(_e100.word) != 0i) {
         let _e106 = p.member.root;
         let _e110 = p.member.eye;
         let _e115 = p.member.size[0u];
@@ -935,2138 +931,2140 @@ fn function_() {
         let _e146 = p.member.up;
         let _e157 = _lt_bvh_ray_Ray_new(_e110, vec3<f32>(((_e130.x + (_e132.x * _e119)) + (_e146.x * _e128)), ((_e130.y + (_e132.y * _e119)) + (_e146.y * _e128)), ((_e130.z + (_e132.z * _e119)) + (_e146.z * _e128))));
         let _e159 = lt_bvh_Hit(_e157.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e169 = abs(_e157.direction.x);
-        let _e171 = abs(_e157.direction.y);
-        let _e173 = abs(_e157.direction.z);
+        let _e162 = abs(_e157.direction.x);
+        let _e164 = abs(_e157.direction.y);
+        let _e166 = abs(_e157.direction.z);
         if (abs(_e157.origin.x) < 1000000000000000f) {
             if (abs(_e157.origin.y) < 1000000000000000f) {
-                if (abs(_e157.origin.z) < 1000000000000000f) {
-                    if (_e169 < 1000000000000000f) {
-                        if (_e171 < 1000000000000000f) {
-                            if (_e173 < 1000000000000000f) {
-                                if (_e169 > 0f) {
-                                    phi_792_ = bool();
-                                    phi_793_ = true;
-                                } else {
-                                    let _e181 = (_e171 > 0f);
-                                    if _e181 {
-                                        phi_791_ = bool();
-                                    } else {
-                                        phi_791_ = (_e173 > 0f);
-                                    }
-                                    let _e184 = phi_791_;
-                                    phi_792_ = _e184;
-                                    phi_793_ = _e181;
-                                }
-                                let _e186 = phi_792_;
-                                let _e188 = phi_793_;
-                                if _e188 {
-                                    phi_797_ = true;
-                                } else {
-                                    phi_797_ = _e186;
-                                }
-                                let _e190 = phi_797_;
-                                phi_798_ = _e190;
-                                phi_799_ = false;
-                            } else {
-                                phi_798_ = bool();
-                                phi_799_ = true;
-                            }
-                            let _e192 = phi_798_;
-                            let _e194 = phi_799_;
-                            phi_800_ = _e192;
-                            phi_801_ = false;
-                            phi_802_ = _e194;
-                        } else {
-                            phi_800_ = bool();
-                            phi_801_ = true;
-                            phi_802_ = false;
-                        }
-                        let _e196 = phi_800_;
-                        let _e198 = phi_801_;
-                        let _e200 = phi_802_;
-                        phi_803_ = _e196;
-                        phi_804_ = _e198;
-                        phi_805_ = _e200;
-                    } else {
-                        phi_803_ = bool();
-                        phi_804_ = true;
-                        phi_805_ = false;
-                    }
-                    let _e202 = phi_803_;
-                    let _e204 = phi_804_;
-                    let _e206 = phi_805_;
-                    phi_806_ = _e202;
-                    phi_807_ = _e204;
-                    phi_808_ = _e206;
-                } else {
-                    phi_806_ = bool();
-                    phi_807_ = true;
-                    phi_808_ = false;
-                }
-                let _e208 = phi_806_;
-                let _e210 = phi_807_;
-                let _e212 = phi_808_;
-                phi_809_ = _e208;
-                phi_810_ = _e210;
-                phi_811_ = _e212;
+                phi_767_ = (abs(_e157.origin.z) < 1000000000000000f);
+                phi_768_ = false;
             } else {
-                phi_809_ = bool();
-                phi_810_ = true;
-                phi_811_ = false;
+                phi_767_ = bool();
+                phi_768_ = true;
             }
-            let _e214 = phi_809_;
-            let _e216 = phi_810_;
-            let _e218 = phi_811_;
-            phi_812_ = _e214;
-            phi_813_ = _e216;
-            phi_814_ = _e218;
+            let _e178 = phi_767_;
+            let _e180 = phi_768_;
+            phi_769_ = _e178;
+            phi_770_ = _e180;
         } else {
-            phi_812_ = bool();
-            phi_813_ = true;
-            phi_814_ = false;
+            phi_769_ = bool();
+            phi_770_ = true;
         }
-        let _e220 = phi_812_;
-        let _e222 = phi_813_;
-        let _e224 = phi_814_;
-        if _e222 {
-            phi_818_ = true;
+        let _e182 = phi_769_;
+        let _e184 = phi_770_;
+        if _e184 {
+            phi_774_ = false;
         } else {
-            phi_818_ = _e224;
+            phi_774_ = _e182;
         }
-        let _e226 = phi_818_;
-        if _e226 {
-            phi_822_ = false;
+        let _e186 = phi_774_;
+        if _e186 {
+            if (_e162 < 1000000000000000f) {
+                if (_e164 < 1000000000000000f) {
+                    phi_787_ = (_e166 < 1000000000000000f);
+                    phi_788_ = false;
+                } else {
+                    phi_787_ = bool();
+                    phi_788_ = true;
+                }
+                let _e191 = phi_787_;
+                let _e193 = phi_788_;
+                phi_789_ = _e191;
+                phi_790_ = _e193;
+            } else {
+                phi_789_ = bool();
+                phi_790_ = true;
+            }
+            let _e195 = phi_789_;
+            let _e197 = phi_790_;
+            if _e197 {
+                phi_794_ = false;
+            } else {
+                phi_794_ = _e195;
+            }
+            let _e199 = phi_794_;
+            if _e199 {
+                if (_e162 > 0f) {
+                    phi_808_ = bool();
+                    phi_809_ = true;
+                } else {
+                    let _e201 = (_e164 > 0f);
+                    if _e201 {
+                        phi_807_ = bool();
+                    } else {
+                        phi_807_ = (_e166 > 0f);
+                    }
+                    let _e204 = phi_807_;
+                    phi_808_ = _e204;
+                    phi_809_ = _e201;
+                }
+                let _e206 = phi_808_;
+                let _e208 = phi_809_;
+                if _e208 {
+                    phi_813_ = true;
+                } else {
+                    phi_813_ = _e206;
+                }
+                let _e210 = phi_813_;
+                phi_814_ = _e210;
+                phi_815_ = false;
+            } else {
+                phi_814_ = bool();
+                phi_815_ = true;
+            }
+            let _e212 = phi_814_;
+            let _e214 = phi_815_;
+            phi_816_ = _e212;
+            phi_817_ = _e214;
         } else {
-            phi_822_ = _e220;
+            phi_816_ = bool();
+            phi_817_ = true;
         }
-        let _e228 = phi_822_;
-        if _e228 {
-            let _e229 = (_e106 >= _e76);
-            if _e229 {
-                phi_3244_ = lt_bvh_Hit();
+        let _e216 = phi_816_;
+        let _e218 = phi_817_;
+        if _e218 {
+            phi_821_ = false;
+        } else {
+            phi_821_ = _e216;
+        }
+        let _e220 = phi_821_;
+        if _e220 {
+            let _e221 = (_e106 >= _e76);
+            if _e221 {
+                phi_3256_ = lt_bvh_Hit();
             } else {
                 if (_e106 < _e76) {
                 } else {
                     return;
                 }
-                let _e235 = nodes.member[(0u + _e106)].frame[0u];
-                let _e239 = nodes.member[(0u + _e106)].frame[1u];
-                let _e243 = nodes.member[(0u + _e106)].frame[2u];
-                let _e247 = nodes.member[(0u + _e106)].frame[0u];
-                let _e251 = nodes.member[(0u + _e106)].frame[1u];
-                let _e255 = nodes.member[(0u + _e106)].frame[2u];
-                let _e259 = nodes.member[(0u + _e106)].frame[3u];
-                let _e297 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
-                let _e298 = core_intrinsics_maximum_number_nsz_f32_(_e297, abs(_e157.direction.z));
-                let _e299 = (_e298 * 0.0000000000009094947f);
-                if (abs(_e157.direction.x) < _e299) {
-                    phi_897_ = _e299;
+                let _e227 = nodes.member[(0u + _e106)].frame[0u];
+                let _e231 = nodes.member[(0u + _e106)].frame[1u];
+                let _e235 = nodes.member[(0u + _e106)].frame[2u];
+                let _e239 = nodes.member[(0u + _e106)].frame[0u];
+                let _e243 = nodes.member[(0u + _e106)].frame[1u];
+                let _e247 = nodes.member[(0u + _e106)].frame[2u];
+                let _e251 = nodes.member[(0u + _e106)].frame[3u];
+                let _e290 = core_intrinsics_maximum_number_nsz_f32_(abs(_e157.direction.x), abs(_e157.direction.y));
+                let _e291 = core_intrinsics_maximum_number_nsz_f32_(_e290, abs(_e157.direction.z));
+                let _e292 = (_e291 * 0.0000000000009094947f);
+                if (abs(_e157.direction.x) < _e292) {
+                    phi_897_ = _e292;
                 } else {
                     phi_897_ = abs(_e157.direction.x);
                 }
-                let _e306 = phi_897_;
+                let _e298 = phi_897_;
                 if (_e157.direction.x < 0f) {
-                    phi_904_ = (-1f / _e306);
+                    phi_904_ = (-1f / _e298);
                 } else {
-                    phi_904_ = (1f / _e306);
+                    phi_904_ = (1f / _e298);
                 }
-                let _e311 = phi_904_;
-                if (abs(_e157.direction.y) < _e299) {
-                    phi_912_ = _e299;
+                let _e303 = phi_904_;
+                if (abs(_e157.direction.y) < _e292) {
+                    phi_912_ = _e292;
                 } else {
                     phi_912_ = abs(_e157.direction.y);
                 }
-                let _e318 = phi_912_;
+                let _e309 = phi_912_;
                 if (_e157.direction.y < 0f) {
-                    phi_919_ = (-1f / _e318);
+                    phi_919_ = (-1f / _e309);
                 } else {
-                    phi_919_ = (1f / _e318);
+                    phi_919_ = (1f / _e309);
                 }
-                let _e323 = phi_919_;
-                if (abs(_e157.direction.z) < _e299) {
-                    phi_927_ = _e299;
+                let _e314 = phi_919_;
+                if (abs(_e157.direction.z) < _e292) {
+                    phi_927_ = _e292;
                 } else {
                     phi_927_ = abs(_e157.direction.z);
                 }
-                let _e330 = phi_927_;
+                let _e320 = phi_927_;
                 if (_e157.direction.z < 0f) {
-                    phi_934_ = (-1f / _e330);
+                    phi_934_ = (-1f / _e320);
                 } else {
-                    phi_934_ = (1f / _e330);
+                    phi_934_ = (1f / _e320);
                 }
-                let _e335 = phi_934_;
-                let _e343 = abs((bitcast<f32>(_e235) - _e157.origin.x));
-                let _e344 = abs((bitcast<f32>(_e239) - _e157.origin.y));
-                let _e345 = abs((bitcast<f32>(_e243) - _e157.origin.z));
-                let _e353 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
-                let _e354 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
-                let _e355 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
-                if (_e343 > _e353) {
-                    phi_959_ = _e343;
+                let _e325 = phi_934_;
+                let _e332 = abs((bitcast<f32>(_e227) - _e157.origin.x));
+                let _e333 = abs((bitcast<f32>(_e231) - _e157.origin.y));
+                let _e334 = abs((bitcast<f32>(_e235) - _e157.origin.z));
+                let _e341 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e251 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.x));
+                let _e342 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e251 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.y));
+                let _e343 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e251 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e157.origin.z));
+                if (_e332 > _e341) {
+                    phi_957_ = _e332;
                 } else {
-                    phi_959_ = _e353;
+                    phi_957_ = _e341;
                 }
-                let _e358 = phi_959_;
-                if (_e344 > _e354) {
-                    phi_964_ = _e344;
+                let _e346 = phi_957_;
+                if (_e333 > _e342) {
+                    phi_962_ = _e333;
                 } else {
-                    phi_964_ = _e354;
+                    phi_962_ = _e342;
                 }
-                let _e361 = phi_964_;
-                if (_e345 > _e355) {
-                    phi_969_ = _e345;
+                let _e349 = phi_962_;
+                if (_e334 > _e343) {
+                    phi_967_ = _e334;
                 } else {
-                    phi_969_ = _e355;
+                    phi_967_ = _e343;
                 }
-                let _e364 = phi_969_;
-                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e361);
-                let _e366 = core_intrinsics_maximum_number_nsz_f32_(_e365, _e364);
-                let _e371 = (_e366 * 0.0000019073486f);
-                let _e372 = (abs(_e311) * _e371);
-                let _e373 = (abs(_e323) * _e371);
-                let _e374 = (abs(_e335) * _e371);
-                let _e378 = (_e366 * 0.0000009536743f);
-                let _e379 = (abs(_e311) * _e378);
-                let _e380 = (abs(_e323) * _e378);
-                let _e381 = (abs(_e335) * _e378);
-                if (_e311 < 0f) {
-                    phi_991_ = 0u;
+                let _e352 = phi_967_;
+                if (_e346 > _e349) {
+                    phi_972_ = _e346;
                 } else {
-                    phi_991_ = 1u;
+                    phi_972_ = _e349;
                 }
-                let _e384 = phi_991_;
-                if (_e323 < 0f) {
+                let _e355 = phi_972_;
+                if (_e355 > _e352) {
+                    phi_977_ = _e355;
+                } else {
+                    phi_977_ = _e352;
+                }
+                let _e358 = phi_977_;
+                let _e362 = (_e358 * 0.0000019073486f);
+                let _e363 = (abs(_e303) * _e362);
+                let _e364 = (abs(_e314) * _e362);
+                let _e365 = (abs(_e325) * _e362);
+                let _e369 = (_e358 * 0.0000009536743f);
+                let _e370 = (abs(_e303) * _e369);
+                let _e371 = (abs(_e314) * _e369);
+                let _e372 = (abs(_e325) * _e369);
+                if (_e303 < 0f) {
                     phi_996_ = 0u;
                 } else {
-                    phi_996_ = 2u;
+                    phi_996_ = 1u;
                 }
-                let _e387 = phi_996_;
-                if (_e335 < 0f) {
+                let _e375 = phi_996_;
+                if (_e314 < 0f) {
                     phi_1001_ = 0u;
                 } else {
-                    phi_1001_ = 4u;
+                    phi_1001_ = 2u;
                 }
-                let _e390 = phi_1001_;
-                let _e392 = ((_e384 | _e387) | _e390);
-                let _e393 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e393.first[0], _e393.first[1], _e393.first[2], _e393.first[3], _e393.first[4], _e393.first[5], _e393.first[6], _e393.first[7], _e393.first[8], _e393.first[9], _e393.first[10], _e393.first[11], _e393.first[12], _e393.first[13], _e393.first[14], _e393.first[15], _e393.first[16], _e393.first[17], _e393.first[18], _e393.first[19], _e393.first[20], _e393.first[21], _e393.first[22], _e393.first[23], _e393.first[24], _e393.first[25], _e393.first[26], _e393.first[27], _e393.first[28], _e393.first[29], _e393.first[30], _e393.first[31]), array<u32, 32>(_e393.mask[0], _e393.mask[1], _e393.mask[2], _e393.mask[3], _e393.mask[4], _e393.mask[5], _e393.mask[6], _e393.mask[7], _e393.mask[8], _e393.mask[9], _e393.mask[10], _e393.mask[11], _e393.mask[12], _e393.mask[13], _e393.mask[14], _e393.mask[15], _e393.mask[16], _e393.mask[17], _e393.mask[18], _e393.mask[19], _e393.mask[20], _e393.mask[21], _e393.mask[22], _e393.mask[23], _e393.mask[24], _e393.mask[25], _e393.mask[26], _e393.mask[27], _e393.mask[28], _e393.mask[29], _e393.mask[30], _e393.mask[31]), _e393.len, _e393.group, _e393.group_mask);
-                let _e467 = local_2.group_mask;
-                if ((_e467 & 4278190080u) == 0u) {
-                    let _e471 = local_2.len;
-                    if (_e471 == 0u) {
-                        phi_1115_ = false;
+                let _e378 = phi_1001_;
+                if (_e325 < 0f) {
+                    phi_1006_ = 0u;
+                } else {
+                    phi_1006_ = 4u;
+                }
+                let _e381 = phi_1006_;
+                let _e383 = ((_e375 | _e378) | _e381);
+                let _e384 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e106, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e384.first[0], _e384.first[1], _e384.first[2], _e384.first[3], _e384.first[4], _e384.first[5], _e384.first[6], _e384.first[7], _e384.first[8], _e384.first[9], _e384.first[10], _e384.first[11], _e384.first[12], _e384.first[13], _e384.first[14], _e384.first[15], _e384.first[16], _e384.first[17], _e384.first[18], _e384.first[19], _e384.first[20], _e384.first[21], _e384.first[22], _e384.first[23], _e384.first[24], _e384.first[25], _e384.first[26], _e384.first[27], _e384.first[28], _e384.first[29], _e384.first[30], _e384.first[31]), array<u32, 32>(_e384.mask[0], _e384.mask[1], _e384.mask[2], _e384.mask[3], _e384.mask[4], _e384.mask[5], _e384.mask[6], _e384.mask[7], _e384.mask[8], _e384.mask[9], _e384.mask[10], _e384.mask[11], _e384.mask[12], _e384.mask[13], _e384.mask[14], _e384.mask[15], _e384.mask[16], _e384.mask[17], _e384.mask[18], _e384.mask[19], _e384.mask[20], _e384.mask[21], _e384.mask[22], _e384.mask[23], _e384.mask[24], _e384.mask[25], _e384.mask[26], _e384.mask[27], _e384.mask[28], _e384.mask[29], _e384.mask[30], _e384.mask[31]), _e384.len, _e384.group, _e384.group_mask);
+                let _e458 = local_2.group_mask;
+                if ((_e458 & 4278190080u) == 0u) {
+                    let _e462 = local_2.len;
+                    if (_e462 == 0u) {
+                        phi_1120_ = false;
                     } else {
-                        let _e475 = local_2.len;
-                        local_2.len = (_e475 - 1u);
-                        let _e478 = local_2.len;
-                        if (_e478 < 32u) {
+                        let _e466 = local_2.len;
+                        local_2.len = (_e466 - 1u);
+                        let _e469 = local_2.len;
+                        if (_e469 < 32u) {
                         } else {
                             return;
                         }
-                        let _e483 = local_2.first[(0u + _e478)];
-                        local_2.group = _e483;
-                        let _e486 = local_2.len;
-                        if (_e486 < 32u) {
+                        let _e474 = local_2.first[(0u + _e469)];
+                        local_2.group = _e474;
+                        let _e477 = local_2.len;
+                        if (_e477 < 32u) {
                         } else {
                             return;
                         }
-                        let _e491 = local_2.mask[(0u + _e486)];
-                        local_2.group_mask = _e491;
-                        phi_1115_ = true;
+                        let _e482 = local_2.mask[(0u + _e477)];
+                        local_2.group_mask = _e482;
+                        phi_1120_ = true;
                     }
-                    let _e494 = phi_1115_;
-                    phi_1116_ = _e494;
+                    let _e485 = phi_1120_;
+                    phi_1121_ = _e485;
                 } else {
-                    phi_1116_ = true;
+                    phi_1121_ = true;
                 }
-                let _e496 = phi_1116_;
-                if _e496 {
-                    let _e498 = local_2.group_mask;
-                    let _e504 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e498)), 32u, (_e498 == 0u)));
-                    let _e508 = local_2.group_mask;
-                    let _e522 = local_2.group_mask;
-                    local_2.group_mask = (_e522 & ~((1u << bitcast<u32>((_e504 & 31u)))));
-                    let _e525 = local_2.group;
-                    phi_1147_ = (_e525 + countOneBits(((_e508 & ~((4294967295u << bitcast<u32>((((_e504 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e487 = phi_1121_;
+                if _e487 {
+                    let _e489 = local_2.group_mask;
+                    let _e495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e489)), 32u, (_e489 == 0u)));
+                    let _e499 = local_2.group_mask;
+                    let _e513 = local_2.group_mask;
+                    local_2.group_mask = (_e513 & ~((1u << bitcast<u32>((_e495 & 31u)))));
+                    let _e516 = local_2.group;
+                    phi_1152_ = (_e516 + countOneBits(((_e499 & ~((4294967295u << bitcast<u32>((((_e495 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1147_ = 4294967295u;
+                    phi_1152_ = 4294967295u;
                 }
-                let _e528 = phi_1147_;
-                phi_1149_ = _e528;
-                phi_1152_ = _e159;
+                let _e519 = phi_1152_;
+                phi_1154_ = _e519;
+                phi_1157_ = _e159;
                 loop {
-                    let _e530 = phi_1149_;
-                    let _e532 = phi_1152_;
-                    local_12 = _e532;
-                    let _e533 = (_e530 != 4294967295u);
-                    if _e533 {
-                        if (_e530 < _e76) {
+                    let _e521 = phi_1154_;
+                    let _e523 = phi_1157_;
+                    local_12 = _e523;
+                    let _e524 = (_e521 != 4294967295u);
+                    if _e524 {
+                        if (_e521 < _e76) {
                         } else {
                             return;
                         }
-                        let _e541 = nodes.member[(0u + _e530)].frame[3u];
-                        let _e566 = (bitcast<f32>((((_e541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
-                        let _e567 = (bitcast<f32>((((_e541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
-                        let _e568 = (bitcast<f32>((((_e541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e335);
-                        let _e571 = nodes.member[(0u + _e530)].frame[0u];
-                        let _e575 = nodes.member[(0u + _e530)].frame[1u];
-                        let _e579 = nodes.member[(0u + _e530)].frame[2u];
-                        let _e587 = ((bitcast<f32>(_e571) - _e157.origin.x) * _e311);
-                        let _e588 = ((bitcast<f32>(_e575) - _e157.origin.y) * _e323);
-                        let _e589 = ((bitcast<f32>(_e579) - _e157.origin.z) * _e335);
-                        let _e597 = nodes.member[(0u + _e530)].x;
-                        if (_e311 < 0f) {
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e608.unnamed.root, _e597.w), _e608.unnamed_1);
-                            let _e620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e614.unnamed, lt_bvh_traverse_Tree(_e597.x, _e614.unnamed_1.first_primitive));
-                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e620.unnamed, lt_bvh_traverse_Tree(_e620.unnamed_1.root, _e597.y));
+                        let _e532 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e557 = (bitcast<f32>((((_e532 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
+                        let _e558 = (bitcast<f32>((((_e532 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e559 = (bitcast<f32>((((_e532 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
+                        let _e562 = nodes.member[(0u + _e521)].frame[0u];
+                        let _e566 = nodes.member[(0u + _e521)].frame[1u];
+                        let _e570 = nodes.member[(0u + _e521)].frame[2u];
+                        let _e578 = ((bitcast<f32>(_e562) - _e157.origin.x) * _e303);
+                        let _e579 = ((bitcast<f32>(_e566) - _e157.origin.y) * _e314);
+                        let _e580 = ((bitcast<f32>(_e570) - _e157.origin.z) * _e325);
+                        let _e588 = nodes.member[(0u + _e521)].x;
+                        if (_e303 < 0f) {
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e588.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.unnamed.word, _e588.w), _e599.unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e588.x, _e605.unnamed_1.shift));
+                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e611.unnamed_1.word, _e588.y));
                         } else {
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e597.y), _e636.unnamed_1);
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e597.z, _e642.unnamed_1.first_primitive));
-                            phi_1237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e597.w));
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e588.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e627.unnamed.word, _e588.y), _e627.unnamed_1);
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e588.z, _e633.unnamed_1.shift));
+                            phi_1242_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e639.unnamed_1.word, _e588.w));
                         }
-                        let _e656 = phi_1237_;
-                        let _e666 = nodes.member[(0u + _e530)].y;
-                        if (_e323 < 0f) {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e677.unnamed.root, _e666.w), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_bvh_traverse_Tree(_e666.x, _e683.unnamed_1.first_primitive));
-                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e689.unnamed_1.root, _e666.y));
+                        let _e647 = phi_1242_;
+                        let _e657 = nodes.member[(0u + _e521)].y;
+                        if (_e314 < 0f) {
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.unnamed.word, _e657.w), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e657.x, _e674.unnamed_1.shift));
+                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e680.unnamed_1.word, _e657.y));
                         } else {
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e666.y), _e705.unnamed_1);
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e666.z, _e711.unnamed_1.first_primitive));
-                            phi_1264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e666.w));
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e696.unnamed.word, _e657.y), _e696.unnamed_1);
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e657.z, _e702.unnamed_1.shift));
+                            phi_1269_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e708.unnamed_1.word, _e657.w));
                         }
-                        let _e725 = phi_1264_;
-                        let _e735 = nodes.member[(0u + _e530)].z;
-                        if (_e335 < 0f) {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.unnamed.root, _e735.w), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_bvh_traverse_Tree(_e735.x, _e752.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e758.unnamed_1.root, _e735.y));
+                        let _e716 = phi_1269_;
+                        let _e726 = nodes.member[(0u + _e521)].z;
+                        if (_e325 < 0f) {
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.unnamed.word, _e726.w), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e726.x, _e743.unnamed_1.shift));
+                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e749.unnamed_1.word, _e726.y));
                         } else {
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.unnamed.root, _e735.y), _e774.unnamed_1);
-                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e735.z, _e780.unnamed_1.first_primitive));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e786.unnamed_1.root, _e735.w));
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e765.unnamed.word, _e726.y), _e765.unnamed_1);
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e726.z, _e771.unnamed_1.shift));
+                            phi_1296_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e777.unnamed_1.word, _e726.w));
                         }
-                        let _e794 = phi_1291_;
-                        phi_1297_ = 0u;
-                        phi_1300_ = 0u;
+                        let _e785 = phi_1296_;
+                        phi_1302_ = 0u;
+                        phi_1305_ = 0u;
                         loop {
-                            let _e804 = phi_1297_;
-                            let _e806 = phi_1300_;
-                            local_3 = _e806;
-                            local_4 = _e806;
-                            local_5 = _e806;
-                            let _e807 = (_e804 < 8u);
-                            if _e807 {
-                                let _e809 = (_e804 >> bitcast<u32>(2i));
-                                let _e810 = (_e804 & 3u);
-                                if (_e809 == 0u) {
-                                    phi_1314_ = _e656.unnamed.root;
+                            let _e795 = phi_1302_;
+                            let _e797 = phi_1305_;
+                            local_3 = _e797;
+                            local_4 = _e797;
+                            local_5 = _e797;
+                            let _e798 = (_e795 < 8u);
+                            if _e798 {
+                                let _e800 = (_e795 >> bitcast<u32>(2i));
+                                let _e801 = (_e795 & 3u);
+                                if (_e800 == 0u) {
+                                    phi_1319_ = _e647.unnamed.word;
                                 } else {
-                                    phi_1314_ = _e656.unnamed.first_primitive;
+                                    phi_1319_ = _e647.unnamed.shift;
                                 }
-                                let _e813 = phi_1314_;
-                                if (_e809 == 0u) {
-                                    phi_1324_ = _e725.unnamed.root;
+                                let _e804 = phi_1319_;
+                                if (_e800 == 0u) {
+                                    phi_1329_ = _e716.unnamed.word;
                                 } else {
-                                    phi_1324_ = _e725.unnamed.first_primitive;
+                                    phi_1329_ = _e716.unnamed.shift;
                                 }
-                                let _e822 = phi_1324_;
-                                if (_e809 == 0u) {
-                                    phi_1334_ = _e794.unnamed.root;
+                                let _e813 = phi_1329_;
+                                if (_e800 == 0u) {
+                                    phi_1339_ = _e785.unnamed.word;
                                 } else {
-                                    phi_1334_ = _e794.unnamed.first_primitive;
+                                    phi_1339_ = _e785.unnamed.shift;
                                 }
-                                let _e831 = phi_1334_;
-                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)), ((f32(((_e822 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
-                                let _e845 = core_intrinsics_maximum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)));
-                                if (_e809 == 0u) {
-                                    phi_1352_ = _e656.unnamed_1.root;
+                                let _e822 = phi_1339_;
+                                let _e835 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e804 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e557) + (_e578 - _e363)), ((f32(((_e813 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e558) + (_e579 - _e364)));
+                                let _e836 = core_intrinsics_maximum_number_nsz_f32_(_e835, ((f32(((_e822 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e559) + (_e580 - _e365)));
+                                if (_e800 == 0u) {
+                                    phi_1357_ = _e647.unnamed_1.word;
                                 } else {
-                                    phi_1352_ = _e656.unnamed_1.first_primitive;
+                                    phi_1357_ = _e647.unnamed_1.shift;
                                 }
-                                let _e848 = phi_1352_;
-                                if (_e809 == 0u) {
-                                    phi_1362_ = _e725.unnamed_1.root;
+                                let _e839 = phi_1357_;
+                                if (_e800 == 0u) {
+                                    phi_1367_ = _e716.unnamed_1.word;
                                 } else {
-                                    phi_1362_ = _e725.unnamed_1.first_primitive;
+                                    phi_1367_ = _e716.unnamed_1.shift;
                                 }
-                                let _e857 = phi_1362_;
-                                if (_e809 == 0u) {
-                                    phi_1372_ = _e794.unnamed_1.root;
+                                let _e848 = phi_1367_;
+                                if (_e800 == 0u) {
+                                    phi_1377_ = _e785.unnamed_1.word;
                                 } else {
-                                    phi_1372_ = _e794.unnamed_1.first_primitive;
+                                    phi_1377_ = _e785.unnamed_1.shift;
                                 }
-                                let _e866 = phi_1372_;
-                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)), ((f32(((_e857 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
-                                let _e880 = core_intrinsics_minimum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)));
-                                if (_e845 <= _e880) {
-                                    if (_e845 <= _e532.t) {
-                                        if (_e880 >= _e157.tmin) {
-                                            if (_e809 == 0u) {
-                                                let _e887 = nodes.member[(0u + _e530)].links[2u];
-                                                phi_1408_ = _e887;
+                                let _e857 = phi_1377_;
+                                let _e870 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e839 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e557) + (_e578 + _e363)), ((f32(((_e848 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e558) + (_e579 + _e364)));
+                                let _e871 = core_intrinsics_minimum_number_nsz_f32_(_e870, ((f32(((_e857 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u)) * _e559) + (_e580 + _e365)));
+                                if (_e836 <= _e871) {
+                                    if (_e836 <= _e523.t) {
+                                        if (_e871 >= _e157.tmin) {
+                                            if (_e800 == 0u) {
+                                                let _e878 = nodes.member[(0u + _e521)].links[2u];
+                                                phi_1413_ = _e878;
                                             } else {
-                                                let _e890 = nodes.member[(0u + _e530)].links[3u];
-                                                phi_1408_ = _e890;
+                                                let _e881 = nodes.member[(0u + _e521)].links[3u];
+                                                phi_1413_ = _e881;
                                             }
-                                            let _e892 = phi_1408_;
-                                            let _e897 = ((_e892 >> bitcast<u32>(((_e810 * 8u) & 31u))) & 255u);
-                                            let _e898 = (_e897 & 31u);
-                                            if (_e898 >= 24u) {
-                                                phi_1421_ = (24u + ((_e898 - 24u) ^ _e392));
+                                            let _e883 = phi_1413_;
+                                            let _e888 = ((_e883 >> bitcast<u32>(((_e801 * 8u) & 31u))) & 255u);
+                                            let _e889 = (_e888 & 31u);
+                                            if (_e889 >= 24u) {
+                                                phi_1426_ = (24u + ((_e889 - 24u) ^ _e383));
                                             } else {
-                                                phi_1421_ = _e898;
+                                                phi_1426_ = _e889;
                                             }
-                                            let _e904 = phi_1421_;
-                                            phi_1426_ = (_e806 | ((_e897 >> bitcast<u32>(5i)) << bitcast<u32>((_e904 & 31u))));
+                                            let _e895 = phi_1426_;
+                                            phi_1431_ = (_e797 | ((_e888 >> bitcast<u32>(5i)) << bitcast<u32>((_e895 & 31u))));
                                         } else {
-                                            phi_1426_ = _e806;
+                                            phi_1431_ = _e797;
                                         }
-                                        let _e912 = phi_1426_;
-                                        phi_1427_ = _e912;
+                                        let _e903 = phi_1431_;
+                                        phi_1432_ = _e903;
                                     } else {
-                                        phi_1427_ = _e806;
+                                        phi_1432_ = _e797;
                                     }
-                                    let _e914 = phi_1427_;
-                                    phi_1428_ = _e914;
+                                    let _e905 = phi_1432_;
+                                    phi_1433_ = _e905;
                                 } else {
-                                    phi_1428_ = _e806;
+                                    phi_1433_ = _e797;
                                 }
-                                let _e916 = phi_1428_;
-                                phi_1298_ = (_e804 + 1u);
-                                phi_1301_ = _e916;
+                                let _e907 = phi_1433_;
+                                phi_1303_ = (_e795 + 1u);
+                                phi_1306_ = _e907;
                             } else {
-                                phi_1298_ = u32();
-                                phi_1301_ = u32();
+                                phi_1303_ = u32();
+                                phi_1306_ = u32();
                             }
-                            let _e919 = phi_1298_;
-                            let _e921 = phi_1301_;
+                            let _e910 = phi_1303_;
+                            let _e912 = phi_1306_;
                             continue;
                             continuing {
-                                phi_1297_ = _e919;
-                                phi_1300_ = _e921;
-                                break if !(_e807);
+                                phi_1302_ = _e910;
+                                phi_1305_ = _e912;
+                                break if !(_e798);
                             }
                         }
-                        let _e925 = nodes.member[(0u + _e530)].links[0u];
-                        let _e929 = nodes.member[(0u + _e530)].frame[3u];
-                        let _e933 = local_3;
-                        if ((_e933 & 4278190080u) == 0u) {
+                        let _e916 = nodes.member[(0u + _e521)].links[0u];
+                        let _e920 = nodes.member[(0u + _e521)].frame[3u];
+                        let _e924 = local_3;
+                        if ((_e924 & 4278190080u) == 0u) {
                         } else {
-                            let _e937 = local_2.group_mask;
-                            if ((_e937 & 4278190080u) == 0u) {
+                            let _e928 = local_2.group_mask;
+                            if ((_e928 & 4278190080u) == 0u) {
                             } else {
-                                let _e941 = local_2.len;
-                                if (_e941 < 32u) {
-                                    let _e944 = local_2.group;
-                                    let _e946 = local_2.len;
-                                    if (_e946 < 32u) {
+                                let _e932 = local_2.len;
+                                if (_e932 < 32u) {
+                                    let _e935 = local_2.group;
+                                    let _e937 = local_2.len;
+                                    if (_e937 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e946)] = _e944;
-                                    let _e952 = local_2.group_mask;
-                                    let _e954 = local_2.len;
-                                    if (_e954 < 32u) {
+                                    local_2.first[(0u + _e937)] = _e935;
+                                    let _e943 = local_2.group_mask;
+                                    let _e945 = local_2.len;
+                                    if (_e945 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e954)] = _e952;
-                                    let _e961 = local_2.len;
-                                    local_2.len = (_e961 + 1u);
+                                    local_2.mask[(0u + _e945)] = _e943;
+                                    let _e952 = local_2.len;
+                                    local_2.len = (_e952 + 1u);
                                 }
                             }
-                            local_2.group = (_e106 + _e925);
-                            let _e965 = local_4;
-                            local_2.group_mask = ((_e965 & 4278190080u) | (_e929 >> bitcast<u32>(24i)));
+                            local_2.group = (_e106 + _e916);
+                            let _e956 = local_4;
+                            local_2.group_mask = ((_e956 & 4278190080u) | (_e920 >> bitcast<u32>(24i)));
                         }
-                        let _e970 = local_5;
-                        phi_1486_ = (_e970 & 16777215u);
-                        phi_1489_ = _e532;
+                        let _e961 = local_5;
+                        phi_1491_ = (_e961 & 16777215u);
+                        phi_1494_ = _e523;
                         loop {
-                            let _e973 = phi_1486_;
-                            let _e975 = phi_1489_;
-                            local_11 = _e975;
-                            if (_e973 == 0u) {
-                                phi_1487_ = u32();
-                                phi_1490_ = lt_bvh_Hit();
-                                phi_3172_ = false;
+                            let _e964 = phi_1491_;
+                            let _e966 = phi_1494_;
+                            local_11 = _e966;
+                            if (_e964 == 0u) {
+                                phi_1492_ = u32();
+                                phi_1495_ = lt_bvh_Hit();
+                                phi_3184_ = false;
                             } else {
-                                let _e979 = nodes.member[(0u + _e530)].links[1u];
-                                let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
-                                if (_e983 < _e91) {
+                                let _e970 = nodes.member[(0u + _e521)].links[1u];
+                                let _e974 = (_e970 + select(firstTrailingBit(_e964), 32u, (_e964 == 0u)));
+                                if (_e974 < _e91) {
                                 } else {
                                     return;
                                 }
-                                let _e990 = instances.member[(0u + _e983)].low_world;
-                                let _e992 = instances.member[(0u + _e983)].high_world;
-                                let _e1002 = ((_e990.x - _e157.origin.x) * _e311);
-                                let _e1003 = ((_e990.y - _e157.origin.y) * _e323);
-                                let _e1004 = ((_e990.z - _e157.origin.z) * _e335);
-                                let _e1014 = ((_e992.x - _e157.origin.x) * _e311);
-                                let _e1015 = ((_e992.y - _e157.origin.y) * _e323);
-                                let _e1016 = ((_e992.z - _e157.origin.z) * _e335);
-                                if (_e1002 < _e1014) {
-                                    phi_1544_ = _e1002;
+                                let _e981 = instances.member[(0u + _e974)].low_world;
+                                let _e983 = instances.member[(0u + _e974)].high_world;
+                                let _e993 = ((_e981.x - _e157.origin.x) * _e303);
+                                let _e994 = ((_e981.y - _e157.origin.y) * _e314);
+                                let _e995 = ((_e981.z - _e157.origin.z) * _e325);
+                                let _e1005 = ((_e983.x - _e157.origin.x) * _e303);
+                                let _e1006 = ((_e983.y - _e157.origin.y) * _e314);
+                                let _e1007 = ((_e983.z - _e157.origin.z) * _e325);
+                                if (_e993 < _e1005) {
+                                    phi_1549_ = _e993;
                                 } else {
-                                    phi_1544_ = _e1014;
+                                    phi_1549_ = _e1005;
                                 }
-                                let _e1019 = phi_1544_;
-                                if (_e1003 < _e1015) {
-                                    phi_1549_ = _e1003;
+                                let _e1010 = phi_1549_;
+                                if (_e994 < _e1006) {
+                                    phi_1554_ = _e994;
                                 } else {
-                                    phi_1549_ = _e1015;
+                                    phi_1554_ = _e1006;
                                 }
-                                let _e1022 = phi_1549_;
-                                if (_e1004 < _e1016) {
-                                    phi_1554_ = _e1004;
+                                let _e1013 = phi_1554_;
+                                if (_e995 < _e1007) {
+                                    phi_1559_ = _e995;
                                 } else {
-                                    phi_1554_ = _e1016;
+                                    phi_1559_ = _e1007;
                                 }
-                                let _e1025 = phi_1554_;
-                                if (_e1002 > _e1014) {
-                                    phi_1562_ = _e1002;
+                                let _e1016 = phi_1559_;
+                                if (_e993 > _e1005) {
+                                    phi_1567_ = _e993;
                                 } else {
-                                    phi_1562_ = _e1014;
+                                    phi_1567_ = _e1005;
                                 }
-                                let _e1031 = phi_1562_;
-                                if (_e1003 > _e1015) {
-                                    phi_1567_ = _e1003;
+                                let _e1022 = phi_1567_;
+                                if (_e994 > _e1006) {
+                                    phi_1572_ = _e994;
                                 } else {
-                                    phi_1567_ = _e1015;
+                                    phi_1572_ = _e1006;
                                 }
-                                let _e1034 = phi_1567_;
-                                if (_e1004 > _e1016) {
-                                    phi_1572_ = _e1004;
+                                let _e1025 = phi_1572_;
+                                if (_e995 > _e1007) {
+                                    phi_1577_ = _e995;
                                 } else {
-                                    phi_1572_ = _e1016;
+                                    phi_1577_ = _e1007;
                                 }
-                                let _e1037 = phi_1572_;
-                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_((_e1019 - _e379), (_e1022 - _e380));
-                                let _e1042 = core_intrinsics_maximum_number_nsz_f32_(_e1041, (_e1025 - _e381));
-                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_((_e1031 + _e379), (_e1034 + _e380));
-                                let _e1044 = core_intrinsics_minimum_number_nsz_f32_(_e1043, (_e1037 + _e381));
-                                if (_e1042 <= _e1044) {
-                                    if (_e1042 <= _e975.t) {
-                                        if (_e1044 >= _e157.tmin) {
-                                            let _e1056 = instances.member[(0u + _e983)].world_to_object[0u];
-                                            let _e1067 = ((((_e1056.x * _e157.origin.x) + (_e1056.y * _e157.origin.y)) + (_e1056.z * _e157.origin.z)) + (_e1056.w * 1f));
-                                            let _e1069 = instances.member[(0u + _e983)].world_to_object[1u];
-                                            let _e1080 = ((((_e1069.x * _e157.origin.x) + (_e1069.y * _e157.origin.y)) + (_e1069.z * _e157.origin.z)) + (_e1069.w * 1f));
-                                            let _e1082 = instances.member[(0u + _e983)].world_to_object[2u];
-                                            let _e1093 = ((((_e1082.x * _e157.origin.x) + (_e1082.y * _e157.origin.y)) + (_e1082.z * _e157.origin.z)) + (_e1082.w * 1f));
-                                            let _e1100 = instances.member[(0u + _e983)].world_to_object[0u];
-                                            let _e1111 = ((((_e1100.x * _e157.direction.x) + (_e1100.y * _e157.direction.y)) + (_e1100.z * _e157.direction.z)) + (_e1100.w * 0f));
-                                            let _e1113 = instances.member[(0u + _e983)].world_to_object[1u];
-                                            let _e1124 = ((((_e1113.x * _e157.direction.x) + (_e1113.y * _e157.direction.y)) + (_e1113.z * _e157.direction.z)) + (_e1113.w * 0f));
-                                            let _e1126 = instances.member[(0u + _e983)].world_to_object[2u];
-                                            let _e1137 = ((((_e1126.x * _e157.direction.x) + (_e1126.y * _e157.direction.y)) + (_e1126.z * _e157.direction.z)) + (_e1126.w * 0f));
-                                            let _e1142 = instances.member[(0u + _e983)].root;
-                                            let _e1144 = instances.member[(0u + _e983)].first_triangle;
-                                            let _e1148 = abs(_e1111);
-                                            let _e1149 = abs(_e1124);
-                                            let _e1150 = abs(_e1137);
-                                            if (abs(_e1067) < 1000000000000000f) {
-                                                if (abs(_e1080) < 1000000000000000f) {
-                                                    if (abs(_e1093) < 1000000000000000f) {
-                                                        if (_e1148 < 1000000000000000f) {
-                                                            if (_e1149 < 1000000000000000f) {
-                                                                if (_e1150 < 1000000000000000f) {
-                                                                    if (_e1148 > 0f) {
-                                                                        phi_1729_ = bool();
-                                                                        phi_1730_ = true;
-                                                                    } else {
-                                                                        let _e1158 = (_e1149 > 0f);
-                                                                        if _e1158 {
-                                                                            phi_1728_ = bool();
-                                                                        } else {
-                                                                            phi_1728_ = (_e1150 > 0f);
-                                                                        }
-                                                                        let _e1161 = phi_1728_;
-                                                                        phi_1729_ = _e1161;
-                                                                        phi_1730_ = _e1158;
-                                                                    }
-                                                                    let _e1163 = phi_1729_;
-                                                                    let _e1165 = phi_1730_;
-                                                                    if _e1165 {
-                                                                        phi_1734_ = true;
-                                                                    } else {
-                                                                        phi_1734_ = _e1163;
-                                                                    }
-                                                                    let _e1167 = phi_1734_;
-                                                                    phi_1735_ = _e1167;
-                                                                    phi_1736_ = false;
-                                                                } else {
-                                                                    phi_1735_ = bool();
-                                                                    phi_1736_ = true;
-                                                                }
-                                                                let _e1169 = phi_1735_;
-                                                                let _e1171 = phi_1736_;
-                                                                phi_1737_ = _e1169;
-                                                                phi_1738_ = false;
-                                                                phi_1739_ = _e1171;
-                                                            } else {
-                                                                phi_1737_ = bool();
-                                                                phi_1738_ = true;
-                                                                phi_1739_ = false;
-                                                            }
-                                                            let _e1173 = phi_1737_;
-                                                            let _e1175 = phi_1738_;
-                                                            let _e1177 = phi_1739_;
-                                                            phi_1740_ = _e1173;
-                                                            phi_1741_ = _e1175;
-                                                            phi_1742_ = _e1177;
-                                                        } else {
-                                                            phi_1740_ = bool();
-                                                            phi_1741_ = true;
-                                                            phi_1742_ = false;
-                                                        }
-                                                        let _e1179 = phi_1740_;
-                                                        let _e1181 = phi_1741_;
-                                                        let _e1183 = phi_1742_;
-                                                        phi_1743_ = _e1179;
-                                                        phi_1744_ = _e1181;
-                                                        phi_1745_ = _e1183;
-                                                    } else {
-                                                        phi_1743_ = bool();
-                                                        phi_1744_ = true;
-                                                        phi_1745_ = false;
-                                                    }
-                                                    let _e1185 = phi_1743_;
-                                                    let _e1187 = phi_1744_;
-                                                    let _e1189 = phi_1745_;
-                                                    phi_1746_ = _e1185;
-                                                    phi_1747_ = _e1187;
-                                                    phi_1748_ = _e1189;
+                                let _e1028 = phi_1577_;
+                                let _e1032 = core_intrinsics_maximum_number_nsz_f32_((_e1010 - _e370), (_e1013 - _e371));
+                                let _e1033 = core_intrinsics_maximum_number_nsz_f32_(_e1032, (_e1016 - _e372));
+                                let _e1034 = core_intrinsics_minimum_number_nsz_f32_((_e1022 + _e370), (_e1025 + _e371));
+                                let _e1035 = core_intrinsics_minimum_number_nsz_f32_(_e1034, (_e1028 + _e372));
+                                if (_e1033 <= _e1035) {
+                                    if (_e1033 <= _e966.t) {
+                                        if (_e1035 >= _e157.tmin) {
+                                            let _e1047 = instances.member[(0u + _e974)].world_to_object[0u];
+                                            let _e1058 = ((((_e1047.x * _e157.origin.x) + (_e1047.y * _e157.origin.y)) + (_e1047.z * _e157.origin.z)) + (_e1047.w * 1f));
+                                            let _e1060 = instances.member[(0u + _e974)].world_to_object[1u];
+                                            let _e1071 = ((((_e1060.x * _e157.origin.x) + (_e1060.y * _e157.origin.y)) + (_e1060.z * _e157.origin.z)) + (_e1060.w * 1f));
+                                            let _e1073 = instances.member[(0u + _e974)].world_to_object[2u];
+                                            let _e1084 = ((((_e1073.x * _e157.origin.x) + (_e1073.y * _e157.origin.y)) + (_e1073.z * _e157.origin.z)) + (_e1073.w * 1f));
+                                            let _e1091 = instances.member[(0u + _e974)].world_to_object[0u];
+                                            let _e1102 = ((((_e1091.x * _e157.direction.x) + (_e1091.y * _e157.direction.y)) + (_e1091.z * _e157.direction.z)) + (_e1091.w * 0f));
+                                            let _e1104 = instances.member[(0u + _e974)].world_to_object[1u];
+                                            let _e1115 = ((((_e1104.x * _e157.direction.x) + (_e1104.y * _e157.direction.y)) + (_e1104.z * _e157.direction.z)) + (_e1104.w * 0f));
+                                            let _e1117 = instances.member[(0u + _e974)].world_to_object[2u];
+                                            let _e1128 = ((((_e1117.x * _e157.direction.x) + (_e1117.y * _e157.direction.y)) + (_e1117.z * _e157.direction.z)) + (_e1117.w * 0f));
+                                            let _e1133 = instances.member[(0u + _e974)].root;
+                                            let _e1135 = instances.member[(0u + _e974)].first_triangle;
+                                            let _e1136 = abs(_e1102);
+                                            let _e1137 = abs(_e1115);
+                                            let _e1138 = abs(_e1128);
+                                            if (abs(_e1058) < 1000000000000000f) {
+                                                if (abs(_e1071) < 1000000000000000f) {
+                                                    phi_1709_ = (abs(_e1084) < 1000000000000000f);
+                                                    phi_1710_ = false;
                                                 } else {
-                                                    phi_1746_ = bool();
-                                                    phi_1747_ = true;
-                                                    phi_1748_ = false;
+                                                    phi_1709_ = bool();
+                                                    phi_1710_ = true;
                                                 }
-                                                let _e1191 = phi_1746_;
-                                                let _e1193 = phi_1747_;
-                                                let _e1195 = phi_1748_;
-                                                phi_1749_ = _e1191;
-                                                phi_1750_ = _e1193;
-                                                phi_1751_ = _e1195;
+                                                let _e1146 = phi_1709_;
+                                                let _e1148 = phi_1710_;
+                                                phi_1711_ = _e1146;
+                                                phi_1712_ = _e1148;
                                             } else {
-                                                phi_1749_ = bool();
-                                                phi_1750_ = true;
-                                                phi_1751_ = false;
+                                                phi_1711_ = bool();
+                                                phi_1712_ = true;
                                             }
-                                            let _e1197 = phi_1749_;
-                                            let _e1199 = phi_1750_;
-                                            let _e1201 = phi_1751_;
-                                            if _e1199 {
-                                                phi_1755_ = true;
+                                            let _e1150 = phi_1711_;
+                                            let _e1152 = phi_1712_;
+                                            if _e1152 {
+                                                phi_1716_ = false;
                                             } else {
-                                                phi_1755_ = _e1201;
+                                                phi_1716_ = _e1150;
                                             }
-                                            let _e1203 = phi_1755_;
-                                            if _e1203 {
-                                                phi_1759_ = false;
-                                            } else {
-                                                phi_1759_ = _e1197;
-                                            }
-                                            let _e1205 = phi_1759_;
-                                            if _e1205 {
-                                                let _e1206 = (_e1142 >= _e76);
-                                                if _e1206 {
-                                                    phi_3162_ = lt_bvh_Hit();
+                                            let _e1154 = phi_1716_;
+                                            if _e1154 {
+                                                if (_e1136 < 1000000000000000f) {
+                                                    if (_e1137 < 1000000000000000f) {
+                                                        phi_1729_ = (_e1138 < 1000000000000000f);
+                                                        phi_1730_ = false;
+                                                    } else {
+                                                        phi_1729_ = bool();
+                                                        phi_1730_ = true;
+                                                    }
+                                                    let _e1159 = phi_1729_;
+                                                    let _e1161 = phi_1730_;
+                                                    phi_1731_ = _e1159;
+                                                    phi_1732_ = _e1161;
                                                 } else {
-                                                    if (_e1142 < _e76) {
+                                                    phi_1731_ = bool();
+                                                    phi_1732_ = true;
+                                                }
+                                                let _e1163 = phi_1731_;
+                                                let _e1165 = phi_1732_;
+                                                if _e1165 {
+                                                    phi_1736_ = false;
+                                                } else {
+                                                    phi_1736_ = _e1163;
+                                                }
+                                                let _e1167 = phi_1736_;
+                                                if _e1167 {
+                                                    if (_e1136 > 0f) {
+                                                        phi_1750_ = bool();
+                                                        phi_1751_ = true;
+                                                    } else {
+                                                        let _e1169 = (_e1137 > 0f);
+                                                        if _e1169 {
+                                                            phi_1749_ = bool();
+                                                        } else {
+                                                            phi_1749_ = (_e1138 > 0f);
+                                                        }
+                                                        let _e1172 = phi_1749_;
+                                                        phi_1750_ = _e1172;
+                                                        phi_1751_ = _e1169;
+                                                    }
+                                                    let _e1174 = phi_1750_;
+                                                    let _e1176 = phi_1751_;
+                                                    if _e1176 {
+                                                        phi_1755_ = true;
+                                                    } else {
+                                                        phi_1755_ = _e1174;
+                                                    }
+                                                    let _e1178 = phi_1755_;
+                                                    phi_1756_ = _e1178;
+                                                    phi_1757_ = false;
+                                                } else {
+                                                    phi_1756_ = bool();
+                                                    phi_1757_ = true;
+                                                }
+                                                let _e1180 = phi_1756_;
+                                                let _e1182 = phi_1757_;
+                                                phi_1758_ = _e1180;
+                                                phi_1759_ = _e1182;
+                                            } else {
+                                                phi_1758_ = bool();
+                                                phi_1759_ = true;
+                                            }
+                                            let _e1184 = phi_1758_;
+                                            let _e1186 = phi_1759_;
+                                            if _e1186 {
+                                                phi_1763_ = false;
+                                            } else {
+                                                phi_1763_ = _e1184;
+                                            }
+                                            let _e1188 = phi_1763_;
+                                            if _e1188 {
+                                                let _e1189 = (_e1133 >= _e76);
+                                                if _e1189 {
+                                                    phi_3174_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1133 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1212 = nodes.member[(0u + _e1142)].frame[0u];
-                                                    let _e1216 = nodes.member[(0u + _e1142)].frame[1u];
-                                                    let _e1220 = nodes.member[(0u + _e1142)].frame[2u];
-                                                    let _e1224 = nodes.member[(0u + _e1142)].frame[0u];
-                                                    let _e1228 = nodes.member[(0u + _e1142)].frame[1u];
-                                                    let _e1232 = nodes.member[(0u + _e1142)].frame[2u];
-                                                    let _e1236 = nodes.member[(0u + _e1142)].frame[3u];
-                                                    let _e1270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1111), abs(_e1124));
-                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1270, abs(_e1137));
-                                                    let _e1272 = (_e1271 * 0.0000000000009094947f);
-                                                    if (abs(_e1111) < _e1272) {
-                                                        phi_1829_ = _e1272;
+                                                    let _e1195 = nodes.member[(0u + _e1133)].frame[0u];
+                                                    let _e1199 = nodes.member[(0u + _e1133)].frame[1u];
+                                                    let _e1203 = nodes.member[(0u + _e1133)].frame[2u];
+                                                    let _e1207 = nodes.member[(0u + _e1133)].frame[0u];
+                                                    let _e1211 = nodes.member[(0u + _e1133)].frame[1u];
+                                                    let _e1215 = nodes.member[(0u + _e1133)].frame[2u];
+                                                    let _e1219 = nodes.member[(0u + _e1133)].frame[3u];
+                                                    let _e1253 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1102), abs(_e1115));
+                                                    let _e1254 = core_intrinsics_maximum_number_nsz_f32_(_e1253, abs(_e1128));
+                                                    let _e1255 = (_e1254 * 0.0000000000009094947f);
+                                                    if (abs(_e1102) < _e1255) {
+                                                        phi_1833_ = _e1255;
                                                     } else {
-                                                        phi_1829_ = abs(_e1111);
+                                                        phi_1833_ = abs(_e1102);
                                                     }
-                                                    let _e1277 = phi_1829_;
-                                                    if (_e1111 < 0f) {
-                                                        phi_1836_ = (-1f / _e1277);
+                                                    let _e1260 = phi_1833_;
+                                                    if (_e1102 < 0f) {
+                                                        phi_1840_ = (-1f / _e1260);
                                                     } else {
-                                                        phi_1836_ = (1f / _e1277);
+                                                        phi_1840_ = (1f / _e1260);
                                                     }
-                                                    let _e1282 = phi_1836_;
-                                                    if (abs(_e1124) < _e1272) {
-                                                        phi_1843_ = _e1272;
+                                                    let _e1265 = phi_1840_;
+                                                    if (abs(_e1115) < _e1255) {
+                                                        phi_1847_ = _e1255;
                                                     } else {
-                                                        phi_1843_ = abs(_e1124);
+                                                        phi_1847_ = abs(_e1115);
                                                     }
-                                                    let _e1287 = phi_1843_;
-                                                    if (_e1124 < 0f) {
-                                                        phi_1850_ = (-1f / _e1287);
+                                                    let _e1270 = phi_1847_;
+                                                    if (_e1115 < 0f) {
+                                                        phi_1854_ = (-1f / _e1270);
                                                     } else {
-                                                        phi_1850_ = (1f / _e1287);
+                                                        phi_1854_ = (1f / _e1270);
                                                     }
-                                                    let _e1292 = phi_1850_;
-                                                    if (abs(_e1137) < _e1272) {
-                                                        phi_1857_ = _e1272;
+                                                    let _e1275 = phi_1854_;
+                                                    if (abs(_e1128) < _e1255) {
+                                                        phi_1861_ = _e1255;
                                                     } else {
-                                                        phi_1857_ = abs(_e1137);
+                                                        phi_1861_ = abs(_e1128);
                                                     }
-                                                    let _e1297 = phi_1857_;
-                                                    if (_e1137 < 0f) {
-                                                        phi_1864_ = (-1f / _e1297);
+                                                    let _e1280 = phi_1861_;
+                                                    if (_e1128 < 0f) {
+                                                        phi_1868_ = (-1f / _e1280);
                                                     } else {
-                                                        phi_1864_ = (1f / _e1297);
+                                                        phi_1868_ = (1f / _e1280);
                                                     }
-                                                    let _e1302 = phi_1864_;
-                                                    let _e1306 = abs((bitcast<f32>(_e1212) - _e1067));
-                                                    let _e1307 = abs((bitcast<f32>(_e1216) - _e1080));
-                                                    let _e1308 = abs((bitcast<f32>(_e1220) - _e1093));
-                                                    let _e1312 = abs(((bitcast<f32>(_e1224) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1067));
-                                                    let _e1313 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
-                                                    let _e1314 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1093));
-                                                    if (_e1306 > _e1312) {
-                                                        phi_1881_ = _e1306;
+                                                    let _e1285 = phi_1868_;
+                                                    let _e1289 = abs((bitcast<f32>(_e1195) - _e1058));
+                                                    let _e1290 = abs((bitcast<f32>(_e1199) - _e1071));
+                                                    let _e1291 = abs((bitcast<f32>(_e1203) - _e1084));
+                                                    let _e1295 = abs(((bitcast<f32>(_e1207) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1058));
+                                                    let _e1296 = abs(((bitcast<f32>(_e1211) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1071));
+                                                    let _e1297 = abs(((bitcast<f32>(_e1215) + (bitcast<f32>((((_e1219 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1084));
+                                                    if (_e1289 > _e1295) {
+                                                        phi_1885_ = _e1289;
                                                     } else {
-                                                        phi_1881_ = _e1312;
+                                                        phi_1885_ = _e1295;
                                                     }
-                                                    let _e1317 = phi_1881_;
-                                                    if (_e1307 > _e1313) {
-                                                        phi_1886_ = _e1307;
+                                                    let _e1300 = phi_1885_;
+                                                    if (_e1290 > _e1296) {
+                                                        phi_1890_ = _e1290;
                                                     } else {
-                                                        phi_1886_ = _e1313;
+                                                        phi_1890_ = _e1296;
                                                     }
-                                                    let _e1320 = phi_1886_;
-                                                    if (_e1308 > _e1314) {
-                                                        phi_1891_ = _e1308;
+                                                    let _e1303 = phi_1890_;
+                                                    if (_e1291 > _e1297) {
+                                                        phi_1895_ = _e1291;
                                                     } else {
-                                                        phi_1891_ = _e1314;
+                                                        phi_1895_ = _e1297;
                                                     }
-                                                    let _e1323 = phi_1891_;
-                                                    let _e1324 = core_intrinsics_maximum_number_nsz_f32_(_e1317, _e1320);
-                                                    let _e1325 = core_intrinsics_maximum_number_nsz_f32_(_e1324, _e1323);
-                                                    let _e1329 = (_e1325 * 0.0000019073486f);
-                                                    let _e1330 = (abs(_e1282) * _e1329);
-                                                    let _e1331 = (abs(_e1292) * _e1329);
-                                                    let _e1332 = (abs(_e1302) * _e1329);
-                                                    let _e1336 = (_e1325 * 0.0000009536743f);
-                                                    let _e1337 = (abs(_e1282) * _e1336);
-                                                    let _e1338 = (abs(_e1292) * _e1336);
-                                                    let _e1339 = (abs(_e1302) * _e1336);
-                                                    let _e1340 = abs(_e1111);
-                                                    let _e1341 = abs(_e1124);
-                                                    let _e1342 = abs(_e1137);
-                                                    if (_e1340 >= _e1341) {
-                                                        if (_e1340 >= _e1342) {
-                                                            phi_1919_ = false;
+                                                    let _e1306 = phi_1895_;
+                                                    if (_e1300 > _e1303) {
+                                                        phi_1900_ = _e1300;
+                                                    } else {
+                                                        phi_1900_ = _e1303;
+                                                    }
+                                                    let _e1309 = phi_1900_;
+                                                    if (_e1309 > _e1306) {
+                                                        phi_1905_ = _e1309;
+                                                    } else {
+                                                        phi_1905_ = _e1306;
+                                                    }
+                                                    let _e1312 = phi_1905_;
+                                                    let _e1316 = (_e1312 * 0.0000019073486f);
+                                                    let _e1317 = (abs(_e1265) * _e1316);
+                                                    let _e1318 = (abs(_e1275) * _e1316);
+                                                    let _e1319 = (abs(_e1285) * _e1316);
+                                                    let _e1323 = (_e1312 * 0.0000009536743f);
+                                                    let _e1324 = (abs(_e1265) * _e1323);
+                                                    let _e1325 = (abs(_e1275) * _e1323);
+                                                    let _e1326 = (abs(_e1285) * _e1323);
+                                                    let _e1327 = abs(_e1102);
+                                                    let _e1328 = abs(_e1115);
+                                                    let _e1329 = abs(_e1128);
+                                                    if (_e1327 >= _e1328) {
+                                                        if (_e1327 >= _e1329) {
+                                                            phi_1931_ = false;
                                                         } else {
-                                                            phi_1919_ = true;
+                                                            phi_1931_ = true;
                                                         }
-                                                        let _e1346 = phi_1919_;
-                                                        phi_1920_ = _e1346;
+                                                        let _e1333 = phi_1931_;
+                                                        phi_1932_ = _e1333;
                                                     } else {
-                                                        phi_1920_ = true;
+                                                        phi_1932_ = true;
                                                     }
-                                                    let _e1348 = phi_1920_;
-                                                    if _e1348 {
-                                                        if (_e1341 >= _e1342) {
-                                                            phi_1928_ = 1u;
+                                                    let _e1335 = phi_1932_;
+                                                    if _e1335 {
+                                                        if (_e1328 >= _e1329) {
+                                                            phi_1940_ = 1u;
                                                         } else {
-                                                            phi_1928_ = 2u;
+                                                            phi_1940_ = 2u;
                                                         }
-                                                        let _e1351 = phi_1928_;
-                                                        phi_1929_ = _e1351;
+                                                        let _e1338 = phi_1940_;
+                                                        phi_1941_ = _e1338;
                                                     } else {
-                                                        phi_1929_ = 0u;
+                                                        phi_1941_ = 0u;
                                                     }
-                                                    let _e1353 = phi_1929_;
-                                                    if (_e1353 == 0u) {
-                                                        phi_1941_ = vec3<f32>(_e1124, _e1137, _e1111);
+                                                    let _e1340 = phi_1941_;
+                                                    if (_e1340 == 0u) {
+                                                        phi_1953_ = vec3<f32>(_e1115, _e1128, _e1102);
                                                     } else {
-                                                        if (_e1353 == 1u) {
-                                                            phi_1940_ = vec3<f32>(_e1137, _e1111, _e1124);
+                                                        if (_e1340 == 1u) {
+                                                            phi_1952_ = vec3<f32>(_e1128, _e1102, _e1115);
                                                         } else {
-                                                            phi_1940_ = vec3<f32>(_e1111, _e1124, _e1137);
+                                                            phi_1952_ = vec3<f32>(_e1102, _e1115, _e1128);
                                                         }
-                                                        let _e1359 = phi_1940_;
-                                                        phi_1941_ = _e1359;
+                                                        let _e1346 = phi_1952_;
+                                                        phi_1953_ = _e1346;
                                                     }
-                                                    let _e1361 = phi_1941_;
-                                                    let _e1364 = (_e1361.x / _e1361.z);
-                                                    let _e1367 = (_e1361.y / _e1361.z);
-                                                    if (_e1282 < 0f) {
-                                                        phi_1954_ = 0u;
+                                                    let _e1348 = phi_1953_;
+                                                    let _e1351 = (_e1348.x / _e1348.z);
+                                                    let _e1354 = (_e1348.y / _e1348.z);
+                                                    if (_e1265 < 0f) {
+                                                        phi_1966_ = 0u;
                                                     } else {
-                                                        phi_1954_ = 1u;
+                                                        phi_1966_ = 1u;
                                                     }
-                                                    let _e1372 = phi_1954_;
-                                                    if (_e1292 < 0f) {
-                                                        phi_1959_ = 0u;
+                                                    let _e1359 = phi_1966_;
+                                                    if (_e1275 < 0f) {
+                                                        phi_1971_ = 0u;
                                                     } else {
-                                                        phi_1959_ = 2u;
+                                                        phi_1971_ = 2u;
                                                     }
-                                                    let _e1375 = phi_1959_;
-                                                    if (_e1302 < 0f) {
-                                                        phi_1964_ = 0u;
+                                                    let _e1362 = phi_1971_;
+                                                    if (_e1285 < 0f) {
+                                                        phi_1976_ = 0u;
                                                     } else {
-                                                        phi_1964_ = 4u;
+                                                        phi_1976_ = 4u;
                                                     }
-                                                    let _e1378 = phi_1964_;
-                                                    let _e1380 = ((_e1372 | _e1375) | _e1378);
-                                                    let _e1381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1142, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1381.first[0], _e1381.first[1], _e1381.first[2], _e1381.first[3], _e1381.first[4], _e1381.first[5], _e1381.first[6], _e1381.first[7], _e1381.first[8], _e1381.first[9], _e1381.first[10], _e1381.first[11], _e1381.first[12], _e1381.first[13], _e1381.first[14], _e1381.first[15], _e1381.first[16], _e1381.first[17], _e1381.first[18], _e1381.first[19], _e1381.first[20], _e1381.first[21], _e1381.first[22], _e1381.first[23], _e1381.first[24], _e1381.first[25], _e1381.first[26], _e1381.first[27], _e1381.first[28], _e1381.first[29], _e1381.first[30], _e1381.first[31]), array<u32, 32>(_e1381.mask[0], _e1381.mask[1], _e1381.mask[2], _e1381.mask[3], _e1381.mask[4], _e1381.mask[5], _e1381.mask[6], _e1381.mask[7], _e1381.mask[8], _e1381.mask[9], _e1381.mask[10], _e1381.mask[11], _e1381.mask[12], _e1381.mask[13], _e1381.mask[14], _e1381.mask[15], _e1381.mask[16], _e1381.mask[17], _e1381.mask[18], _e1381.mask[19], _e1381.mask[20], _e1381.mask[21], _e1381.mask[22], _e1381.mask[23], _e1381.mask[24], _e1381.mask[25], _e1381.mask[26], _e1381.mask[27], _e1381.mask[28], _e1381.mask[29], _e1381.mask[30], _e1381.mask[31]), _e1381.len, _e1381.group, _e1381.group_mask);
-                                                    let _e1455 = local_1.group_mask;
-                                                    if ((_e1455 & 4278190080u) == 0u) {
-                                                        let _e1459 = local_1.len;
-                                                        if (_e1459 == 0u) {
-                                                            phi_2078_ = false;
+                                                    let _e1365 = phi_1976_;
+                                                    let _e1367 = ((_e1359 | _e1362) | _e1365);
+                                                    let _e1368 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1133, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1368.first[0], _e1368.first[1], _e1368.first[2], _e1368.first[3], _e1368.first[4], _e1368.first[5], _e1368.first[6], _e1368.first[7], _e1368.first[8], _e1368.first[9], _e1368.first[10], _e1368.first[11], _e1368.first[12], _e1368.first[13], _e1368.first[14], _e1368.first[15], _e1368.first[16], _e1368.first[17], _e1368.first[18], _e1368.first[19], _e1368.first[20], _e1368.first[21], _e1368.first[22], _e1368.first[23], _e1368.first[24], _e1368.first[25], _e1368.first[26], _e1368.first[27], _e1368.first[28], _e1368.first[29], _e1368.first[30], _e1368.first[31]), array<u32, 32>(_e1368.mask[0], _e1368.mask[1], _e1368.mask[2], _e1368.mask[3], _e1368.mask[4], _e1368.mask[5], _e1368.mask[6], _e1368.mask[7], _e1368.mask[8], _e1368.mask[9], _e1368.mask[10], _e1368.mask[11], _e1368.mask[12], _e1368.mask[13], _e1368.mask[14], _e1368.mask[15], _e1368.mask[16], _e1368.mask[17], _e1368.mask[18], _e1368.mask[19], _e1368.mask[20], _e1368.mask[21], _e1368.mask[22], _e1368.mask[23], _e1368.mask[24], _e1368.mask[25], _e1368.mask[26], _e1368.mask[27], _e1368.mask[28], _e1368.mask[29], _e1368.mask[30], _e1368.mask[31]), _e1368.len, _e1368.group, _e1368.group_mask);
+                                                    let _e1442 = local_1.group_mask;
+                                                    if ((_e1442 & 4278190080u) == 0u) {
+                                                        let _e1446 = local_1.len;
+                                                        if (_e1446 == 0u) {
+                                                            phi_2090_ = false;
                                                         } else {
-                                                            let _e1463 = local_1.len;
-                                                            local_1.len = (_e1463 - 1u);
-                                                            let _e1466 = local_1.len;
-                                                            if (_e1466 < 32u) {
+                                                            let _e1450 = local_1.len;
+                                                            local_1.len = (_e1450 - 1u);
+                                                            let _e1453 = local_1.len;
+                                                            if (_e1453 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1471 = local_1.first[(0u + _e1466)];
-                                                            local_1.group = _e1471;
-                                                            let _e1474 = local_1.len;
-                                                            if (_e1474 < 32u) {
+                                                            let _e1458 = local_1.first[(0u + _e1453)];
+                                                            local_1.group = _e1458;
+                                                            let _e1461 = local_1.len;
+                                                            if (_e1461 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1479 = local_1.mask[(0u + _e1474)];
-                                                            local_1.group_mask = _e1479;
-                                                            phi_2078_ = true;
+                                                            let _e1466 = local_1.mask[(0u + _e1461)];
+                                                            local_1.group_mask = _e1466;
+                                                            phi_2090_ = true;
                                                         }
-                                                        let _e1482 = phi_2078_;
-                                                        phi_2079_ = _e1482;
+                                                        let _e1469 = phi_2090_;
+                                                        phi_2091_ = _e1469;
                                                     } else {
-                                                        phi_2079_ = true;
+                                                        phi_2091_ = true;
                                                     }
-                                                    let _e1484 = phi_2079_;
-                                                    if _e1484 {
-                                                        let _e1486 = local_1.group_mask;
-                                                        let _e1492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1486)), 32u, (_e1486 == 0u)));
-                                                        let _e1496 = local_1.group_mask;
-                                                        let _e1510 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1510 & ~((1u << bitcast<u32>((_e1492 & 31u)))));
-                                                        let _e1513 = local_1.group;
-                                                        phi_2110_ = (_e1513 + countOneBits(((_e1496 & ~((4294967295u << bitcast<u32>((((_e1492 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1471 = phi_2091_;
+                                                    if _e1471 {
+                                                        let _e1473 = local_1.group_mask;
+                                                        let _e1479 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1473)), 32u, (_e1473 == 0u)));
+                                                        let _e1483 = local_1.group_mask;
+                                                        let _e1497 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1497 & ~((1u << bitcast<u32>((_e1479 & 31u)))));
+                                                        let _e1500 = local_1.group;
+                                                        phi_2122_ = (_e1500 + countOneBits(((_e1483 & ~((4294967295u << bitcast<u32>((((_e1479 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2110_ = 4294967295u;
+                                                        phi_2122_ = 4294967295u;
                                                     }
-                                                    let _e1516 = phi_2110_;
-                                                    phi_2112_ = _e975;
-                                                    phi_2115_ = _e1516;
+                                                    let _e1503 = phi_2122_;
+                                                    phi_2124_ = _e966;
+                                                    phi_2127_ = _e1503;
                                                     loop {
-                                                        let _e1518 = phi_2112_;
-                                                        let _e1520 = phi_2115_;
-                                                        local_10 = _e1518;
-                                                        let _e1521 = (_e1520 != 4294967295u);
-                                                        if _e1521 {
-                                                            if (_e1520 < _e76) {
+                                                        let _e1505 = phi_2124_;
+                                                        let _e1507 = phi_2127_;
+                                                        local_10 = _e1505;
+                                                        let _e1508 = (_e1507 != 4294967295u);
+                                                        if _e1508 {
+                                                            if (_e1507 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1528 = nodes.member[(0u + _e1520)].frame[3u];
-                                                            let _e1553 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1282);
-                                                            let _e1554 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1292);
-                                                            let _e1555 = (bitcast<f32>((((_e1528 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1302);
-                                                            let _e1558 = nodes.member[(0u + _e1520)].frame[0u];
-                                                            let _e1562 = nodes.member[(0u + _e1520)].frame[1u];
-                                                            let _e1566 = nodes.member[(0u + _e1520)].frame[2u];
-                                                            let _e1571 = ((bitcast<f32>(_e1558) - _e1067) * _e1282);
-                                                            let _e1572 = ((bitcast<f32>(_e1562) - _e1080) * _e1292);
-                                                            let _e1573 = ((bitcast<f32>(_e1566) - _e1093) * _e1302);
-                                                            let _e1581 = nodes.member[(0u + _e1520)].x;
-                                                            if (_e1282 < 0f) {
-                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.unnamed.root, _e1581.w), _e1592.unnamed_1);
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1598.unnamed, lt_bvh_traverse_Tree(_e1581.x, _e1598.unnamed_1.first_primitive));
-                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1604.unnamed_1.root, _e1581.y));
+                                                            let _e1515 = nodes.member[(0u + _e1507)].frame[3u];
+                                                            let _e1540 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1265);
+                                                            let _e1541 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1275);
+                                                            let _e1542 = (bitcast<f32>((((_e1515 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1285);
+                                                            let _e1545 = nodes.member[(0u + _e1507)].frame[0u];
+                                                            let _e1549 = nodes.member[(0u + _e1507)].frame[1u];
+                                                            let _e1553 = nodes.member[(0u + _e1507)].frame[2u];
+                                                            let _e1558 = ((bitcast<f32>(_e1545) - _e1058) * _e1265);
+                                                            let _e1559 = ((bitcast<f32>(_e1549) - _e1071) * _e1275);
+                                                            let _e1560 = ((bitcast<f32>(_e1553) - _e1084) * _e1285);
+                                                            let _e1568 = nodes.member[(0u + _e1507)].x;
+                                                            if (_e1265 < 0f) {
+                                                                let _e1579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1568.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1579.unnamed.word, _e1568.w), _e1579.unnamed_1);
+                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1585.unnamed, lt_mask_LightPlace(_e1568.x, _e1585.unnamed_1.shift));
+                                                                phi_2208_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_mask_LightPlace(_e1591.unnamed_1.word, _e1568.y));
                                                             } else {
-                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1581.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1626 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1620.unnamed.root, _e1581.y), _e1620.unnamed_1);
-                                                                let _e1632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1626.unnamed, lt_bvh_traverse_Tree(_e1581.z, _e1626.unnamed_1.first_primitive));
-                                                                phi_2196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1632.unnamed, lt_bvh_traverse_Tree(_e1632.unnamed_1.root, _e1581.w));
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1568.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1607.unnamed.word, _e1568.y), _e1607.unnamed_1);
+                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_mask_LightPlace(_e1568.z, _e1613.unnamed_1.shift));
+                                                                phi_2208_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_mask_LightPlace(_e1619.unnamed_1.word, _e1568.w));
                                                             }
-                                                            let _e1640 = phi_2196_;
-                                                            let _e1650 = nodes.member[(0u + _e1520)].y;
-                                                            if (_e1292 < 0f) {
-                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.unnamed.root, _e1650.w), _e1661.unnamed_1);
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1667.unnamed, lt_bvh_traverse_Tree(_e1650.x, _e1667.unnamed_1.first_primitive));
-                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1673.unnamed_1.root, _e1650.y));
+                                                            let _e1627 = phi_2208_;
+                                                            let _e1637 = nodes.member[(0u + _e1507)].y;
+                                                            if (_e1275 < 0f) {
+                                                                let _e1648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1637.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.unnamed.word, _e1637.w), _e1648.unnamed_1);
+                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1654.unnamed, lt_mask_LightPlace(_e1637.x, _e1654.unnamed_1.shift));
+                                                                phi_2235_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_mask_LightPlace(_e1660.unnamed_1.word, _e1637.y));
                                                             } else {
-                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1650.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1689.unnamed.root, _e1650.y), _e1689.unnamed_1);
-                                                                let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1695.unnamed, lt_bvh_traverse_Tree(_e1650.z, _e1695.unnamed_1.first_primitive));
-                                                                phi_2223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1701.unnamed_1.root, _e1650.w));
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1637.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1676.unnamed.word, _e1637.y), _e1676.unnamed_1);
+                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_mask_LightPlace(_e1637.z, _e1682.unnamed_1.shift));
+                                                                phi_2235_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_mask_LightPlace(_e1688.unnamed_1.word, _e1637.w));
                                                             }
-                                                            let _e1709 = phi_2223_;
-                                                            let _e1719 = nodes.member[(0u + _e1520)].z;
-                                                            if (_e1302 < 0f) {
-                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1730.unnamed.root, _e1719.w), _e1730.unnamed_1);
-                                                                let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1736.unnamed, lt_bvh_traverse_Tree(_e1719.x, _e1736.unnamed_1.first_primitive));
-                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1742.unnamed_1.root, _e1719.y));
+                                                            let _e1696 = phi_2235_;
+                                                            let _e1706 = nodes.member[(0u + _e1507)].z;
+                                                            if (_e1285 < 0f) {
+                                                                let _e1717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1706.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.unnamed.word, _e1706.w), _e1717.unnamed_1);
+                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1723.unnamed, lt_mask_LightPlace(_e1706.x, _e1723.unnamed_1.shift));
+                                                                phi_2262_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_mask_LightPlace(_e1729.unnamed_1.word, _e1706.y));
                                                             } else {
-                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1719.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1758.unnamed.root, _e1719.y), _e1758.unnamed_1);
-                                                                let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1764.unnamed, lt_bvh_traverse_Tree(_e1719.z, _e1764.unnamed_1.first_primitive));
-                                                                phi_2250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1770.unnamed_1.root, _e1719.w));
+                                                                let _e1745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1706.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1745.unnamed.word, _e1706.y), _e1745.unnamed_1);
+                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1751.unnamed, lt_mask_LightPlace(_e1706.z, _e1751.unnamed_1.shift));
+                                                                phi_2262_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_mask_LightPlace(_e1757.unnamed_1.word, _e1706.w));
                                                             }
-                                                            let _e1778 = phi_2250_;
-                                                            phi_2256_ = 0u;
-                                                            phi_2259_ = 0u;
+                                                            let _e1765 = phi_2262_;
+                                                            phi_2268_ = 0u;
+                                                            phi_2271_ = 0u;
                                                             loop {
-                                                                let _e1788 = phi_2256_;
-                                                                let _e1790 = phi_2259_;
-                                                                local_6 = _e1790;
-                                                                local_7 = _e1790;
-                                                                local_8 = _e1790;
-                                                                let _e1791 = (_e1788 < 8u);
-                                                                if _e1791 {
-                                                                    let _e1793 = (_e1788 >> bitcast<u32>(2i));
-                                                                    let _e1794 = (_e1788 & 3u);
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2273_ = _e1640.unnamed.root;
+                                                                let _e1775 = phi_2268_;
+                                                                let _e1777 = phi_2271_;
+                                                                local_6 = _e1777;
+                                                                local_7 = _e1777;
+                                                                local_8 = _e1777;
+                                                                let _e1778 = (_e1775 < 8u);
+                                                                if _e1778 {
+                                                                    let _e1780 = (_e1775 >> bitcast<u32>(2i));
+                                                                    let _e1781 = (_e1775 & 3u);
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2285_ = _e1627.unnamed.word;
                                                                     } else {
-                                                                        phi_2273_ = _e1640.unnamed.first_primitive;
+                                                                        phi_2285_ = _e1627.unnamed.shift;
                                                                     }
-                                                                    let _e1797 = phi_2273_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2283_ = _e1709.unnamed.root;
+                                                                    let _e1784 = phi_2285_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2295_ = _e1696.unnamed.word;
                                                                     } else {
-                                                                        phi_2283_ = _e1709.unnamed.first_primitive;
+                                                                        phi_2295_ = _e1696.unnamed.shift;
                                                                     }
-                                                                    let _e1806 = phi_2283_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2293_ = _e1778.unnamed.root;
+                                                                    let _e1793 = phi_2295_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2305_ = _e1765.unnamed.word;
                                                                     } else {
-                                                                        phi_2293_ = _e1778.unnamed.first_primitive;
+                                                                        phi_2305_ = _e1765.unnamed.shift;
                                                                     }
-                                                                    let _e1815 = phi_2293_;
-                                                                    let _e1828 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1797 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 - _e1330)), ((f32(((_e1806 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1331)));
-                                                                    let _e1829 = core_intrinsics_maximum_number_nsz_f32_(_e1828, ((f32(((_e1815 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)));
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2311_ = _e1640.unnamed_1.root;
+                                                                    let _e1802 = phi_2305_;
+                                                                    let _e1815 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1784 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 - _e1317)), ((f32(((_e1793 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)));
+                                                                    let _e1816 = core_intrinsics_maximum_number_nsz_f32_(_e1815, ((f32(((_e1802 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2323_ = _e1627.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1640.unnamed_1.first_primitive;
+                                                                        phi_2323_ = _e1627.unnamed_1.shift;
                                                                     }
-                                                                    let _e1832 = phi_2311_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2321_ = _e1709.unnamed_1.root;
+                                                                    let _e1819 = phi_2323_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2333_ = _e1696.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1709.unnamed_1.first_primitive;
+                                                                        phi_2333_ = _e1696.unnamed_1.shift;
                                                                     }
-                                                                    let _e1841 = phi_2321_;
-                                                                    if (_e1793 == 0u) {
-                                                                        phi_2331_ = _e1778.unnamed_1.root;
+                                                                    let _e1828 = phi_2333_;
+                                                                    if (_e1780 == 0u) {
+                                                                        phi_2343_ = _e1765.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2331_ = _e1778.unnamed_1.first_primitive;
+                                                                        phi_2343_ = _e1765.unnamed_1.shift;
                                                                     }
-                                                                    let _e1850 = phi_2331_;
-                                                                    let _e1863 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1832 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1553) + (_e1571 + _e1330)), ((f32(((_e1841 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1331)));
-                                                                    let _e1864 = core_intrinsics_minimum_number_nsz_f32_(_e1863, ((f32(((_e1850 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)));
-                                                                    if (_e1829 <= _e1864) {
-                                                                        if (_e1829 <= _e1518.t) {
-                                                                            if (_e1864 >= _e157.tmin) {
-                                                                                if (_e1793 == 0u) {
-                                                                                    let _e1871 = nodes.member[(0u + _e1520)].links[2u];
-                                                                                    phi_2367_ = _e1871;
+                                                                    let _e1837 = phi_2343_;
+                                                                    let _e1850 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1819 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 + _e1317)), ((f32(((_e1828 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)));
+                                                                    let _e1851 = core_intrinsics_minimum_number_nsz_f32_(_e1850, ((f32(((_e1837 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
+                                                                    if (_e1816 <= _e1851) {
+                                                                        if (_e1816 <= _e1505.t) {
+                                                                            if (_e1851 >= _e157.tmin) {
+                                                                                if (_e1780 == 0u) {
+                                                                                    let _e1858 = nodes.member[(0u + _e1507)].links[2u];
+                                                                                    phi_2379_ = _e1858;
                                                                                 } else {
-                                                                                    let _e1874 = nodes.member[(0u + _e1520)].links[3u];
-                                                                                    phi_2367_ = _e1874;
+                                                                                    let _e1861 = nodes.member[(0u + _e1507)].links[3u];
+                                                                                    phi_2379_ = _e1861;
                                                                                 }
-                                                                                let _e1876 = phi_2367_;
-                                                                                let _e1881 = ((_e1876 >> bitcast<u32>(((_e1794 * 8u) & 31u))) & 255u);
-                                                                                let _e1882 = (_e1881 & 31u);
-                                                                                if (_e1882 >= 24u) {
-                                                                                    phi_2380_ = (24u + ((_e1882 - 24u) ^ _e1380));
+                                                                                let _e1863 = phi_2379_;
+                                                                                let _e1868 = ((_e1863 >> bitcast<u32>(((_e1781 * 8u) & 31u))) & 255u);
+                                                                                let _e1869 = (_e1868 & 31u);
+                                                                                if (_e1869 >= 24u) {
+                                                                                    phi_2392_ = (24u + ((_e1869 - 24u) ^ _e1367));
                                                                                 } else {
-                                                                                    phi_2380_ = _e1882;
+                                                                                    phi_2392_ = _e1869;
                                                                                 }
-                                                                                let _e1888 = phi_2380_;
-                                                                                phi_2385_ = (_e1790 | ((_e1881 >> bitcast<u32>(5i)) << bitcast<u32>((_e1888 & 31u))));
+                                                                                let _e1875 = phi_2392_;
+                                                                                phi_2397_ = (_e1777 | ((_e1868 >> bitcast<u32>(5i)) << bitcast<u32>((_e1875 & 31u))));
                                                                             } else {
-                                                                                phi_2385_ = _e1790;
+                                                                                phi_2397_ = _e1777;
                                                                             }
-                                                                            let _e1896 = phi_2385_;
-                                                                            phi_2386_ = _e1896;
+                                                                            let _e1883 = phi_2397_;
+                                                                            phi_2398_ = _e1883;
                                                                         } else {
-                                                                            phi_2386_ = _e1790;
+                                                                            phi_2398_ = _e1777;
                                                                         }
-                                                                        let _e1898 = phi_2386_;
-                                                                        phi_2387_ = _e1898;
+                                                                        let _e1885 = phi_2398_;
+                                                                        phi_2399_ = _e1885;
                                                                     } else {
-                                                                        phi_2387_ = _e1790;
+                                                                        phi_2399_ = _e1777;
                                                                     }
-                                                                    let _e1900 = phi_2387_;
-                                                                    phi_2257_ = (_e1788 + 1u);
-                                                                    phi_2260_ = _e1900;
+                                                                    let _e1887 = phi_2399_;
+                                                                    phi_2269_ = (_e1775 + 1u);
+                                                                    phi_2272_ = _e1887;
                                                                 } else {
-                                                                    phi_2257_ = u32();
-                                                                    phi_2260_ = u32();
+                                                                    phi_2269_ = u32();
+                                                                    phi_2272_ = u32();
                                                                 }
-                                                                let _e1903 = phi_2257_;
-                                                                let _e1905 = phi_2260_;
+                                                                let _e1890 = phi_2269_;
+                                                                let _e1892 = phi_2272_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2256_ = _e1903;
-                                                                    phi_2259_ = _e1905;
-                                                                    break if !(_e1791);
+                                                                    phi_2268_ = _e1890;
+                                                                    phi_2271_ = _e1892;
+                                                                    break if !(_e1778);
                                                                 }
                                                             }
-                                                            let _e1909 = nodes.member[(0u + _e1520)].links[0u];
-                                                            let _e1913 = nodes.member[(0u + _e1520)].frame[3u];
-                                                            let _e1917 = local_6;
-                                                            if ((_e1917 & 4278190080u) == 0u) {
+                                                            let _e1896 = nodes.member[(0u + _e1507)].links[0u];
+                                                            let _e1900 = nodes.member[(0u + _e1507)].frame[3u];
+                                                            let _e1904 = local_6;
+                                                            if ((_e1904 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1921 = local_1.group_mask;
-                                                                if ((_e1921 & 4278190080u) == 0u) {
+                                                                let _e1908 = local_1.group_mask;
+                                                                if ((_e1908 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1925 = local_1.len;
-                                                                    if (_e1925 < 32u) {
-                                                                        let _e1928 = local_1.group;
-                                                                        let _e1930 = local_1.len;
-                                                                        if (_e1930 < 32u) {
+                                                                    let _e1912 = local_1.len;
+                                                                    if (_e1912 < 32u) {
+                                                                        let _e1915 = local_1.group;
+                                                                        let _e1917 = local_1.len;
+                                                                        if (_e1917 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1930)] = _e1928;
-                                                                        let _e1936 = local_1.group_mask;
-                                                                        let _e1938 = local_1.len;
-                                                                        if (_e1938 < 32u) {
+                                                                        local_1.first[(0u + _e1917)] = _e1915;
+                                                                        let _e1923 = local_1.group_mask;
+                                                                        let _e1925 = local_1.len;
+                                                                        if (_e1925 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1938)] = _e1936;
-                                                                        let _e1945 = local_1.len;
-                                                                        local_1.len = (_e1945 + 1u);
+                                                                        local_1.mask[(0u + _e1925)] = _e1923;
+                                                                        let _e1932 = local_1.len;
+                                                                        local_1.len = (_e1932 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1142 + _e1909);
-                                                                let _e1949 = local_7;
-                                                                local_1.group_mask = ((_e1949 & 4278190080u) | (_e1913 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1133 + _e1896);
+                                                                let _e1936 = local_7;
+                                                                local_1.group_mask = ((_e1936 & 4278190080u) | (_e1900 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1954 = local_8;
-                                                            phi_2445_ = _e1518;
-                                                            phi_2448_ = (_e1954 & 16777215u);
+                                                            let _e1941 = local_8;
+                                                            phi_2457_ = _e1505;
+                                                            phi_2460_ = (_e1941 & 16777215u);
                                                             loop {
-                                                                let _e1957 = phi_2445_;
-                                                                let _e1959 = phi_2448_;
-                                                                local_9 = _e1957;
-                                                                if (_e1959 == 0u) {
-                                                                    phi_2446_ = lt_bvh_Hit();
-                                                                    phi_2449_ = u32();
-                                                                    phi_3090_ = false;
+                                                                let _e1944 = phi_2457_;
+                                                                let _e1946 = phi_2460_;
+                                                                local_9 = _e1944;
+                                                                if (_e1946 == 0u) {
+                                                                    phi_2458_ = lt_bvh_Hit();
+                                                                    phi_2461_ = u32();
+                                                                    phi_3102_ = false;
                                                                 } else {
-                                                                    let _e1963 = nodes.member[(0u + _e1520)].links[1u];
-                                                                    let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
-                                                                    if (_e1968 < _e79) {
+                                                                    let _e1950 = nodes.member[(0u + _e1507)].links[1u];
+                                                                    let _e1955 = ((_e1135 + _e1950) + select(firstTrailingBit(_e1946), 32u, (_e1946 == 0u)));
+                                                                    if (_e1955 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1975 = triangles.member[(0u + _e1968)].v0_;
-                                                                    let _e1977 = (_e1975.x - _e1067);
-                                                                    let _e1979 = (_e1975.y - _e1080);
-                                                                    let _e1981 = (_e1975.z - _e1093);
-                                                                    if (_e1353 == 0u) {
-                                                                        phi_2493_ = vec3<f32>(_e1979, _e1981, _e1977);
+                                                                    let _e1962 = triangles.member[(0u + _e1955)].v0_;
+                                                                    let _e1964 = (_e1962.x - _e1058);
+                                                                    let _e1966 = (_e1962.y - _e1071);
+                                                                    let _e1968 = (_e1962.z - _e1084);
+                                                                    if (_e1340 == 0u) {
+                                                                        phi_2505_ = vec3<f32>(_e1966, _e1968, _e1964);
                                                                     } else {
-                                                                        if (_e1353 == 1u) {
-                                                                            phi_2492_ = vec3<f32>(_e1981, _e1977, _e1979);
+                                                                        if (_e1340 == 1u) {
+                                                                            phi_2504_ = vec3<f32>(_e1968, _e1964, _e1966);
                                                                         } else {
-                                                                            phi_2492_ = (_e1975 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2504_ = (_e1962 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                         }
-                                                                        let _e1989 = phi_2492_;
-                                                                        phi_2493_ = _e1989;
+                                                                        let _e1976 = phi_2504_;
+                                                                        phi_2505_ = _e1976;
                                                                     }
-                                                                    let _e1991 = phi_2493_;
-                                                                    let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
-                                                                    let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
-                                                                    let _e2001 = triangles.member[(0u + _e1968)].v1_;
-                                                                    let _e2003 = (_e2001.x - _e1067);
-                                                                    let _e2005 = (_e2001.y - _e1080);
-                                                                    let _e2007 = (_e2001.z - _e1093);
-                                                                    if (_e1353 == 0u) {
-                                                                        phi_2523_ = vec3<f32>(_e2005, _e2007, _e2003);
+                                                                    let _e1978 = phi_2505_;
+                                                                    let _e1982 = (_e1978.x - (_e1351 * _e1978.z));
+                                                                    let _e1986 = (_e1978.y - (_e1354 * _e1978.z));
+                                                                    let _e1988 = triangles.member[(0u + _e1955)].v1_;
+                                                                    let _e1990 = (_e1988.x - _e1058);
+                                                                    let _e1992 = (_e1988.y - _e1071);
+                                                                    let _e1994 = (_e1988.z - _e1084);
+                                                                    if (_e1340 == 0u) {
+                                                                        phi_2535_ = vec3<f32>(_e1992, _e1994, _e1990);
                                                                     } else {
-                                                                        if (_e1353 == 1u) {
-                                                                            phi_2522_ = vec3<f32>(_e2007, _e2003, _e2005);
+                                                                        if (_e1340 == 1u) {
+                                                                            phi_2534_ = vec3<f32>(_e1994, _e1990, _e1992);
                                                                         } else {
-                                                                            phi_2522_ = (_e2001 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2534_ = (_e1988 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                         }
-                                                                        let _e2015 = phi_2522_;
-                                                                        phi_2523_ = _e2015;
+                                                                        let _e2002 = phi_2534_;
+                                                                        phi_2535_ = _e2002;
                                                                     }
-                                                                    let _e2017 = phi_2523_;
-                                                                    let _e2021 = (_e2017.x - (_e1364 * _e2017.z));
-                                                                    let _e2025 = (_e2017.y - (_e1367 * _e2017.z));
-                                                                    let _e2027 = triangles.member[(0u + _e1968)].v2_;
-                                                                    let _e2029 = (_e2027.x - _e1067);
-                                                                    let _e2031 = (_e2027.y - _e1080);
-                                                                    let _e2033 = (_e2027.z - _e1093);
-                                                                    if (_e1353 == 0u) {
-                                                                        phi_2553_ = vec3<f32>(_e2031, _e2033, _e2029);
+                                                                    let _e2004 = phi_2535_;
+                                                                    let _e2008 = (_e2004.x - (_e1351 * _e2004.z));
+                                                                    let _e2012 = (_e2004.y - (_e1354 * _e2004.z));
+                                                                    let _e2014 = triangles.member[(0u + _e1955)].v2_;
+                                                                    let _e2016 = (_e2014.x - _e1058);
+                                                                    let _e2018 = (_e2014.y - _e1071);
+                                                                    let _e2020 = (_e2014.z - _e1084);
+                                                                    if (_e1340 == 0u) {
+                                                                        phi_2565_ = vec3<f32>(_e2018, _e2020, _e2016);
                                                                     } else {
-                                                                        if (_e1353 == 1u) {
-                                                                            phi_2552_ = vec3<f32>(_e2033, _e2029, _e2031);
+                                                                        if (_e1340 == 1u) {
+                                                                            phi_2564_ = vec3<f32>(_e2020, _e2016, _e2018);
                                                                         } else {
-                                                                            phi_2552_ = (_e2027 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2564_ = (_e2014 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                         }
-                                                                        let _e2041 = phi_2552_;
-                                                                        phi_2553_ = _e2041;
+                                                                        let _e2028 = phi_2564_;
+                                                                        phi_2565_ = _e2028;
                                                                     }
-                                                                    let _e2043 = phi_2553_;
-                                                                    let _e2047 = (_e2043.x - (_e1364 * _e2043.z));
-                                                                    let _e2051 = (_e2043.y - (_e1367 * _e2043.z));
-                                                                    if (_e2021 < _e2047) {
-                                                                        phi_2572_ = true;
+                                                                    let _e2030 = phi_2565_;
+                                                                    let _e2034 = (_e2030.x - (_e1351 * _e2030.z));
+                                                                    let _e2038 = (_e2030.y - (_e1354 * _e2030.z));
+                                                                    if (_e2008 < _e2034) {
+                                                                        phi_2584_ = true;
                                                                     } else {
-                                                                        if (_e2021 == _e2047) {
-                                                                            phi_2571_ = (_e2025 < _e2051);
+                                                                        if (_e2008 == _e2034) {
+                                                                            phi_2583_ = (_e2012 < _e2038);
                                                                         } else {
-                                                                            phi_2571_ = false;
+                                                                            phi_2583_ = false;
                                                                         }
-                                                                        let _e2056 = phi_2571_;
-                                                                        phi_2572_ = _e2056;
+                                                                        let _e2043 = phi_2583_;
+                                                                        phi_2584_ = _e2043;
                                                                     }
-                                                                    let _e2058 = phi_2572_;
-                                                                    if _e2058 {
-                                                                        phi_2576_ = _e2051;
-                                                                        phi_2577_ = _e2047;
-                                                                        phi_2578_ = _e2025;
-                                                                        phi_2579_ = _e2021;
+                                                                    let _e2045 = phi_2584_;
+                                                                    if _e2045 {
+                                                                        phi_2588_ = _e2038;
+                                                                        phi_2589_ = _e2034;
+                                                                        phi_2590_ = _e2012;
+                                                                        phi_2591_ = _e2008;
                                                                     } else {
-                                                                        phi_2576_ = _e2025;
-                                                                        phi_2577_ = _e2021;
-                                                                        phi_2578_ = _e2051;
-                                                                        phi_2579_ = _e2047;
+                                                                        phi_2588_ = _e2012;
+                                                                        phi_2589_ = _e2008;
+                                                                        phi_2590_ = _e2038;
+                                                                        phi_2591_ = _e2034;
                                                                     }
-                                                                    let _e2060 = phi_2576_;
-                                                                    let _e2062 = phi_2577_;
-                                                                    let _e2064 = phi_2578_;
-                                                                    let _e2066 = phi_2579_;
-                                                                    let _e2069 = ((_e2066 * _e2060) - (_e2064 * _e2062));
-                                                                    if _e2058 {
-                                                                        phi_2587_ = -(_e2069);
+                                                                    let _e2047 = phi_2588_;
+                                                                    let _e2049 = phi_2589_;
+                                                                    let _e2051 = phi_2590_;
+                                                                    let _e2053 = phi_2591_;
+                                                                    let _e2056 = ((_e2053 * _e2047) - (_e2051 * _e2049));
+                                                                    if _e2045 {
+                                                                        phi_2599_ = -(_e2056);
                                                                     } else {
-                                                                        phi_2587_ = _e2069;
+                                                                        phi_2599_ = _e2056;
                                                                     }
-                                                                    let _e2072 = phi_2587_;
-                                                                    if (_e2047 < _e1995) {
-                                                                        phi_2598_ = true;
+                                                                    let _e2059 = phi_2599_;
+                                                                    if (_e2034 < _e1982) {
+                                                                        phi_2610_ = true;
                                                                     } else {
-                                                                        if (_e2047 == _e1995) {
-                                                                            phi_2597_ = (_e2051 < _e1999);
+                                                                        if (_e2034 == _e1982) {
+                                                                            phi_2609_ = (_e2038 < _e1986);
                                                                         } else {
-                                                                            phi_2597_ = false;
+                                                                            phi_2609_ = false;
                                                                         }
-                                                                        let _e2077 = phi_2597_;
-                                                                        phi_2598_ = _e2077;
+                                                                        let _e2064 = phi_2609_;
+                                                                        phi_2610_ = _e2064;
                                                                     }
-                                                                    let _e2079 = phi_2598_;
-                                                                    if _e2079 {
-                                                                        phi_2602_ = _e1999;
-                                                                        phi_2603_ = _e1995;
-                                                                        phi_2604_ = _e2051;
-                                                                        phi_2605_ = _e2047;
+                                                                    let _e2066 = phi_2610_;
+                                                                    if _e2066 {
+                                                                        phi_2614_ = _e1986;
+                                                                        phi_2615_ = _e1982;
+                                                                        phi_2616_ = _e2038;
+                                                                        phi_2617_ = _e2034;
                                                                     } else {
-                                                                        phi_2602_ = _e2051;
-                                                                        phi_2603_ = _e2047;
-                                                                        phi_2604_ = _e1999;
-                                                                        phi_2605_ = _e1995;
+                                                                        phi_2614_ = _e2038;
+                                                                        phi_2615_ = _e2034;
+                                                                        phi_2616_ = _e1986;
+                                                                        phi_2617_ = _e1982;
                                                                     }
-                                                                    let _e2081 = phi_2602_;
-                                                                    let _e2083 = phi_2603_;
-                                                                    let _e2085 = phi_2604_;
-                                                                    let _e2087 = phi_2605_;
-                                                                    let _e2090 = ((_e2087 * _e2081) - (_e2085 * _e2083));
-                                                                    if _e2079 {
-                                                                        phi_2613_ = -(_e2090);
+                                                                    let _e2068 = phi_2614_;
+                                                                    let _e2070 = phi_2615_;
+                                                                    let _e2072 = phi_2616_;
+                                                                    let _e2074 = phi_2617_;
+                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
+                                                                    if _e2066 {
+                                                                        phi_2625_ = -(_e2077);
                                                                     } else {
-                                                                        phi_2613_ = _e2090;
+                                                                        phi_2625_ = _e2077;
                                                                     }
-                                                                    let _e2093 = phi_2613_;
-                                                                    if (_e1995 < _e2021) {
-                                                                        phi_2624_ = true;
+                                                                    let _e2080 = phi_2625_;
+                                                                    if (_e1982 < _e2008) {
+                                                                        phi_2636_ = true;
                                                                     } else {
-                                                                        if (_e1995 == _e2021) {
-                                                                            phi_2623_ = (_e1999 < _e2025);
+                                                                        if (_e1982 == _e2008) {
+                                                                            phi_2635_ = (_e1986 < _e2012);
                                                                         } else {
-                                                                            phi_2623_ = false;
+                                                                            phi_2635_ = false;
                                                                         }
-                                                                        let _e2098 = phi_2623_;
-                                                                        phi_2624_ = _e2098;
+                                                                        let _e2085 = phi_2635_;
+                                                                        phi_2636_ = _e2085;
                                                                     }
-                                                                    let _e2100 = phi_2624_;
-                                                                    if _e2100 {
-                                                                        phi_2628_ = _e2025;
-                                                                        phi_2629_ = _e2021;
-                                                                        phi_2630_ = _e1999;
-                                                                        phi_2631_ = _e1995;
+                                                                    let _e2087 = phi_2636_;
+                                                                    if _e2087 {
+                                                                        phi_2640_ = _e2012;
+                                                                        phi_2641_ = _e2008;
+                                                                        phi_2642_ = _e1986;
+                                                                        phi_2643_ = _e1982;
                                                                     } else {
-                                                                        phi_2628_ = _e1999;
-                                                                        phi_2629_ = _e1995;
-                                                                        phi_2630_ = _e2025;
-                                                                        phi_2631_ = _e2021;
+                                                                        phi_2640_ = _e1986;
+                                                                        phi_2641_ = _e1982;
+                                                                        phi_2642_ = _e2012;
+                                                                        phi_2643_ = _e2008;
                                                                     }
-                                                                    let _e2102 = phi_2628_;
-                                                                    let _e2104 = phi_2629_;
-                                                                    let _e2106 = phi_2630_;
-                                                                    let _e2108 = phi_2631_;
-                                                                    let _e2111 = ((_e2108 * _e2102) - (_e2106 * _e2104));
-                                                                    if _e2100 {
-                                                                        phi_2639_ = -(_e2111);
+                                                                    let _e2089 = phi_2640_;
+                                                                    let _e2091 = phi_2641_;
+                                                                    let _e2093 = phi_2642_;
+                                                                    let _e2095 = phi_2643_;
+                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
+                                                                    if _e2087 {
+                                                                        phi_2651_ = -(_e2098);
                                                                     } else {
-                                                                        phi_2639_ = _e2111;
+                                                                        phi_2651_ = _e2098;
                                                                     }
-                                                                    let _e2114 = phi_2639_;
-                                                                    if (_e2072 >= 0f) {
-                                                                        if (_e2093 >= 0f) {
-                                                                            if (_e2114 >= 0f) {
-                                                                                phi_2654_ = ((_e2072 + _e2093) + _e2114);
-                                                                                phi_2655_ = false;
+                                                                    let _e2101 = phi_2651_;
+                                                                    if (_e2059 >= 0f) {
+                                                                        if (_e2080 >= 0f) {
+                                                                            if (_e2101 >= 0f) {
+                                                                                phi_2666_ = ((_e2059 + _e2080) + _e2101);
+                                                                                phi_2667_ = false;
                                                                             } else {
-                                                                                phi_2654_ = f32();
-                                                                                phi_2655_ = true;
+                                                                                phi_2666_ = f32();
+                                                                                phi_2667_ = true;
                                                                             }
-                                                                            let _e2121 = phi_2654_;
-                                                                            let _e2123 = phi_2655_;
-                                                                            phi_2656_ = _e2121;
-                                                                            phi_2657_ = _e2123;
+                                                                            let _e2108 = phi_2666_;
+                                                                            let _e2110 = phi_2667_;
+                                                                            phi_2668_ = _e2108;
+                                                                            phi_2669_ = _e2110;
                                                                         } else {
-                                                                            phi_2656_ = f32();
-                                                                            phi_2657_ = true;
+                                                                            phi_2668_ = f32();
+                                                                            phi_2669_ = true;
                                                                         }
-                                                                        let _e2125 = phi_2656_;
-                                                                        let _e2127 = phi_2657_;
-                                                                        phi_2658_ = _e2125;
-                                                                        phi_2659_ = _e2127;
+                                                                        let _e2112 = phi_2668_;
+                                                                        let _e2114 = phi_2669_;
+                                                                        phi_2670_ = _e2112;
+                                                                        phi_2671_ = _e2114;
                                                                     } else {
-                                                                        phi_2658_ = f32();
-                                                                        phi_2659_ = true;
+                                                                        phi_2670_ = f32();
+                                                                        phi_2671_ = true;
                                                                     }
-                                                                    let _e2129 = phi_2658_;
-                                                                    let _e2131 = phi_2659_;
-                                                                    if _e2131 {
-                                                                        if (_e2072 <= 0f) {
-                                                                            if (_e2093 <= 0f) {
-                                                                                let _e2134 = (_e2114 <= 0f);
-                                                                                if _e2134 {
+                                                                    let _e2116 = phi_2670_;
+                                                                    let _e2118 = phi_2671_;
+                                                                    if _e2118 {
+                                                                        if (_e2059 <= 0f) {
+                                                                            if (_e2080 <= 0f) {
+                                                                                let _e2121 = (_e2101 <= 0f);
+                                                                                if _e2121 {
                                                                                 }
-                                                                                phi_2677_ = ((_e2072 + _e2093) + _e2114);
-                                                                                phi_2678_ = false;
-                                                                                phi_2679_ = _e2134;
+                                                                                phi_2689_ = ((_e2059 + _e2080) + _e2101);
+                                                                                phi_2690_ = false;
+                                                                                phi_2691_ = _e2121;
                                                                             } else {
-                                                                                phi_2677_ = f32();
-                                                                                phi_2678_ = true;
-                                                                                phi_2679_ = false;
+                                                                                phi_2689_ = f32();
+                                                                                phi_2690_ = true;
+                                                                                phi_2691_ = false;
                                                                             }
-                                                                            let _e2138 = phi_2677_;
-                                                                            let _e2140 = phi_2678_;
-                                                                            let _e2142 = phi_2679_;
-                                                                            phi_2680_ = _e2138;
-                                                                            phi_2681_ = _e2140;
-                                                                            phi_2682_ = _e2142;
+                                                                            let _e2125 = phi_2689_;
+                                                                            let _e2127 = phi_2690_;
+                                                                            let _e2129 = phi_2691_;
+                                                                            phi_2692_ = _e2125;
+                                                                            phi_2693_ = _e2127;
+                                                                            phi_2694_ = _e2129;
                                                                         } else {
-                                                                            phi_2680_ = f32();
-                                                                            phi_2681_ = true;
-                                                                            phi_2682_ = false;
+                                                                            phi_2692_ = f32();
+                                                                            phi_2693_ = true;
+                                                                            phi_2694_ = false;
                                                                         }
-                                                                        let _e2144 = phi_2680_;
-                                                                        let _e2146 = phi_2681_;
-                                                                        let _e2148 = phi_2682_;
-                                                                        if _e2146 {
-                                                                            phi_2686_ = false;
+                                                                        let _e2131 = phi_2692_;
+                                                                        let _e2133 = phi_2693_;
+                                                                        let _e2135 = phi_2694_;
+                                                                        if _e2133 {
+                                                                            phi_2698_ = false;
                                                                         } else {
-                                                                            phi_2686_ = _e2148;
+                                                                            phi_2698_ = _e2135;
                                                                         }
-                                                                        let _e2150 = phi_2686_;
-                                                                        phi_2687_ = _e2144;
-                                                                        phi_2688_ = _e2150;
+                                                                        let _e2137 = phi_2698_;
+                                                                        phi_2699_ = _e2131;
+                                                                        phi_2700_ = _e2137;
                                                                     } else {
-                                                                        phi_2687_ = _e2129;
-                                                                        phi_2688_ = true;
+                                                                        phi_2699_ = _e2116;
+                                                                        phi_2700_ = true;
                                                                     }
-                                                                    let _e2152 = phi_2687_;
-                                                                    let _e2154 = phi_2688_;
-                                                                    if _e2154 {
-                                                                        let _e2155 = (_e2152 == 0f);
-                                                                        if _e2155 {
-                                                                            phi_3004_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3005_ = false;
+                                                                    let _e2139 = phi_2699_;
+                                                                    let _e2141 = phi_2700_;
+                                                                    if _e2141 {
+                                                                        let _e2142 = (_e2139 == 0f);
+                                                                        if _e2142 {
+                                                                            phi_3016_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3017_ = false;
                                                                         } else {
-                                                                            let _e2157 = triangles.member[(0u + _e1968)].v0_;
-                                                                            let _e2159 = (_e2157.x - _e1067);
-                                                                            let _e2161 = (_e2157.y - _e1080);
-                                                                            let _e2163 = (_e2157.z - _e1093);
-                                                                            if (_e1353 == 0u) {
-                                                                                phi_2717_ = vec3<f32>(_e2161, _e2163, _e2159);
+                                                                            let _e2144 = triangles.member[(0u + _e1955)].v0_;
+                                                                            let _e2146 = (_e2144.x - _e1058);
+                                                                            let _e2148 = (_e2144.y - _e1071);
+                                                                            let _e2150 = (_e2144.z - _e1084);
+                                                                            if (_e1340 == 0u) {
+                                                                                phi_2729_ = vec3<f32>(_e2148, _e2150, _e2146);
                                                                             } else {
-                                                                                if (_e1353 == 1u) {
-                                                                                    phi_2716_ = vec3<f32>(_e2163, _e2159, _e2161);
+                                                                                if (_e1340 == 1u) {
+                                                                                    phi_2728_ = vec3<f32>(_e2150, _e2146, _e2148);
                                                                                 } else {
-                                                                                    phi_2716_ = (_e2157 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                                    phi_2728_ = (_e2144 - vec3<f32>(_e1058, _e1071, _e1084));
                                                                                 }
-                                                                                let _e2171 = phi_2716_;
-                                                                                phi_2717_ = _e2171;
+                                                                                let _e2158 = phi_2728_;
+                                                                                phi_2729_ = _e2158;
                                                                             }
-                                                                            let _e2173 = phi_2717_;
-                                                                            let _e2175 = triangles.member[(0u + _e1968)].v1_;
-                                                                            let _e2177 = triangles.member[(0u + _e1968)].v0_;
-                                                                            let _e2180 = (_e2175.x - _e2177.x);
-                                                                            let _e2183 = (_e2175.y - _e2177.y);
-                                                                            let _e2186 = (_e2175.z - _e2177.z);
-                                                                            if (_e1353 == 0u) {
-                                                                                phi_2743_ = vec3<f32>(_e2183, _e2186, _e2180);
+                                                                            let _e2160 = phi_2729_;
+                                                                            let _e2162 = triangles.member[(0u + _e1955)].v1_;
+                                                                            let _e2164 = triangles.member[(0u + _e1955)].v0_;
+                                                                            let _e2167 = (_e2162.x - _e2164.x);
+                                                                            let _e2170 = (_e2162.y - _e2164.y);
+                                                                            let _e2173 = (_e2162.z - _e2164.z);
+                                                                            if (_e1340 == 0u) {
+                                                                                phi_2755_ = vec3<f32>(_e2170, _e2173, _e2167);
                                                                             } else {
-                                                                                if (_e1353 == 1u) {
-                                                                                    phi_2742_ = vec3<f32>(_e2186, _e2180, _e2183);
+                                                                                if (_e1340 == 1u) {
+                                                                                    phi_2754_ = vec3<f32>(_e2173, _e2167, _e2170);
                                                                                 } else {
-                                                                                    phi_2742_ = (_e2175 - _e2177);
+                                                                                    phi_2754_ = (_e2162 - _e2164);
                                                                                 }
-                                                                                let _e2193 = phi_2742_;
-                                                                                phi_2743_ = _e2193;
+                                                                                let _e2180 = phi_2754_;
+                                                                                phi_2755_ = _e2180;
                                                                             }
-                                                                            let _e2195 = phi_2743_;
-                                                                            let _e2197 = triangles.member[(0u + _e1968)].v2_;
-                                                                            let _e2199 = triangles.member[(0u + _e1968)].v0_;
-                                                                            let _e2202 = (_e2197.x - _e2199.x);
-                                                                            let _e2205 = (_e2197.y - _e2199.y);
-                                                                            let _e2208 = (_e2197.z - _e2199.z);
-                                                                            if (_e1353 == 0u) {
-                                                                                phi_2769_ = vec3<f32>(_e2205, _e2208, _e2202);
+                                                                            let _e2182 = phi_2755_;
+                                                                            let _e2184 = triangles.member[(0u + _e1955)].v2_;
+                                                                            let _e2186 = triangles.member[(0u + _e1955)].v0_;
+                                                                            let _e2189 = (_e2184.x - _e2186.x);
+                                                                            let _e2192 = (_e2184.y - _e2186.y);
+                                                                            let _e2195 = (_e2184.z - _e2186.z);
+                                                                            if (_e1340 == 0u) {
+                                                                                phi_2781_ = vec3<f32>(_e2192, _e2195, _e2189);
                                                                             } else {
-                                                                                if (_e1353 == 1u) {
-                                                                                    phi_2768_ = vec3<f32>(_e2208, _e2202, _e2205);
+                                                                                if (_e1340 == 1u) {
+                                                                                    phi_2780_ = vec3<f32>(_e2195, _e2189, _e2192);
                                                                                 } else {
-                                                                                    phi_2768_ = (_e2197 - _e2199);
+                                                                                    phi_2780_ = (_e2184 - _e2186);
                                                                                 }
-                                                                                let _e2215 = phi_2768_;
-                                                                                phi_2769_ = _e2215;
+                                                                                let _e2202 = phi_2780_;
+                                                                                phi_2781_ = _e2202;
                                                                             }
-                                                                            let _e2217 = phi_2769_;
-                                                                            let _e2224 = ((_e2195.y * _e2217.z) - (_e2195.z * _e2217.y));
-                                                                            let _e2231 = ((_e2195.z * _e2217.x) - (_e2195.x * _e2217.z));
-                                                                            let _e2238 = ((_e2195.x * _e2217.y) - (_e2195.y * _e2217.x));
-                                                                            let _e2252 = (((1f / _e1361.z) * (((_e2224 * _e2173.x) + (_e2231 * _e2173.y)) + (_e2238 * _e2173.z))) / (((_e2224 * _e1364) + (_e2231 * _e1367)) + _e2238));
-                                                                            if (_e2252 > _e157.tmin) {
-                                                                                if (_e2252 < _e157.tmax) {
-                                                                                    let _e2256 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2258 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2256.x < _e2258.x) {
-                                                                                        phi_2825_ = _e2256.x;
+                                                                            let _e2204 = phi_2781_;
+                                                                            let _e2211 = ((_e2182.y * _e2204.z) - (_e2182.z * _e2204.y));
+                                                                            let _e2218 = ((_e2182.z * _e2204.x) - (_e2182.x * _e2204.z));
+                                                                            let _e2225 = ((_e2182.x * _e2204.y) - (_e2182.y * _e2204.x));
+                                                                            let _e2239 = (((1f / _e1348.z) * (((_e2211 * _e2160.x) + (_e2218 * _e2160.y)) + (_e2225 * _e2160.z))) / (((_e2211 * _e1351) + (_e2218 * _e1354)) + _e2225));
+                                                                            if (_e2239 > _e157.tmin) {
+                                                                                if (_e2239 < _e157.tmax) {
+                                                                                    let _e2243 = triangles.member[(0u + _e1955)].v0_;
+                                                                                    let _e2245 = triangles.member[(0u + _e1955)].v1_;
+                                                                                    if (_e2243.x < _e2245.x) {
+                                                                                        phi_2837_ = _e2243.x;
                                                                                     } else {
-                                                                                        phi_2825_ = _e2258.x;
+                                                                                        phi_2837_ = _e2245.x;
                                                                                     }
-                                                                                    let _e2265 = phi_2825_;
-                                                                                    if (_e2256.y < _e2258.y) {
-                                                                                        phi_2834_ = _e2256.y;
+                                                                                    let _e2252 = phi_2837_;
+                                                                                    if (_e2243.y < _e2245.y) {
+                                                                                        phi_2846_ = _e2243.y;
                                                                                     } else {
-                                                                                        phi_2834_ = _e2258.y;
+                                                                                        phi_2846_ = _e2245.y;
                                                                                     }
-                                                                                    let _e2272 = phi_2834_;
-                                                                                    if (_e2256.z < _e2258.z) {
-                                                                                        phi_2843_ = _e2256.z;
+                                                                                    let _e2259 = phi_2846_;
+                                                                                    if (_e2243.z < _e2245.z) {
+                                                                                        phi_2855_ = _e2243.z;
                                                                                     } else {
-                                                                                        phi_2843_ = _e2258.z;
+                                                                                        phi_2855_ = _e2245.z;
                                                                                     }
-                                                                                    let _e2279 = phi_2843_;
-                                                                                    let _e2281 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2265 < _e2281.x) {
-                                                                                        phi_2852_ = _e2265;
+                                                                                    let _e2266 = phi_2855_;
+                                                                                    let _e2268 = triangles.member[(0u + _e1955)].v2_;
+                                                                                    if (_e2252 < _e2268.x) {
+                                                                                        phi_2864_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2852_ = _e2281.x;
+                                                                                        phi_2864_ = _e2268.x;
                                                                                     }
-                                                                                    let _e2286 = phi_2852_;
-                                                                                    if (_e2272 < _e2281.y) {
-                                                                                        phi_2859_ = _e2272;
+                                                                                    let _e2273 = phi_2864_;
+                                                                                    if (_e2259 < _e2268.y) {
+                                                                                        phi_2871_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2859_ = _e2281.y;
+                                                                                        phi_2871_ = _e2268.y;
                                                                                     }
-                                                                                    let _e2291 = phi_2859_;
-                                                                                    if (_e2279 < _e2281.z) {
-                                                                                        phi_2866_ = _e2279;
+                                                                                    let _e2278 = phi_2871_;
+                                                                                    if (_e2266 < _e2268.z) {
+                                                                                        phi_2878_ = _e2266;
                                                                                     } else {
-                                                                                        phi_2866_ = _e2281.z;
+                                                                                        phi_2878_ = _e2268.z;
                                                                                     }
-                                                                                    let _e2296 = phi_2866_;
-                                                                                    let _e2298 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2300 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2298.x > _e2300.x) {
-                                                                                        phi_2879_ = _e2298.x;
+                                                                                    let _e2283 = phi_2878_;
+                                                                                    let _e2285 = triangles.member[(0u + _e1955)].v0_;
+                                                                                    let _e2287 = triangles.member[(0u + _e1955)].v1_;
+                                                                                    if (_e2285.x > _e2287.x) {
+                                                                                        phi_2891_ = _e2285.x;
                                                                                     } else {
-                                                                                        phi_2879_ = _e2300.x;
+                                                                                        phi_2891_ = _e2287.x;
                                                                                     }
-                                                                                    let _e2307 = phi_2879_;
-                                                                                    if (_e2298.y > _e2300.y) {
-                                                                                        phi_2888_ = _e2298.y;
+                                                                                    let _e2294 = phi_2891_;
+                                                                                    if (_e2285.y > _e2287.y) {
+                                                                                        phi_2900_ = _e2285.y;
                                                                                     } else {
-                                                                                        phi_2888_ = _e2300.y;
+                                                                                        phi_2900_ = _e2287.y;
                                                                                     }
-                                                                                    let _e2314 = phi_2888_;
-                                                                                    if (_e2298.z > _e2300.z) {
-                                                                                        phi_2897_ = _e2298.z;
+                                                                                    let _e2301 = phi_2900_;
+                                                                                    if (_e2285.z > _e2287.z) {
+                                                                                        phi_2909_ = _e2285.z;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2300.z;
+                                                                                        phi_2909_ = _e2287.z;
                                                                                     }
-                                                                                    let _e2321 = phi_2897_;
-                                                                                    let _e2323 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2307 > _e2323.x) {
-                                                                                        phi_2906_ = _e2307;
+                                                                                    let _e2308 = phi_2909_;
+                                                                                    let _e2310 = triangles.member[(0u + _e1955)].v2_;
+                                                                                    if (_e2294 > _e2310.x) {
+                                                                                        phi_2918_ = _e2294;
                                                                                     } else {
-                                                                                        phi_2906_ = _e2323.x;
+                                                                                        phi_2918_ = _e2310.x;
                                                                                     }
-                                                                                    let _e2328 = phi_2906_;
-                                                                                    if (_e2314 > _e2323.y) {
-                                                                                        phi_2913_ = _e2314;
+                                                                                    let _e2315 = phi_2918_;
+                                                                                    if (_e2301 > _e2310.y) {
+                                                                                        phi_2925_ = _e2301;
                                                                                     } else {
-                                                                                        phi_2913_ = _e2323.y;
+                                                                                        phi_2925_ = _e2310.y;
                                                                                     }
-                                                                                    let _e2333 = phi_2913_;
-                                                                                    if (_e2321 > _e2323.z) {
-                                                                                        phi_2920_ = _e2321;
+                                                                                    let _e2320 = phi_2925_;
+                                                                                    if (_e2308 > _e2310.z) {
+                                                                                        phi_2932_ = _e2308;
                                                                                     } else {
-                                                                                        phi_2920_ = _e2323.z;
+                                                                                        phi_2932_ = _e2310.z;
                                                                                     }
-                                                                                    let _e2338 = phi_2920_;
-                                                                                    let _e2342 = ((_e2286 - _e1067) * _e1282);
-                                                                                    let _e2343 = ((_e2291 - _e1080) * _e1292);
-                                                                                    let _e2344 = ((_e2296 - _e1093) * _e1302);
-                                                                                    let _e2348 = ((_e2328 - _e1067) * _e1282);
-                                                                                    let _e2349 = ((_e2333 - _e1080) * _e1292);
-                                                                                    let _e2350 = ((_e2338 - _e1093) * _e1302);
-                                                                                    if (_e2342 < _e2348) {
-                                                                                        phi_2937_ = _e2342;
+                                                                                    let _e2325 = phi_2932_;
+                                                                                    let _e2329 = ((_e2273 - _e1058) * _e1265);
+                                                                                    let _e2330 = ((_e2278 - _e1071) * _e1275);
+                                                                                    let _e2331 = ((_e2283 - _e1084) * _e1285);
+                                                                                    let _e2335 = ((_e2315 - _e1058) * _e1265);
+                                                                                    let _e2336 = ((_e2320 - _e1071) * _e1275);
+                                                                                    let _e2337 = ((_e2325 - _e1084) * _e1285);
+                                                                                    if (_e2329 < _e2335) {
+                                                                                        phi_2949_ = _e2329;
                                                                                     } else {
-                                                                                        phi_2937_ = _e2348;
+                                                                                        phi_2949_ = _e2335;
                                                                                     }
-                                                                                    let _e2353 = phi_2937_;
-                                                                                    if (_e2343 < _e2349) {
-                                                                                        phi_2942_ = _e2343;
+                                                                                    let _e2340 = phi_2949_;
+                                                                                    if (_e2330 < _e2336) {
+                                                                                        phi_2954_ = _e2330;
                                                                                     } else {
-                                                                                        phi_2942_ = _e2349;
+                                                                                        phi_2954_ = _e2336;
                                                                                     }
-                                                                                    let _e2356 = phi_2942_;
-                                                                                    if (_e2344 < _e2350) {
-                                                                                        phi_2947_ = _e2344;
+                                                                                    let _e2343 = phi_2954_;
+                                                                                    if (_e2331 < _e2337) {
+                                                                                        phi_2959_ = _e2331;
                                                                                     } else {
-                                                                                        phi_2947_ = _e2350;
+                                                                                        phi_2959_ = _e2337;
                                                                                     }
-                                                                                    let _e2359 = phi_2947_;
-                                                                                    if (_e2342 > _e2348) {
-                                                                                        phi_2955_ = _e2342;
+                                                                                    let _e2346 = phi_2959_;
+                                                                                    if (_e2329 > _e2335) {
+                                                                                        phi_2967_ = _e2329;
                                                                                     } else {
-                                                                                        phi_2955_ = _e2348;
+                                                                                        phi_2967_ = _e2335;
                                                                                     }
-                                                                                    let _e2365 = phi_2955_;
-                                                                                    if (_e2343 > _e2349) {
-                                                                                        phi_2960_ = _e2343;
+                                                                                    let _e2352 = phi_2967_;
+                                                                                    if (_e2330 > _e2336) {
+                                                                                        phi_2972_ = _e2330;
                                                                                     } else {
-                                                                                        phi_2960_ = _e2349;
+                                                                                        phi_2972_ = _e2336;
                                                                                     }
-                                                                                    let _e2368 = phi_2960_;
-                                                                                    if (_e2344 > _e2350) {
-                                                                                        phi_2965_ = _e2344;
+                                                                                    let _e2355 = phi_2972_;
+                                                                                    if (_e2331 > _e2337) {
+                                                                                        phi_2977_ = _e2331;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2350;
+                                                                                        phi_2977_ = _e2337;
                                                                                     }
-                                                                                    let _e2371 = phi_2965_;
-                                                                                    let _e2375 = core_intrinsics_maximum_number_nsz_f32_((_e2353 - _e1337), (_e2356 - _e1338));
-                                                                                    let _e2376 = core_intrinsics_maximum_number_nsz_f32_(_e2375, (_e2359 - _e1339));
-                                                                                    let _e2377 = core_intrinsics_minimum_number_nsz_f32_((_e2365 + _e1337), (_e2368 + _e1338));
-                                                                                    let _e2378 = core_intrinsics_minimum_number_nsz_f32_(_e2377, (_e2371 + _e1339));
-                                                                                    if (_e2376 > _e1042) {
-                                                                                        phi_2977_ = _e2376;
+                                                                                    let _e2358 = phi_2977_;
+                                                                                    let _e2362 = core_intrinsics_maximum_number_nsz_f32_((_e2340 - _e1324), (_e2343 - _e1325));
+                                                                                    let _e2363 = core_intrinsics_maximum_number_nsz_f32_(_e2362, (_e2346 - _e1326));
+                                                                                    let _e2364 = core_intrinsics_minimum_number_nsz_f32_((_e2352 + _e1324), (_e2355 + _e1325));
+                                                                                    let _e2365 = core_intrinsics_minimum_number_nsz_f32_(_e2364, (_e2358 + _e1326));
+                                                                                    if (_e2363 > _e1033) {
+                                                                                        phi_2989_ = _e2363;
                                                                                     } else {
-                                                                                        phi_2977_ = _e1042;
+                                                                                        phi_2989_ = _e1033;
                                                                                     }
-                                                                                    let _e2381 = phi_2977_;
-                                                                                    if (_e2378 < _e1044) {
-                                                                                        phi_2982_ = _e2378;
+                                                                                    let _e2368 = phi_2989_;
+                                                                                    if (_e2365 < _e1035) {
+                                                                                        phi_2994_ = _e2365;
                                                                                     } else {
-                                                                                        phi_2982_ = _e1044;
+                                                                                        phi_2994_ = _e1035;
                                                                                     }
-                                                                                    let _e2384 = phi_2982_;
-                                                                                    if (_e2252 < _e2381) {
-                                                                                        phi_2987_ = _e2381;
+                                                                                    let _e2371 = phi_2994_;
+                                                                                    if (_e2239 < _e2368) {
+                                                                                        phi_2999_ = _e2368;
                                                                                     } else {
-                                                                                        phi_2987_ = _e2252;
+                                                                                        phi_2999_ = _e2239;
                                                                                     }
-                                                                                    let _e2387 = phi_2987_;
-                                                                                    if (_e2387 > _e2384) {
-                                                                                        phi_2992_ = _e2384;
+                                                                                    let _e2374 = phi_2999_;
+                                                                                    if (_e2374 > _e2371) {
+                                                                                        phi_3004_ = _e2371;
                                                                                     } else {
-                                                                                        phi_2992_ = _e2387;
+                                                                                        phi_3004_ = _e2374;
                                                                                     }
-                                                                                    let _e2390 = phi_2992_;
-                                                                                    phi_2997_ = lt_bvh_triangle_Intersection(_e2390, (_e2093 / _e2152), (_e2114 / _e2152), (_e2381 <= _e2384));
-                                                                                    phi_2998_ = false;
+                                                                                    let _e2377 = phi_3004_;
+                                                                                    phi_3009_ = lt_bvh_triangle_Intersection(_e2377, (_e2080 / _e2139), (_e2101 / _e2139), (_e2368 <= _e2371));
+                                                                                    phi_3010_ = false;
                                                                                 } else {
-                                                                                    phi_2997_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2998_ = true;
+                                                                                    phi_3009_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3010_ = true;
                                                                                 }
-                                                                                let _e2396 = phi_2997_;
-                                                                                let _e2398 = phi_2998_;
-                                                                                phi_2999_ = _e2396;
-                                                                                phi_3000_ = _e2398;
+                                                                                let _e2383 = phi_3009_;
+                                                                                let _e2385 = phi_3010_;
+                                                                                phi_3011_ = _e2383;
+                                                                                phi_3012_ = _e2385;
                                                                             } else {
-                                                                                phi_2999_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3000_ = true;
+                                                                                phi_3011_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3012_ = true;
                                                                             }
-                                                                            let _e2400 = phi_2999_;
-                                                                            let _e2402 = phi_3000_;
-                                                                            if _e2402 {
+                                                                            let _e2387 = phi_3011_;
+                                                                            let _e2389 = phi_3012_;
+                                                                            if _e2389 {
                                                                             }
-                                                                            phi_3004_ = _e2400;
-                                                                            phi_3005_ = _e2402;
+                                                                            phi_3016_ = _e2387;
+                                                                            phi_3017_ = _e2389;
                                                                         }
-                                                                        let _e2404 = phi_3004_;
-                                                                        let _e2406 = phi_3005_;
-                                                                        phi_3006_ = _e2404;
-                                                                        phi_3007_ = _e2155;
-                                                                        phi_3008_ = _e2406;
+                                                                        let _e2391 = phi_3016_;
+                                                                        let _e2393 = phi_3017_;
+                                                                        phi_3018_ = _e2391;
+                                                                        phi_3019_ = _e2142;
+                                                                        phi_3020_ = _e2393;
                                                                     } else {
-                                                                        phi_3006_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3007_ = true;
-                                                                        phi_3008_ = false;
+                                                                        phi_3018_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3019_ = true;
+                                                                        phi_3020_ = false;
                                                                     }
-                                                                    let _e2408 = phi_3006_;
-                                                                    let _e2410 = phi_3007_;
-                                                                    let _e2412 = phi_3008_;
-                                                                    if _e2410 {
-                                                                        phi_3012_ = true;
+                                                                    let _e2395 = phi_3018_;
+                                                                    let _e2397 = phi_3019_;
+                                                                    let _e2399 = phi_3020_;
+                                                                    if _e2397 {
+                                                                        phi_3024_ = true;
                                                                     } else {
-                                                                        phi_3012_ = _e2412;
+                                                                        phi_3024_ = _e2399;
                                                                     }
-                                                                    let _e2414 = phi_3012_;
-                                                                    if _e2414 {
-                                                                        phi_3016_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2401 = phi_3024_;
+                                                                    if _e2401 {
+                                                                        phi_3028_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3016_ = _e2408;
+                                                                        phi_3028_ = _e2395;
                                                                     }
-                                                                    let _e2416 = phi_3016_;
-                                                                    if _e2416.is_hit {
-                                                                        if (_e2416.t > _e157.tmin) {
-                                                                            if (_e2416.t < _e1957.t) {
-                                                                                phi_3064_ = true;
+                                                                    let _e2403 = phi_3028_;
+                                                                    if _e2403.is_hit {
+                                                                        if (_e2403.t > _e157.tmin) {
+                                                                            if (_e2403.t < _e1944.t) {
+                                                                                phi_3076_ = true;
                                                                             } else {
-                                                                                if (_e2416.t == _e1957.t) {
-                                                                                    if (_e1957.triangle != 4294967295u) {
-                                                                                        if (_e1968 < _e1957.triangle) {
-                                                                                            phi_3055_ = true;
+                                                                                if (_e2403.t == _e1944.t) {
+                                                                                    if (_e1944.triangle != 4294967295u) {
+                                                                                        if (_e1955 < _e1944.triangle) {
+                                                                                            phi_3067_ = true;
                                                                                         } else {
-                                                                                            if (_e1968 == _e1957.triangle) {
-                                                                                                phi_3054_ = (_e983 < _e1957.instance);
+                                                                                            if (_e1955 == _e1944.triangle) {
+                                                                                                phi_3066_ = (_e974 < _e1944.instance);
                                                                                             } else {
-                                                                                                phi_3054_ = false;
+                                                                                                phi_3066_ = false;
                                                                                             }
-                                                                                            let _e2434 = phi_3054_;
-                                                                                            phi_3055_ = _e2434;
+                                                                                            let _e2421 = phi_3066_;
+                                                                                            phi_3067_ = _e2421;
                                                                                         }
-                                                                                        let _e2436 = phi_3055_;
-                                                                                        phi_3056_ = _e2436;
-                                                                                        phi_3057_ = false;
+                                                                                        let _e2423 = phi_3067_;
+                                                                                        phi_3068_ = _e2423;
+                                                                                        phi_3069_ = false;
                                                                                     } else {
-                                                                                        phi_3056_ = bool();
-                                                                                        phi_3057_ = true;
+                                                                                        phi_3068_ = bool();
+                                                                                        phi_3069_ = true;
                                                                                     }
-                                                                                    let _e2438 = phi_3056_;
-                                                                                    let _e2440 = phi_3057_;
-                                                                                    phi_3058_ = _e2438;
-                                                                                    phi_3059_ = _e2440;
+                                                                                    let _e2425 = phi_3068_;
+                                                                                    let _e2427 = phi_3069_;
+                                                                                    phi_3070_ = _e2425;
+                                                                                    phi_3071_ = _e2427;
                                                                                 } else {
-                                                                                    phi_3058_ = bool();
-                                                                                    phi_3059_ = true;
+                                                                                    phi_3070_ = bool();
+                                                                                    phi_3071_ = true;
                                                                                 }
-                                                                                let _e2442 = phi_3058_;
-                                                                                let _e2444 = phi_3059_;
-                                                                                if _e2444 {
-                                                                                    phi_3063_ = false;
+                                                                                let _e2429 = phi_3070_;
+                                                                                let _e2431 = phi_3071_;
+                                                                                if _e2431 {
+                                                                                    phi_3075_ = false;
                                                                                 } else {
-                                                                                    phi_3063_ = _e2442;
+                                                                                    phi_3075_ = _e2429;
                                                                                 }
-                                                                                let _e2446 = phi_3063_;
-                                                                                phi_3064_ = _e2446;
+                                                                                let _e2433 = phi_3075_;
+                                                                                phi_3076_ = _e2433;
                                                                             }
-                                                                            let _e2448 = phi_3064_;
-                                                                            if _e2448 {
-                                                                                let _e2450 = triangles.member[(0u + _e1968)].i0_;
-                                                                                if ((_e2450 & 2147483648u) == 0u) {
-                                                                                    phi_3078_ = true;
+                                                                            let _e2435 = phi_3076_;
+                                                                            if _e2435 {
+                                                                                let _e2437 = triangles.member[(0u + _e1955)].i0_;
+                                                                                if ((_e2437 & 2147483648u) == 0u) {
+                                                                                    phi_3090_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_3078_ = true;
+                                                                                    phi_3090_ = true;
                                                                                 }
-                                                                                let _e2454 = phi_3078_;
-                                                                                if _e2454 {
-                                                                                    phi_3086_ = lt_bvh_Hit(_e2416.t, _e2416.u, _e2416.v, _e1968, _e983);
+                                                                                let _e2441 = phi_3090_;
+                                                                                if _e2441 {
+                                                                                    phi_3098_ = lt_bvh_Hit(_e2403.t, _e2403.u, _e2403.v, _e1955, _e974);
                                                                                 } else {
-                                                                                    phi_3086_ = _e1957;
+                                                                                    phi_3098_ = _e1944;
                                                                                 }
-                                                                                let _e2460 = phi_3086_;
-                                                                                phi_3087_ = _e2460;
+                                                                                let _e2447 = phi_3098_;
+                                                                                phi_3099_ = _e2447;
                                                                             } else {
-                                                                                phi_3087_ = _e1957;
+                                                                                phi_3099_ = _e1944;
                                                                             }
-                                                                            let _e2462 = phi_3087_;
-                                                                            phi_3088_ = _e2462;
+                                                                            let _e2449 = phi_3099_;
+                                                                            phi_3100_ = _e2449;
                                                                         } else {
-                                                                            phi_3088_ = _e1957;
+                                                                            phi_3100_ = _e1944;
                                                                         }
-                                                                        let _e2464 = phi_3088_;
-                                                                        phi_3089_ = _e2464;
+                                                                        let _e2451 = phi_3100_;
+                                                                        phi_3101_ = _e2451;
                                                                     } else {
-                                                                        phi_3089_ = _e1957;
+                                                                        phi_3101_ = _e1944;
                                                                     }
-                                                                    let _e2466 = phi_3089_;
-                                                                    phi_2446_ = _e2466;
-                                                                    phi_2449_ = (_e1959 & (_e1959 - 1u));
-                                                                    phi_3090_ = true;
+                                                                    let _e2453 = phi_3101_;
+                                                                    phi_2458_ = _e2453;
+                                                                    phi_2461_ = (_e1946 & (_e1946 - 1u));
+                                                                    phi_3102_ = true;
                                                                 }
-                                                                let _e2468 = phi_2446_;
-                                                                let _e2470 = phi_2449_;
-                                                                let _e2472 = phi_3090_;
+                                                                let _e2455 = phi_2458_;
+                                                                let _e2457 = phi_2461_;
+                                                                let _e2459 = phi_3102_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2445_ = _e2468;
-                                                                    phi_2448_ = _e2470;
-                                                                    break if !(_e2472);
+                                                                    phi_2457_ = _e2455;
+                                                                    phi_2460_ = _e2457;
+                                                                    break if !(_e2459);
                                                                 }
                                                             }
-                                                            let _e2475 = local_1.group_mask;
-                                                            if ((_e2475 & 4278190080u) == 0u) {
-                                                                let _e2479 = local_1.len;
-                                                                if (_e2479 == 0u) {
-                                                                    phi_3129_ = false;
+                                                            let _e2462 = local_1.group_mask;
+                                                            if ((_e2462 & 4278190080u) == 0u) {
+                                                                let _e2466 = local_1.len;
+                                                                if (_e2466 == 0u) {
+                                                                    phi_3141_ = false;
                                                                 } else {
-                                                                    let _e2483 = local_1.len;
-                                                                    local_1.len = (_e2483 - 1u);
-                                                                    let _e2486 = local_1.len;
-                                                                    if (_e2486 < 32u) {
+                                                                    let _e2470 = local_1.len;
+                                                                    local_1.len = (_e2470 - 1u);
+                                                                    let _e2473 = local_1.len;
+                                                                    if (_e2473 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2491 = local_1.first[(0u + _e2486)];
-                                                                    local_1.group = _e2491;
-                                                                    let _e2494 = local_1.len;
-                                                                    if (_e2494 < 32u) {
+                                                                    let _e2478 = local_1.first[(0u + _e2473)];
+                                                                    local_1.group = _e2478;
+                                                                    let _e2481 = local_1.len;
+                                                                    if (_e2481 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2499 = local_1.mask[(0u + _e2494)];
-                                                                    local_1.group_mask = _e2499;
-                                                                    phi_3129_ = true;
+                                                                    let _e2486 = local_1.mask[(0u + _e2481)];
+                                                                    local_1.group_mask = _e2486;
+                                                                    phi_3141_ = true;
                                                                 }
-                                                                let _e2502 = phi_3129_;
-                                                                phi_3130_ = _e2502;
+                                                                let _e2489 = phi_3141_;
+                                                                phi_3142_ = _e2489;
                                                             } else {
-                                                                phi_3130_ = true;
+                                                                phi_3142_ = true;
                                                             }
-                                                            let _e2504 = phi_3130_;
-                                                            if _e2504 {
-                                                                let _e2506 = local_1.group_mask;
-                                                                let _e2512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2506)), 32u, (_e2506 == 0u)));
-                                                                let _e2516 = local_1.group_mask;
-                                                                let _e2530 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2530 & ~((1u << bitcast<u32>((_e2512 & 31u)))));
-                                                                let _e2533 = local_1.group;
-                                                                phi_3161_ = (_e2533 + countOneBits(((_e2516 & ~((4294967295u << bitcast<u32>((((_e2512 - 24u) ^ _e1380) & 31u))))) & 255u)));
+                                                            let _e2491 = phi_3142_;
+                                                            if _e2491 {
+                                                                let _e2493 = local_1.group_mask;
+                                                                let _e2499 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2493)), 32u, (_e2493 == 0u)));
+                                                                let _e2503 = local_1.group_mask;
+                                                                let _e2517 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2517 & ~((1u << bitcast<u32>((_e2499 & 31u)))));
+                                                                let _e2520 = local_1.group;
+                                                                phi_3173_ = (_e2520 + countOneBits(((_e2503 & ~((4294967295u << bitcast<u32>((((_e2499 - 24u) ^ _e1367) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3161_ = 4294967295u;
+                                                                phi_3173_ = 4294967295u;
                                                             }
-                                                            let _e2536 = phi_3161_;
-                                                            let _e3666 = local_9;
-                                                            phi_2113_ = _e3666;
-                                                            phi_2116_ = _e2536;
+                                                            let _e2523 = phi_3173_;
+                                                            let _e3649 = local_9;
+                                                            phi_2125_ = _e3649;
+                                                            phi_2128_ = _e2523;
                                                         } else {
-                                                            phi_2113_ = lt_bvh_Hit();
-                                                            phi_2116_ = u32();
+                                                            phi_2125_ = lt_bvh_Hit();
+                                                            phi_2128_ = u32();
                                                         }
-                                                        let _e2538 = phi_2113_;
-                                                        let _e2540 = phi_2116_;
+                                                        let _e2525 = phi_2125_;
+                                                        let _e2527 = phi_2128_;
                                                         continue;
                                                         continuing {
-                                                            phi_2112_ = _e2538;
-                                                            phi_2115_ = _e2540;
-                                                            break if !(_e1521);
+                                                            phi_2124_ = _e2525;
+                                                            phi_2127_ = _e2527;
+                                                            break if !(_e1508);
                                                         }
                                                     }
-                                                    let _e3670 = local_10;
-                                                    phi_3162_ = _e3670;
+                                                    let _e3653 = local_10;
+                                                    phi_3174_ = _e3653;
                                                 }
-                                                let _e2543 = phi_3162_;
-                                                phi_3163_ = _e2543;
-                                                phi_3164_ = _e1206;
+                                                let _e2530 = phi_3174_;
+                                                phi_3175_ = _e2530;
+                                                phi_3176_ = _e1189;
                                             } else {
-                                                phi_3163_ = lt_bvh_Hit();
-                                                phi_3164_ = true;
+                                                phi_3175_ = lt_bvh_Hit();
+                                                phi_3176_ = true;
                                             }
-                                            let _e2545 = phi_3163_;
-                                            let _e2547 = phi_3164_;
-                                            if _e2547 {
-                                                phi_3168_ = _e975;
+                                            let _e2532 = phi_3175_;
+                                            let _e2534 = phi_3176_;
+                                            if _e2534 {
+                                                phi_3180_ = _e966;
                                             } else {
-                                                phi_3168_ = _e2545;
+                                                phi_3180_ = _e2532;
                                             }
-                                            let _e2549 = phi_3168_;
-                                            phi_3169_ = _e2549;
+                                            let _e2536 = phi_3180_;
+                                            phi_3181_ = _e2536;
                                         } else {
-                                            phi_3169_ = _e975;
+                                            phi_3181_ = _e966;
                                         }
-                                        let _e2551 = phi_3169_;
-                                        phi_3170_ = _e2551;
+                                        let _e2538 = phi_3181_;
+                                        phi_3182_ = _e2538;
                                     } else {
-                                        phi_3170_ = _e975;
+                                        phi_3182_ = _e966;
                                     }
-                                    let _e2553 = phi_3170_;
-                                    phi_3171_ = _e2553;
+                                    let _e2540 = phi_3182_;
+                                    phi_3183_ = _e2540;
                                 } else {
-                                    phi_3171_ = _e975;
+                                    phi_3183_ = _e966;
                                 }
-                                let _e2555 = phi_3171_;
-                                phi_1487_ = (_e973 & (_e973 - 1u));
-                                phi_1490_ = _e2555;
-                                phi_3172_ = true;
+                                let _e2542 = phi_3183_;
+                                phi_1492_ = (_e964 & (_e964 - 1u));
+                                phi_1495_ = _e2542;
+                                phi_3184_ = true;
                             }
-                            let _e2557 = phi_1487_;
-                            let _e2559 = phi_1490_;
-                            let _e2561 = phi_3172_;
+                            let _e2544 = phi_1492_;
+                            let _e2546 = phi_1495_;
+                            let _e2548 = phi_3184_;
                             continue;
                             continuing {
-                                phi_1486_ = _e2557;
-                                phi_1489_ = _e2559;
-                                break if !(_e2561);
+                                phi_1491_ = _e2544;
+                                phi_1494_ = _e2546;
+                                break if !(_e2548);
                             }
                         }
-                        let _e2564 = local_2.group_mask;
-                        if ((_e2564 & 4278190080u) == 0u) {
-                            let _e2568 = local_2.len;
-                            if (_e2568 == 0u) {
-                                phi_3211_ = false;
+                        let _e2551 = local_2.group_mask;
+                        if ((_e2551 & 4278190080u) == 0u) {
+                            let _e2555 = local_2.len;
+                            if (_e2555 == 0u) {
+                                phi_3223_ = false;
                             } else {
-                                let _e2572 = local_2.len;
-                                local_2.len = (_e2572 - 1u);
-                                let _e2575 = local_2.len;
-                                if (_e2575 < 32u) {
+                                let _e2559 = local_2.len;
+                                local_2.len = (_e2559 - 1u);
+                                let _e2562 = local_2.len;
+                                if (_e2562 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2580 = local_2.first[(0u + _e2575)];
-                                local_2.group = _e2580;
-                                let _e2583 = local_2.len;
-                                if (_e2583 < 32u) {
+                                let _e2567 = local_2.first[(0u + _e2562)];
+                                local_2.group = _e2567;
+                                let _e2570 = local_2.len;
+                                if (_e2570 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2588 = local_2.mask[(0u + _e2583)];
-                                local_2.group_mask = _e2588;
-                                phi_3211_ = true;
+                                let _e2575 = local_2.mask[(0u + _e2570)];
+                                local_2.group_mask = _e2575;
+                                phi_3223_ = true;
                             }
-                            let _e2591 = phi_3211_;
-                            phi_3212_ = _e2591;
+                            let _e2578 = phi_3223_;
+                            phi_3224_ = _e2578;
                         } else {
-                            phi_3212_ = true;
+                            phi_3224_ = true;
                         }
-                        let _e2593 = phi_3212_;
-                        if _e2593 {
-                            let _e2595 = local_2.group_mask;
-                            let _e2601 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2595)), 32u, (_e2595 == 0u)));
-                            let _e2605 = local_2.group_mask;
-                            let _e2619 = local_2.group_mask;
-                            local_2.group_mask = (_e2619 & ~((1u << bitcast<u32>((_e2601 & 31u)))));
-                            let _e2622 = local_2.group;
-                            phi_3243_ = (_e2622 + countOneBits(((_e2605 & ~((4294967295u << bitcast<u32>((((_e2601 - 24u) ^ _e392) & 31u))))) & 255u)));
+                        let _e2580 = phi_3224_;
+                        if _e2580 {
+                            let _e2582 = local_2.group_mask;
+                            let _e2588 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2582)), 32u, (_e2582 == 0u)));
+                            let _e2592 = local_2.group_mask;
+                            let _e2606 = local_2.group_mask;
+                            local_2.group_mask = (_e2606 & ~((1u << bitcast<u32>((_e2588 & 31u)))));
+                            let _e2609 = local_2.group;
+                            phi_3255_ = (_e2609 + countOneBits(((_e2592 & ~((4294967295u << bitcast<u32>((((_e2588 - 24u) ^ _e383) & 31u))))) & 255u)));
                         } else {
-                            phi_3243_ = 4294967295u;
+                            phi_3255_ = 4294967295u;
                         }
-                        let _e2625 = phi_3243_;
-                        phi_1150_ = _e2625;
-                        let _e3686 = local_11;
-                        phi_1153_ = _e3686;
+                        let _e2612 = phi_3255_;
+                        phi_1155_ = _e2612;
+                        let _e3669 = local_11;
+                        phi_1158_ = _e3669;
                     } else {
-                        phi_1150_ = u32();
-                        phi_1153_ = lt_bvh_Hit();
+                        phi_1155_ = u32();
+                        phi_1158_ = lt_bvh_Hit();
                     }
-                    let _e2627 = phi_1150_;
-                    let _e2629 = phi_1153_;
+                    let _e2614 = phi_1155_;
+                    let _e2616 = phi_1158_;
                     continue;
                     continuing {
-                        phi_1149_ = _e2627;
-                        phi_1152_ = _e2629;
-                        break if !(_e533);
+                        phi_1154_ = _e2614;
+                        phi_1157_ = _e2616;
+                        break if !(_e524);
                     }
                 }
-                let _e3689 = local_12;
-                phi_3244_ = _e3689;
+                let _e3672 = local_12;
+                phi_3256_ = _e3672;
             }
-            let _e2632 = phi_3244_;
-            phi_3245_ = _e2632;
-            phi_3246_ = _e229;
+            let _e2619 = phi_3256_;
+            phi_3257_ = _e2619;
+            phi_3258_ = _e221;
         } else {
-            phi_3245_ = lt_bvh_Hit();
-            phi_3246_ = true;
+            phi_3257_ = lt_bvh_Hit();
+            phi_3258_ = true;
         }
-        let _e2634 = phi_3245_;
-        let _e2636 = phi_3246_;
-        if _e2636 {
-            phi_3250_ = _e159;
+        let _e2621 = phi_3257_;
+        let _e2623 = phi_3258_;
+        if _e2623 {
+            phi_3262_ = _e159;
         } else {
-            phi_3250_ = _e2634;
+            phi_3262_ = _e2621;
         }
-        let _e2638 = phi_3250_;
-        if (_e2638.triangle != 4294967295u) {
-            let _e2644 = ((1f - _e2638.u) - _e2638.v);
-            if (_e2638.triangle < _e79) {
+        let _e2625 = phi_3262_;
+        if (_e2625.triangle != 4294967295u) {
+            let _e2631 = ((1f - _e2625.u) - _e2625.v);
+            if (_e2625.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2649 = triangles.member[(0u + _e2638.triangle)];
-            if (_e2638.instance < _e91) {
+            let _e2636 = triangles.member[(0u + _e2625.triangle)];
+            if (_e2625.instance < _e91) {
             } else {
                 return;
             }
-            let _e2660 = instances.member[(0u + _e2638.instance)].object_to_world[0u];
-            let _e2671 = ((((_e2660.x * _e2649.v0_.x) + (_e2660.y * _e2649.v0_.y)) + (_e2660.z * _e2649.v0_.z)) + (_e2660.w * 1f));
-            let _e2673 = instances.member[(0u + _e2638.instance)].object_to_world[1u];
-            let _e2684 = ((((_e2673.x * _e2649.v0_.x) + (_e2673.y * _e2649.v0_.y)) + (_e2673.z * _e2649.v0_.z)) + (_e2673.w * 1f));
-            let _e2686 = instances.member[(0u + _e2638.instance)].object_to_world[2u];
-            let _e2697 = ((((_e2686.x * _e2649.v0_.x) + (_e2686.y * _e2649.v0_.y)) + (_e2686.z * _e2649.v0_.z)) + (_e2686.w * 1f));
-            let _e2704 = instances.member[(0u + _e2638.instance)].object_to_world[0u];
-            let _e2715 = ((((_e2704.x * _e2649.v1_.x) + (_e2704.y * _e2649.v1_.y)) + (_e2704.z * _e2649.v1_.z)) + (_e2704.w * 1f));
-            let _e2717 = instances.member[(0u + _e2638.instance)].object_to_world[1u];
-            let _e2728 = ((((_e2717.x * _e2649.v1_.x) + (_e2717.y * _e2649.v1_.y)) + (_e2717.z * _e2649.v1_.z)) + (_e2717.w * 1f));
-            let _e2730 = instances.member[(0u + _e2638.instance)].object_to_world[2u];
-            let _e2741 = ((((_e2730.x * _e2649.v1_.x) + (_e2730.y * _e2649.v1_.y)) + (_e2730.z * _e2649.v1_.z)) + (_e2730.w * 1f));
-            let _e2748 = instances.member[(0u + _e2638.instance)].object_to_world[0u];
-            let _e2759 = ((((_e2748.x * _e2649.v2_.x) + (_e2748.y * _e2649.v2_.y)) + (_e2748.z * _e2649.v2_.z)) + (_e2748.w * 1f));
-            let _e2761 = instances.member[(0u + _e2638.instance)].object_to_world[1u];
-            let _e2772 = ((((_e2761.x * _e2649.v2_.x) + (_e2761.y * _e2649.v2_.y)) + (_e2761.z * _e2649.v2_.z)) + (_e2761.w * 1f));
-            let _e2774 = instances.member[(0u + _e2638.instance)].object_to_world[2u];
-            let _e2785 = ((((_e2774.x * _e2649.v2_.x) + (_e2774.y * _e2649.v2_.y)) + (_e2774.z * _e2649.v2_.z)) + (_e2774.w * 1f));
-            let _e2798 = (((_e2671 * _e2644) + (_e2715 * _e2638.u)) + (_e2759 * _e2638.v));
-            let _e2799 = (((_e2684 * _e2644) + (_e2728 * _e2638.u)) + (_e2772 * _e2638.v));
-            let _e2800 = (((_e2697 * _e2644) + (_e2741 * _e2638.u)) + (_e2785 * _e2638.v));
-            let _e2802 = abs(_e2671);
-            let _e2803 = abs(_e2684);
-            let _e2804 = abs(_e2697);
-            let _e2805 = abs(_e2715);
-            let _e2806 = abs(_e2728);
-            let _e2807 = abs(_e2741);
-            if (_e2802 > _e2805) {
-                phi_3437_ = _e2802;
+            let _e2647 = instances.member[(0u + _e2625.instance)].object_to_world[0u];
+            let _e2658 = ((((_e2647.x * _e2636.v0_.x) + (_e2647.y * _e2636.v0_.y)) + (_e2647.z * _e2636.v0_.z)) + (_e2647.w * 1f));
+            let _e2660 = instances.member[(0u + _e2625.instance)].object_to_world[1u];
+            let _e2671 = ((((_e2660.x * _e2636.v0_.x) + (_e2660.y * _e2636.v0_.y)) + (_e2660.z * _e2636.v0_.z)) + (_e2660.w * 1f));
+            let _e2673 = instances.member[(0u + _e2625.instance)].object_to_world[2u];
+            let _e2684 = ((((_e2673.x * _e2636.v0_.x) + (_e2673.y * _e2636.v0_.y)) + (_e2673.z * _e2636.v0_.z)) + (_e2673.w * 1f));
+            let _e2691 = instances.member[(0u + _e2625.instance)].object_to_world[0u];
+            let _e2702 = ((((_e2691.x * _e2636.v1_.x) + (_e2691.y * _e2636.v1_.y)) + (_e2691.z * _e2636.v1_.z)) + (_e2691.w * 1f));
+            let _e2704 = instances.member[(0u + _e2625.instance)].object_to_world[1u];
+            let _e2715 = ((((_e2704.x * _e2636.v1_.x) + (_e2704.y * _e2636.v1_.y)) + (_e2704.z * _e2636.v1_.z)) + (_e2704.w * 1f));
+            let _e2717 = instances.member[(0u + _e2625.instance)].object_to_world[2u];
+            let _e2728 = ((((_e2717.x * _e2636.v1_.x) + (_e2717.y * _e2636.v1_.y)) + (_e2717.z * _e2636.v1_.z)) + (_e2717.w * 1f));
+            let _e2735 = instances.member[(0u + _e2625.instance)].object_to_world[0u];
+            let _e2746 = ((((_e2735.x * _e2636.v2_.x) + (_e2735.y * _e2636.v2_.y)) + (_e2735.z * _e2636.v2_.z)) + (_e2735.w * 1f));
+            let _e2748 = instances.member[(0u + _e2625.instance)].object_to_world[1u];
+            let _e2759 = ((((_e2748.x * _e2636.v2_.x) + (_e2748.y * _e2636.v2_.y)) + (_e2748.z * _e2636.v2_.z)) + (_e2748.w * 1f));
+            let _e2761 = instances.member[(0u + _e2625.instance)].object_to_world[2u];
+            let _e2772 = ((((_e2761.x * _e2636.v2_.x) + (_e2761.y * _e2636.v2_.y)) + (_e2761.z * _e2636.v2_.z)) + (_e2761.w * 1f));
+            let _e2785 = (((_e2658 * _e2631) + (_e2702 * _e2625.u)) + (_e2746 * _e2625.v));
+            let _e2786 = (((_e2671 * _e2631) + (_e2715 * _e2625.u)) + (_e2759 * _e2625.v));
+            let _e2787 = (((_e2684 * _e2631) + (_e2728 * _e2625.u)) + (_e2772 * _e2625.v));
+            let _e2789 = abs(_e2658);
+            let _e2790 = abs(_e2671);
+            let _e2791 = abs(_e2684);
+            let _e2792 = abs(_e2702);
+            let _e2793 = abs(_e2715);
+            let _e2794 = abs(_e2728);
+            if (_e2789 > _e2792) {
+                phi_3449_ = _e2789;
             } else {
-                phi_3437_ = _e2805;
+                phi_3449_ = _e2792;
             }
-            let _e2810 = phi_3437_;
+            let _e2797 = phi_3449_;
+            if (_e2790 > _e2793) {
+                phi_3454_ = _e2790;
+            } else {
+                phi_3454_ = _e2793;
+            }
+            let _e2800 = phi_3454_;
+            if (_e2791 > _e2794) {
+                phi_3459_ = _e2791;
+            } else {
+                phi_3459_ = _e2794;
+            }
+            let _e2803 = phi_3459_;
+            let _e2804 = abs(_e2746);
+            let _e2805 = abs(_e2759);
+            let _e2806 = abs(_e2772);
+            if (_e2797 > _e2804) {
+                phi_3467_ = _e2797;
+            } else {
+                phi_3467_ = _e2804;
+            }
+            let _e2809 = phi_3467_;
+            if (_e2800 > _e2805) {
+                phi_3472_ = _e2800;
+            } else {
+                phi_3472_ = _e2805;
+            }
+            let _e2812 = phi_3472_;
             if (_e2803 > _e2806) {
-                phi_3442_ = _e2803;
+                phi_3477_ = _e2803;
             } else {
-                phi_3442_ = _e2806;
+                phi_3477_ = _e2806;
             }
-            let _e2813 = phi_3442_;
-            if (_e2804 > _e2807) {
-                phi_3447_ = _e2804;
+            let _e2815 = phi_3477_;
+            let _e2816 = (_e2702 - _e2658);
+            let _e2817 = (_e2715 - _e2671);
+            let _e2818 = (_e2728 - _e2684);
+            let _e2819 = (_e2746 - _e2658);
+            let _e2820 = (_e2759 - _e2671);
+            let _e2821 = (_e2772 - _e2684);
+            let _e2825 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2817), abs(_e2818));
+            let _e2826 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2816), _e2825);
+            let _e2827 = (_e2816 / _e2826);
+            let _e2828 = (_e2817 / _e2826);
+            let _e2829 = (_e2818 / _e2826);
+            let _e2833 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2820), abs(_e2821));
+            let _e2834 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2819), _e2833);
+            let _e2835 = (_e2819 / _e2834);
+            let _e2836 = (_e2820 / _e2834);
+            let _e2837 = (_e2821 / _e2834);
+            let _e2840 = ((_e2828 * _e2837) - (_e2836 * _e2829));
+            let _e2843 = ((_e2829 * _e2835) - (_e2837 * _e2827));
+            let _e2846 = ((_e2827 * _e2836) - (_e2835 * _e2828));
+            let _e2848 = p.member.eye;
+            let _e2861 = (1f / sqrt((((_e2840 * _e2840) + (_e2843 * _e2843)) + (_e2846 * _e2846))));
+            let _e2862 = (_e2840 * _e2861);
+            let _e2863 = (_e2843 * _e2861);
+            let _e2864 = (_e2846 * _e2861);
+            if ((((_e2862 * (_e2848.x - _e2785)) + (_e2863 * (_e2848.y - _e2786))) + (_e2864 * (_e2848.z - _e2787))) < 0f) {
+                phi_3541_ = vec3<f32>(-(_e2862), -(_e2863), -(_e2864));
             } else {
-                phi_3447_ = _e2807;
+                phi_3541_ = vec3<f32>(_e2862, _e2863, _e2864);
             }
-            let _e2816 = phi_3447_;
-            let _e2817 = abs(_e2759);
-            let _e2818 = abs(_e2772);
-            let _e2819 = abs(_e2785);
-            if (_e2810 > _e2817) {
-                phi_3455_ = _e2810;
-            } else {
-                phi_3455_ = _e2817;
-            }
-            let _e2822 = phi_3455_;
-            if (_e2813 > _e2818) {
-                phi_3460_ = _e2813;
-            } else {
-                phi_3460_ = _e2818;
-            }
-            let _e2825 = phi_3460_;
-            if (_e2816 > _e2819) {
-                phi_3465_ = _e2816;
-            } else {
-                phi_3465_ = _e2819;
-            }
-            let _e2828 = phi_3465_;
-            let _e2829 = (_e2715 - _e2671);
-            let _e2830 = (_e2728 - _e2684);
-            let _e2831 = (_e2741 - _e2697);
-            let _e2832 = (_e2759 - _e2671);
-            let _e2833 = (_e2772 - _e2684);
-            let _e2834 = (_e2785 - _e2697);
-            let _e2838 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2830), abs(_e2831));
-            let _e2839 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2829), _e2838);
-            let _e2840 = (_e2829 / _e2839);
-            let _e2841 = (_e2830 / _e2839);
-            let _e2842 = (_e2831 / _e2839);
-            let _e2846 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2833), abs(_e2834));
-            let _e2847 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2832), _e2846);
-            let _e2848 = (_e2832 / _e2847);
-            let _e2849 = (_e2833 / _e2847);
-            let _e2850 = (_e2834 / _e2847);
-            let _e2853 = ((_e2841 * _e2850) - (_e2849 * _e2842));
-            let _e2856 = ((_e2842 * _e2848) - (_e2850 * _e2840));
-            let _e2859 = ((_e2840 * _e2849) - (_e2848 * _e2841));
-            let _e2861 = p.member.eye;
-            let _e2874 = (1f / sqrt((((_e2853 * _e2853) + (_e2856 * _e2856)) + (_e2859 * _e2859))));
-            let _e2875 = (_e2853 * _e2874);
-            let _e2876 = (_e2856 * _e2874);
-            let _e2877 = (_e2859 * _e2874);
-            if ((((_e2875 * (_e2861.x - _e2798)) + (_e2876 * (_e2861.y - _e2799))) + (_e2877 * (_e2861.z - _e2800))) < 0f) {
-                phi_3529_ = vec3<f32>(-(_e2875), -(_e2876), -(_e2877));
-            } else {
-                phi_3529_ = vec3<f32>(_e2875, _e2876, _e2877);
-            }
-            let _e2890 = phi_3529_;
-            if (_e2638.triangle < _e79) {
+            let _e2877 = phi_3541_;
+            if (_e2625.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2895 = triangles.member[(0u + _e2638.triangle)];
-            let _e2897 = (_e2895.i0_ & 2147483647u);
-            if (_e2897 < _e82) {
+            let _e2882 = triangles.member[(0u + _e2625.triangle)];
+            let _e2884 = (_e2882.i0_ & 2147483647u);
+            if (_e2884 < _e82) {
             } else {
                 return;
             }
-            let _e2903 = vertices.member[(0u + _e2897)];
-            if (_e2895.i1_ < _e82) {
+            let _e2890 = vertices.member[(0u + _e2884)];
+            if (_e2882.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2907 = vertices.member[(0u + _e2895.i1_)];
-            if (_e2895.i2_ < _e82) {
+            let _e2894 = vertices.member[(0u + _e2882.i1_)];
+            if (_e2882.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2911 = vertices.member[(0u + _e2895.i2_)];
-            let _e2912 = array<abi_Vertex, 3>(_e2903, _e2907, _e2911);
-            if (_e2912[0].material < arrayLength((&materials.member))) {
+            let _e2898 = vertices.member[(0u + _e2882.i2_)];
+            let _e2899 = array<abi_Vertex, 3>(_e2890, _e2894, _e2898);
+            if (_e2899[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2918 = materials.member[(0u + _e2912[0].material)];
-            let _e2935 = (1f / 255f);
-            let _e2954 = (1f / 255f);
-            let _e2976 = (1f / 255f);
-            if (_e2918.color_size == 0u) {
-                phi_3772_ = vec3<f32>(1f, 1f, 1f);
+            let _e2905 = materials.member[(0u + _e2899[0].material)];
+            let _e2922 = (1f / 255f);
+            let _e2941 = (1f / 255f);
+            let _e2963 = (1f / 255f);
+            if (_e2905.color_size == 0u) {
+                phi_3784_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e2918.color_offset;
-                local.size = _e2918.color_size;
-                local.flags = _e2918.flags;
-                let _e3019 = _lt_shaders_texture_TextureView_quad((&local), (((_e2912[0].u * _e2644) + (_e2912[1].u * _e2638.u)) + (_e2912[2].u * _e2638.v)), (((_e2912[0].v * _e2644) + (_e2912[1].v * _e2638.u)) + (_e2912[2].v * _e2638.v)));
-                if (_e3019.indices[0] < _e94) {
+                local.offset = _e2905.color_offset;
+                local.size = _e2905.color_size;
+                local.flags = _e2905.flags;
+                let _e3006 = _lt_shaders_texture_TextureView_quad((&local), (((_e2899[0].u * _e2631) + (_e2899[1].u * _e2625.u)) + (_e2899[2].u * _e2625.v)), (((_e2899[0].v * _e2631) + (_e2899[1].v * _e2625.u)) + (_e2899[2].v * _e2625.v)));
+                if (_e3006.indices[0] < _e94) {
                 } else {
                     return;
                 }
-                let _e3025 = color_texels.member[(0u + _e3019.indices[0])];
-                let _e3036 = (1f / 255f);
-                if (_e3019.indices[1] < _e94) {
+                let _e3012 = color_texels.member[(0u + _e3006.indices[0])];
+                let _e3023 = (1f / 255f);
+                if (_e3006.indices[1] < _e94) {
                 } else {
                     return;
                 }
-                let _e3050 = color_texels.member[(0u + _e3019.indices[1])];
-                let _e3061 = (1f / 255f);
-                if (_e3019.indices[2] < _e94) {
+                let _e3037 = color_texels.member[(0u + _e3006.indices[1])];
+                let _e3048 = (1f / 255f);
+                if (_e3006.indices[2] < _e94) {
                 } else {
                     return;
                 }
-                let _e3078 = color_texels.member[(0u + _e3019.indices[2])];
-                let _e3089 = (1f / 255f);
-                if (_e3019.indices[3] < _e94) {
+                let _e3065 = color_texels.member[(0u + _e3006.indices[2])];
+                let _e3076 = (1f / 255f);
+                if (_e3006.indices[3] < _e94) {
                 } else {
                     return;
                 }
-                let _e3106 = color_texels.member[(0u + _e3019.indices[3])];
-                let _e3117 = (1f / 255f);
-                let _e3126 = (((((f32((_e3025 & 255u)) * _e3036) * _e3019.weights.x) + ((f32((_e3050 & 255u)) * _e3061) * _e3019.weights.y)) + ((f32((_e3078 & 255u)) * _e3089) * _e3019.weights.z)) + ((f32((_e3106 & 255u)) * _e3117) * _e3019.weights.w));
-                let _e3127 = (((((f32(((_e3025 >> bitcast<u32>(8i)) & 255u)) * _e3036) * _e3019.weights.x) + ((f32(((_e3050 >> bitcast<u32>(8i)) & 255u)) * _e3061) * _e3019.weights.y)) + ((f32(((_e3078 >> bitcast<u32>(8i)) & 255u)) * _e3089) * _e3019.weights.z)) + ((f32(((_e3106 >> bitcast<u32>(8i)) & 255u)) * _e3117) * _e3019.weights.w));
-                let _e3128 = (((((f32(((_e3025 >> bitcast<u32>(16i)) & 255u)) * _e3036) * _e3019.weights.x) + ((f32(((_e3050 >> bitcast<u32>(16i)) & 255u)) * _e3061) * _e3019.weights.y)) + ((f32(((_e3078 >> bitcast<u32>(16i)) & 255u)) * _e3089) * _e3019.weights.z)) + ((f32(((_e3106 >> bitcast<u32>(16i)) & 255u)) * _e3117) * _e3019.weights.w));
-                phi_3772_ = vec3<f32>((_e3126 * _e3126), (_e3127 * _e3127), (_e3128 * _e3128));
+                let _e3093 = color_texels.member[(0u + _e3006.indices[3])];
+                let _e3104 = (1f / 255f);
+                let _e3113 = (((((f32((_e3012 & 255u)) * _e3023) * _e3006.weights.x) + ((f32((_e3037 & 255u)) * _e3048) * _e3006.weights.y)) + ((f32((_e3065 & 255u)) * _e3076) * _e3006.weights.z)) + ((f32((_e3093 & 255u)) * _e3104) * _e3006.weights.w));
+                let _e3114 = (((((f32(((_e3012 >> bitcast<u32>(8i)) & 255u)) * _e3023) * _e3006.weights.x) + ((f32(((_e3037 >> bitcast<u32>(8i)) & 255u)) * _e3048) * _e3006.weights.y)) + ((f32(((_e3065 >> bitcast<u32>(8i)) & 255u)) * _e3076) * _e3006.weights.z)) + ((f32(((_e3093 >> bitcast<u32>(8i)) & 255u)) * _e3104) * _e3006.weights.w));
+                let _e3115 = (((((f32(((_e3012 >> bitcast<u32>(16i)) & 255u)) * _e3023) * _e3006.weights.x) + ((f32(((_e3037 >> bitcast<u32>(16i)) & 255u)) * _e3048) * _e3006.weights.y)) + ((f32(((_e3065 >> bitcast<u32>(16i)) & 255u)) * _e3076) * _e3006.weights.z)) + ((f32(((_e3093 >> bitcast<u32>(16i)) & 255u)) * _e3104) * _e3006.weights.w));
+                phi_3784_ = vec3<f32>((_e3113 * _e3113), (_e3114 * _e3114), (_e3115 * _e3115));
             }
-            let _e3134 = phi_3772_;
-            let _e3136 = ((_e2918.base_color.x * ((((f32((_e2912[0].color & 255u)) * _e2935) * _e2644) + ((f32((_e2912[1].color & 255u)) * _e2954) * _e2638.u)) + ((f32((_e2912[2].color & 255u)) * _e2976) * _e2638.v))) * _e3134.x);
-            let _e3138 = ((_e2918.base_color.y * ((((f32(((_e2912[0].color >> bitcast<u32>(8i)) & 255u)) * _e2935) * _e2644) + ((f32(((_e2912[1].color >> bitcast<u32>(8i)) & 255u)) * _e2954) * _e2638.u)) + ((f32(((_e2912[2].color >> bitcast<u32>(8i)) & 255u)) * _e2976) * _e2638.v))) * _e3134.y);
-            let _e3140 = ((_e2918.base_color.z * ((((f32(((_e2912[0].color >> bitcast<u32>(16i)) & 255u)) * _e2935) * _e2644) + ((f32(((_e2912[1].color >> bitcast<u32>(16i)) & 255u)) * _e2954) * _e2638.u)) + ((f32(((_e2912[2].color >> bitcast<u32>(16i)) & 255u)) * _e2976) * _e2638.v))) * _e3134.z);
-            let _e3141 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2825, _e2828);
-            let _e3142 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2822, _e3141);
-            if ((_e2918.flags & 2u) == 0u) {
-                phi_3787_ = 0u;
+            let _e3121 = phi_3784_;
+            let _e3123 = ((_e2905.base_color.x * ((((f32((_e2899[0].color & 255u)) * _e2922) * _e2631) + ((f32((_e2899[1].color & 255u)) * _e2941) * _e2625.u)) + ((f32((_e2899[2].color & 255u)) * _e2963) * _e2625.v))) * _e3121.x);
+            let _e3125 = ((_e2905.base_color.y * ((((f32(((_e2899[0].color >> bitcast<u32>(8i)) & 255u)) * _e2922) * _e2631) + ((f32(((_e2899[1].color >> bitcast<u32>(8i)) & 255u)) * _e2941) * _e2625.u)) + ((f32(((_e2899[2].color >> bitcast<u32>(8i)) & 255u)) * _e2963) * _e2625.v))) * _e3121.y);
+            let _e3127 = ((_e2905.base_color.z * ((((f32(((_e2899[0].color >> bitcast<u32>(16i)) & 255u)) * _e2922) * _e2631) + ((f32(((_e2899[1].color >> bitcast<u32>(16i)) & 255u)) * _e2941) * _e2625.u)) + ((f32(((_e2899[2].color >> bitcast<u32>(16i)) & 255u)) * _e2963) * _e2625.v))) * _e3121.z);
+            let _e3128 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2812, _e2815);
+            let _e3129 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2809, _e3128);
+            if ((_e2905.flags & 2u) == 0u) {
+                phi_3799_ = 0u;
             } else {
-                phi_3787_ = 1u;
+                phi_3799_ = 1u;
             }
-            let _e3147 = phi_3787_;
-            if (_e2912[0].normal == 2147516416u) {
-                phi_4017_ = _e2890;
+            let _e3134 = phi_3799_;
+            if (_e2899[0].normal == 2147516416u) {
+                phi_4029_ = _e2877;
             } else {
-                let _e3160 = (f32((bitcast<i32>((_e2912[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3166 = (f32((bitcast<i32>(_e2912[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3170 = ((1f - abs(_e3160)) - abs(_e3166));
-                if (_e3170 < 0f) {
-                    phi_3814_ = -(_e3170);
+                let _e3147 = (f32((bitcast<i32>((_e2899[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3153 = (f32((bitcast<i32>(_e2899[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3157 = ((1f - abs(_e3147)) - abs(_e3153));
+                if (_e3157 < 0f) {
+                    phi_3826_ = -(_e3157);
                 } else {
-                    phi_3814_ = 0f;
+                    phi_3826_ = 0f;
                 }
-                let _e3174 = phi_3814_;
-                if (_e3160 < 0f) {
-                    phi_3821_ = (_e3160 + _e3174);
+                let _e3161 = phi_3826_;
+                if (_e3147 < 0f) {
+                    phi_3833_ = (_e3147 + _e3161);
                 } else {
-                    phi_3821_ = (_e3160 - _e3174);
+                    phi_3833_ = (_e3147 - _e3161);
                 }
-                let _e3179 = phi_3821_;
-                if (_e3166 < 0f) {
-                    phi_3828_ = (_e3166 + _e3174);
+                let _e3166 = phi_3833_;
+                if (_e3153 < 0f) {
+                    phi_3840_ = (_e3153 + _e3161);
                 } else {
-                    phi_3828_ = (_e3166 - _e3174);
+                    phi_3840_ = (_e3153 - _e3161);
                 }
-                let _e3184 = phi_3828_;
-                let _e3191 = (1f / sqrt((((_e3179 * _e3179) + (_e3184 * _e3184)) + (_e3170 * _e3170))));
-                let _e3207 = (f32((bitcast<i32>((_e2912[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3213 = (f32((bitcast<i32>(_e2912[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3217 = ((1f - abs(_e3207)) - abs(_e3213));
-                if (_e3217 < 0f) {
-                    phi_3863_ = -(_e3217);
+                let _e3171 = phi_3840_;
+                let _e3178 = (1f / sqrt((((_e3166 * _e3166) + (_e3171 * _e3171)) + (_e3157 * _e3157))));
+                let _e3194 = (f32((bitcast<i32>((_e2899[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3200 = (f32((bitcast<i32>(_e2899[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3204 = ((1f - abs(_e3194)) - abs(_e3200));
+                if (_e3204 < 0f) {
+                    phi_3875_ = -(_e3204);
                 } else {
-                    phi_3863_ = 0f;
+                    phi_3875_ = 0f;
                 }
-                let _e3221 = phi_3863_;
-                if (_e3207 < 0f) {
-                    phi_3870_ = (_e3207 + _e3221);
+                let _e3208 = phi_3875_;
+                if (_e3194 < 0f) {
+                    phi_3882_ = (_e3194 + _e3208);
                 } else {
-                    phi_3870_ = (_e3207 - _e3221);
+                    phi_3882_ = (_e3194 - _e3208);
                 }
-                let _e3226 = phi_3870_;
-                if (_e3213 < 0f) {
-                    phi_3877_ = (_e3213 + _e3221);
+                let _e3213 = phi_3882_;
+                if (_e3200 < 0f) {
+                    phi_3889_ = (_e3200 + _e3208);
                 } else {
-                    phi_3877_ = (_e3213 - _e3221);
+                    phi_3889_ = (_e3200 - _e3208);
                 }
-                let _e3231 = phi_3877_;
-                let _e3238 = (1f / sqrt((((_e3226 * _e3226) + (_e3231 * _e3231)) + (_e3217 * _e3217))));
-                let _e3257 = (f32((bitcast<i32>((_e2912[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3263 = (f32((bitcast<i32>(_e2912[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3267 = ((1f - abs(_e3257)) - abs(_e3263));
-                if (_e3267 < 0f) {
-                    phi_3915_ = -(_e3267);
+                let _e3218 = phi_3889_;
+                let _e3225 = (1f / sqrt((((_e3213 * _e3213) + (_e3218 * _e3218)) + (_e3204 * _e3204))));
+                let _e3244 = (f32((bitcast<i32>((_e2899[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3250 = (f32((bitcast<i32>(_e2899[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3254 = ((1f - abs(_e3244)) - abs(_e3250));
+                if (_e3254 < 0f) {
+                    phi_3927_ = -(_e3254);
                 } else {
-                    phi_3915_ = 0f;
+                    phi_3927_ = 0f;
                 }
-                let _e3271 = phi_3915_;
-                if (_e3257 < 0f) {
-                    phi_3922_ = (_e3257 + _e3271);
+                let _e3258 = phi_3927_;
+                if (_e3244 < 0f) {
+                    phi_3934_ = (_e3244 + _e3258);
                 } else {
-                    phi_3922_ = (_e3257 - _e3271);
+                    phi_3934_ = (_e3244 - _e3258);
                 }
-                let _e3276 = phi_3922_;
-                if (_e3263 < 0f) {
-                    phi_3929_ = (_e3263 + _e3271);
+                let _e3263 = phi_3934_;
+                if (_e3250 < 0f) {
+                    phi_3941_ = (_e3250 + _e3258);
                 } else {
-                    phi_3929_ = (_e3263 - _e3271);
+                    phi_3941_ = (_e3250 - _e3258);
                 }
-                let _e3281 = phi_3929_;
-                let _e3288 = (1f / sqrt((((_e3276 * _e3276) + (_e3281 * _e3281)) + (_e3267 * _e3267))));
-                let _e3295 = ((((_e3179 * _e3191) * _e2644) + ((_e3226 * _e3238) * _e2638.u)) + ((_e3276 * _e3288) * _e2638.v));
-                let _e3296 = ((((_e3184 * _e3191) * _e2644) + ((_e3231 * _e3238) * _e2638.u)) + ((_e3281 * _e3288) * _e2638.v));
-                let _e3297 = ((((_e3170 * _e3191) * _e2644) + ((_e3217 * _e3238) * _e2638.u)) + ((_e3267 * _e3288) * _e2638.v));
-                if (_e2638.instance < _e91) {
+                let _e3268 = phi_3941_;
+                let _e3275 = (1f / sqrt((((_e3263 * _e3263) + (_e3268 * _e3268)) + (_e3254 * _e3254))));
+                let _e3282 = ((((_e3166 * _e3178) * _e2631) + ((_e3213 * _e3225) * _e2625.u)) + ((_e3263 * _e3275) * _e2625.v));
+                let _e3283 = ((((_e3171 * _e3178) * _e2631) + ((_e3218 * _e3225) * _e2625.u)) + ((_e3268 * _e3275) * _e2625.v));
+                let _e3284 = ((((_e3157 * _e3178) * _e2631) + ((_e3204 * _e3225) * _e2625.u)) + ((_e3254 * _e3275) * _e2625.v));
+                if (_e2625.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e3304 = instances.member[(0u + _e2638.instance)].world_to_object[0u];
-                let _e3313 = instances.member[(0u + _e2638.instance)].world_to_object[1u];
-                let _e3325 = instances.member[(0u + _e2638.instance)].world_to_object[2u];
-                let _e3332 = (((_e3304.x * _e3295) + (_e3313.x * _e3296)) + (_e3325.x * _e3297));
-                let _e3333 = (((_e3304.y * _e3295) + (_e3313.y * _e3296)) + (_e3325.y * _e3297));
-                let _e3334 = (((_e3304.z * _e3295) + (_e3313.z * _e3296)) + (_e3325.z * _e3297));
-                let _e3340 = sqrt((((_e3332 * _e3332) + (_e3333 * _e3333)) + (_e3334 * _e3334)));
-                if (_e3340 > 0f) {
-                    let _e3342 = (_e3332 / _e3340);
-                    let _e3343 = (_e3333 / _e3340);
-                    let _e3344 = (_e3334 / _e3340);
-                    if ((((_e3342 * _e2890.x) + (_e3343 * _e2890.y)) + (_e3344 * _e2890.z)) < 0f) {
-                        phi_4015_ = vec3<f32>(-(_e3342), -(_e3343), -(_e3344));
+                let _e3291 = instances.member[(0u + _e2625.instance)].world_to_object[0u];
+                let _e3300 = instances.member[(0u + _e2625.instance)].world_to_object[1u];
+                let _e3312 = instances.member[(0u + _e2625.instance)].world_to_object[2u];
+                let _e3319 = (((_e3291.x * _e3282) + (_e3300.x * _e3283)) + (_e3312.x * _e3284));
+                let _e3320 = (((_e3291.y * _e3282) + (_e3300.y * _e3283)) + (_e3312.y * _e3284));
+                let _e3321 = (((_e3291.z * _e3282) + (_e3300.z * _e3283)) + (_e3312.z * _e3284));
+                let _e3327 = sqrt((((_e3319 * _e3319) + (_e3320 * _e3320)) + (_e3321 * _e3321)));
+                if (_e3327 > 0f) {
+                    let _e3329 = (_e3319 / _e3327);
+                    let _e3330 = (_e3320 / _e3327);
+                    let _e3331 = (_e3321 / _e3327);
+                    if ((((_e3329 * _e2877.x) + (_e3330 * _e2877.y)) + (_e3331 * _e2877.z)) < 0f) {
+                        phi_4027_ = vec3<f32>(-(_e3329), -(_e3330), -(_e3331));
                     } else {
-                        phi_4015_ = vec3<f32>(_e3342, _e3343, _e3344);
+                        phi_4027_ = vec3<f32>(_e3329, _e3330, _e3331);
                     }
-                    let _e3360 = phi_4015_;
-                    phi_4016_ = _e3360;
+                    let _e3347 = phi_4027_;
+                    phi_4028_ = _e3347;
                 } else {
-                    phi_4016_ = _e2890;
+                    phi_4028_ = _e2877;
                 }
-                let _e3362 = phi_4016_;
-                phi_4017_ = _e3362;
+                let _e3349 = phi_4028_;
+                phi_4029_ = _e3349;
             }
-            let _e3364 = phi_4017_;
-            if (_e3136 > 0f) {
-                if (_e3136 < 1f) {
-                    phi_4026_ = _e3136;
+            let _e3351 = phi_4029_;
+            if (_e3123 > 0f) {
+                if (_e3123 < 1f) {
+                    phi_4038_ = _e3123;
                 } else {
-                    phi_4026_ = 1f;
+                    phi_4038_ = 1f;
                 }
-                let _e3368 = phi_4026_;
-                phi_4027_ = _e3368;
+                let _e3355 = phi_4038_;
+                phi_4039_ = _e3355;
             } else {
-                phi_4027_ = 0f;
+                phi_4039_ = 0f;
             }
-            let _e3370 = phi_4027_;
-            if (_e3138 > 0f) {
-                if (_e3138 < 1f) {
-                    phi_4037_ = _e3138;
+            let _e3357 = phi_4039_;
+            if (_e3125 > 0f) {
+                if (_e3125 < 1f) {
+                    phi_4049_ = _e3125;
                 } else {
-                    phi_4037_ = 1f;
+                    phi_4049_ = 1f;
                 }
-                let _e3375 = phi_4037_;
-                phi_4038_ = _e3375;
+                let _e3362 = phi_4049_;
+                phi_4050_ = _e3362;
             } else {
-                phi_4038_ = 0f;
+                phi_4050_ = 0f;
             }
-            let _e3377 = phi_4038_;
-            if (_e3140 > 0f) {
-                if (_e3140 < 1f) {
-                    phi_4048_ = _e3140;
+            let _e3364 = phi_4050_;
+            if (_e3127 > 0f) {
+                if (_e3127 < 1f) {
+                    phi_4060_ = _e3127;
                 } else {
-                    phi_4048_ = 1f;
+                    phi_4060_ = 1f;
                 }
-                let _e3382 = phi_4048_;
-                phi_4049_ = _e3382;
+                let _e3369 = phi_4060_;
+                phi_4061_ = _e3369;
             } else {
-                phi_4049_ = 0f;
+                phi_4061_ = 0f;
             }
-            let _e3384 = phi_4049_;
-            let _e3387 = ((sqrt(_e3370) * 255f) + 0.5f);
-            let _e3396 = ((sqrt(_e3377) * 255f) + 0.5f);
-            let _e3408 = ((sqrt(_e3384) * 255f) + 0.5f);
-            phi_4084_ = abi_Sample(vec3<f32>(_e2798, _e2799, _e2800), _e3142, _e2890, _e3147, _e3364, ((select(select(u32(_e3387), 0u, (_e3387 < bitcast<f32>(0u))), 4294967295u, (_e3387 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3396), 0u, (_e3396 < bitcast<f32>(0u))), 4294967295u, (_e3396 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3408), 0u, (_e3408 < bitcast<f32>(0u))), 4294967295u, (_e3408 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3371 = phi_4061_;
+            let _e3374 = ((sqrt(_e3357) * 255f) + 0.5f);
+            let _e3383 = ((sqrt(_e3364) * 255f) + 0.5f);
+            let _e3395 = ((sqrt(_e3371) * 255f) + 0.5f);
+            phi_4096_ = abi_Sample(vec3<f32>(_e2785, _e2786, _e2787), _e3129, _e2877, _e3134, _e3351, ((select(select(u32(_e3374), 0u, (_e3374 < bitcast<f32>(0u))), 4294967295u, (_e3374 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3383), 0u, (_e3383 < bitcast<f32>(0u))), 4294967295u, (_e3383 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3395), 0u, (_e3395 < bitcast<f32>(0u))), 4294967295u, (_e3395 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4084_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4096_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3422 = phi_4084_;
-        if (_e100.first_primitive < arrayLength((&samples.member))) {
+        let _e3409 = phi_4096_;
+        if (_e100.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3422;
+        samples.member[(0u + _e100.shift)] = _e3409;
     }
     return;
 }

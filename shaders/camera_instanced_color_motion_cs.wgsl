@@ -28,9 +28,9 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_26 {
@@ -105,8 +105,8 @@ struct type_47 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -183,19 +183,19 @@ var<storage> before: type_26;
 @group(0) @binding(9) 
 var<storage, read_write> past: type_26;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_222_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_223_ = false;
         } else {
-            phi_222_ = lt_bvh_traverse_Tree();
+            phi_222_ = lt_mask_LightPlace();
             phi_223_ = true;
         }
         let _e84 = phi_222_;
@@ -203,18 +203,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_224_ = _e84;
         phi_225_ = _e86;
     } else {
-        phi_224_ = lt_bvh_traverse_Tree();
+        phi_224_ = lt_mask_LightPlace();
         phi_225_ = true;
     }
     let _e88 = phi_224_;
     let _e90 = phi_225_;
     if _e90 {
-        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_230_ = _e88;
     }
     let _e95 = phi_230_;
-    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
+    return lt_mask_LightPlace(_e95.word, _e95.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -630,294 +630,290 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_784_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_800_: bool;
+    var phi_804_: bool;
     var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
     var phi_823_: bool;
     var phi_824_: bool;
-    var phi_828_: bool;
-    var phi_832_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_831_: bool;
     var phi_907_: f32;
     var phi_914_: f32;
     var phi_922_: f32;
     var phi_929_: f32;
     var phi_937_: f32;
     var phi_944_: f32;
-    var phi_969_: f32;
-    var phi_974_: f32;
-    var phi_979_: f32;
-    var phi_1001_: u32;
+    var phi_967_: f32;
+    var phi_972_: f32;
+    var phi_977_: f32;
+    var phi_982_: f32;
+    var phi_987_: f32;
     var phi_1006_: u32;
     var phi_1011_: u32;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1157_: u32;
-    var phi_1159_: u32;
-    var phi_1162_: lt_bvh_Hit;
-    var phi_1247_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1274_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1301_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1307_: u32;
-    var phi_1310_: u32;
-    var phi_1324_: u32;
-    var phi_1334_: u32;
-    var phi_1344_: u32;
-    var phi_1362_: u32;
-    var phi_1372_: u32;
-    var phi_1382_: u32;
-    var phi_1418_: u32;
-    var phi_1431_: u32;
+    var phi_1016_: u32;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1162_: u32;
+    var phi_1164_: u32;
+    var phi_1167_: lt_bvh_Hit;
+    var phi_1252_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1279_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1306_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1312_: u32;
+    var phi_1315_: u32;
+    var phi_1329_: u32;
+    var phi_1339_: u32;
+    var phi_1349_: u32;
+    var phi_1367_: u32;
+    var phi_1377_: u32;
+    var phi_1387_: u32;
+    var phi_1423_: u32;
     var phi_1436_: u32;
-    var phi_1437_: u32;
-    var phi_1438_: u32;
-    var phi_1308_: u32;
-    var phi_1311_: u32;
+    var phi_1441_: u32;
+    var phi_1442_: u32;
+    var phi_1443_: u32;
+    var phi_1313_: u32;
+    var phi_1316_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1496_: u32;
-    var phi_1499_: lt_bvh_Hit;
-    var phi_1554_: f32;
+    var phi_1501_: u32;
+    var phi_1504_: lt_bvh_Hit;
     var phi_1559_: f32;
     var phi_1564_: f32;
-    var phi_1572_: f32;
+    var phi_1569_: f32;
     var phi_1577_: f32;
     var phi_1582_: f32;
-    var phi_1738_: bool;
+    var phi_1587_: f32;
+    var phi_1719_: bool;
+    var phi_1720_: bool;
+    var phi_1721_: bool;
+    var phi_1722_: bool;
+    var phi_1726_: bool;
     var phi_1739_: bool;
     var phi_1740_: bool;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
+    var phi_1741_: bool;
+    var phi_1742_: bool;
     var phi_1746_: bool;
-    var phi_1747_: bool;
-    var phi_1748_: bool;
-    var phi_1749_: bool;
-    var phi_1750_: bool;
-    var phi_1751_: bool;
-    var phi_1752_: bool;
-    var phi_1753_: bool;
-    var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
     var phi_1759_: bool;
     var phi_1760_: bool;
     var phi_1761_: bool;
     var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
     var phi_1769_: bool;
-    var phi_1839_: f32;
-    var phi_1846_: f32;
-    var phi_1853_: f32;
-    var phi_1860_: f32;
-    var phi_1867_: f32;
-    var phi_1874_: f32;
-    var phi_1891_: f32;
-    var phi_1896_: f32;
-    var phi_1901_: f32;
-    var phi_1929_: bool;
-    var phi_1930_: bool;
-    var phi_1938_: u32;
-    var phi_1939_: u32;
-    var phi_1950_: vec3<f32>;
-    var phi_1951_: vec3<f32>;
-    var phi_1964_: u32;
-    var phi_1969_: u32;
-    var phi_1974_: u32;
-    var phi_2088_: bool;
-    var phi_2089_: bool;
-    var phi_2120_: u32;
-    var phi_2122_: lt_bvh_Hit;
-    var phi_2125_: u32;
-    var phi_2206_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2233_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2260_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2266_: u32;
-    var phi_2269_: u32;
-    var phi_2283_: u32;
-    var phi_2293_: u32;
-    var phi_2303_: u32;
-    var phi_2321_: u32;
-    var phi_2331_: u32;
-    var phi_2341_: u32;
-    var phi_2377_: u32;
-    var phi_2390_: u32;
-    var phi_2395_: u32;
-    var phi_2396_: u32;
-    var phi_2397_: u32;
-    var phi_2267_: u32;
-    var phi_2270_: u32;
+    var phi_1773_: bool;
+    var phi_1843_: f32;
+    var phi_1850_: f32;
+    var phi_1857_: f32;
+    var phi_1864_: f32;
+    var phi_1871_: f32;
+    var phi_1878_: f32;
+    var phi_1895_: f32;
+    var phi_1900_: f32;
+    var phi_1905_: f32;
+    var phi_1910_: f32;
+    var phi_1915_: f32;
+    var phi_1941_: bool;
+    var phi_1942_: bool;
+    var phi_1950_: u32;
+    var phi_1951_: u32;
+    var phi_1962_: vec3<f32>;
+    var phi_1963_: vec3<f32>;
+    var phi_1976_: u32;
+    var phi_1981_: u32;
+    var phi_1986_: u32;
+    var phi_2100_: bool;
+    var phi_2101_: bool;
+    var phi_2132_: u32;
+    var phi_2134_: lt_bvh_Hit;
+    var phi_2137_: u32;
+    var phi_2218_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2245_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2272_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2278_: u32;
+    var phi_2281_: u32;
+    var phi_2295_: u32;
+    var phi_2305_: u32;
+    var phi_2315_: u32;
+    var phi_2333_: u32;
+    var phi_2343_: u32;
+    var phi_2353_: u32;
+    var phi_2389_: u32;
+    var phi_2402_: u32;
+    var phi_2407_: u32;
+    var phi_2408_: u32;
+    var phi_2409_: u32;
+    var phi_2279_: u32;
+    var phi_2282_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2455_: lt_bvh_Hit;
-    var phi_2458_: u32;
-    var phi_2502_: vec3<f32>;
-    var phi_2503_: vec3<f32>;
-    var phi_2532_: vec3<f32>;
-    var phi_2533_: vec3<f32>;
-    var phi_2562_: vec3<f32>;
-    var phi_2563_: vec3<f32>;
-    var phi_2581_: bool;
-    var phi_2582_: bool;
-    var phi_2586_: f32;
-    var phi_2587_: f32;
-    var phi_2588_: f32;
-    var phi_2589_: f32;
-    var phi_2597_: f32;
-    var phi_2607_: bool;
-    var phi_2608_: bool;
-    var phi_2612_: f32;
-    var phi_2613_: f32;
-    var phi_2614_: f32;
-    var phi_2615_: f32;
-    var phi_2623_: f32;
-    var phi_2633_: bool;
-    var phi_2634_: bool;
-    var phi_2638_: f32;
-    var phi_2639_: f32;
-    var phi_2640_: f32;
-    var phi_2641_: f32;
-    var phi_2649_: f32;
-    var phi_2664_: f32;
-    var phi_2665_: bool;
-    var phi_2666_: f32;
-    var phi_2667_: bool;
-    var phi_2668_: f32;
-    var phi_2669_: bool;
-    var phi_2687_: f32;
-    var phi_2688_: bool;
-    var phi_2689_: bool;
-    var phi_2690_: f32;
-    var phi_2691_: bool;
-    var phi_2692_: bool;
-    var phi_2696_: bool;
-    var phi_2697_: f32;
-    var phi_2698_: bool;
-    var phi_2726_: vec3<f32>;
-    var phi_2727_: vec3<f32>;
-    var phi_2752_: vec3<f32>;
-    var phi_2753_: vec3<f32>;
-    var phi_2778_: vec3<f32>;
-    var phi_2779_: vec3<f32>;
-    var phi_2835_: f32;
-    var phi_2844_: f32;
-    var phi_2853_: f32;
-    var phi_2862_: f32;
-    var phi_2869_: f32;
-    var phi_2876_: f32;
-    var phi_2889_: f32;
-    var phi_2898_: f32;
-    var phi_2907_: f32;
-    var phi_2916_: f32;
-    var phi_2923_: f32;
-    var phi_2930_: f32;
-    var phi_2947_: f32;
-    var phi_2952_: f32;
-    var phi_2957_: f32;
-    var phi_2965_: f32;
-    var phi_2970_: f32;
-    var phi_2975_: f32;
+    var phi_2467_: lt_bvh_Hit;
+    var phi_2470_: u32;
+    var phi_2514_: vec3<f32>;
+    var phi_2515_: vec3<f32>;
+    var phi_2544_: vec3<f32>;
+    var phi_2545_: vec3<f32>;
+    var phi_2574_: vec3<f32>;
+    var phi_2575_: vec3<f32>;
+    var phi_2593_: bool;
+    var phi_2594_: bool;
+    var phi_2598_: f32;
+    var phi_2599_: f32;
+    var phi_2600_: f32;
+    var phi_2601_: f32;
+    var phi_2609_: f32;
+    var phi_2619_: bool;
+    var phi_2620_: bool;
+    var phi_2624_: f32;
+    var phi_2625_: f32;
+    var phi_2626_: f32;
+    var phi_2627_: f32;
+    var phi_2635_: f32;
+    var phi_2645_: bool;
+    var phi_2646_: bool;
+    var phi_2650_: f32;
+    var phi_2651_: f32;
+    var phi_2652_: f32;
+    var phi_2653_: f32;
+    var phi_2661_: f32;
+    var phi_2676_: f32;
+    var phi_2677_: bool;
+    var phi_2678_: f32;
+    var phi_2679_: bool;
+    var phi_2680_: f32;
+    var phi_2681_: bool;
+    var phi_2699_: f32;
+    var phi_2700_: bool;
+    var phi_2701_: bool;
+    var phi_2702_: f32;
+    var phi_2703_: bool;
+    var phi_2704_: bool;
+    var phi_2708_: bool;
+    var phi_2709_: f32;
+    var phi_2710_: bool;
+    var phi_2738_: vec3<f32>;
+    var phi_2739_: vec3<f32>;
+    var phi_2764_: vec3<f32>;
+    var phi_2765_: vec3<f32>;
+    var phi_2790_: vec3<f32>;
+    var phi_2791_: vec3<f32>;
+    var phi_2847_: f32;
+    var phi_2856_: f32;
+    var phi_2865_: f32;
+    var phi_2874_: f32;
+    var phi_2881_: f32;
+    var phi_2888_: f32;
+    var phi_2901_: f32;
+    var phi_2910_: f32;
+    var phi_2919_: f32;
+    var phi_2928_: f32;
+    var phi_2935_: f32;
+    var phi_2942_: f32;
+    var phi_2959_: f32;
+    var phi_2964_: f32;
+    var phi_2969_: f32;
+    var phi_2977_: f32;
+    var phi_2982_: f32;
     var phi_2987_: f32;
-    var phi_2992_: f32;
-    var phi_2997_: f32;
-    var phi_3002_: f32;
-    var phi_3007_: lt_bvh_triangle_Intersection;
-    var phi_3008_: bool;
-    var phi_3009_: lt_bvh_triangle_Intersection;
-    var phi_3010_: bool;
-    var phi_3014_: lt_bvh_triangle_Intersection;
-    var phi_3015_: bool;
-    var phi_3016_: lt_bvh_triangle_Intersection;
-    var phi_3017_: bool;
-    var phi_3018_: bool;
+    var phi_2999_: f32;
+    var phi_3004_: f32;
+    var phi_3009_: f32;
+    var phi_3014_: f32;
+    var phi_3019_: lt_bvh_triangle_Intersection;
+    var phi_3020_: bool;
+    var phi_3021_: lt_bvh_triangle_Intersection;
     var phi_3022_: bool;
     var phi_3026_: lt_bvh_triangle_Intersection;
-    var phi_3064_: bool;
-    var phi_3065_: bool;
-    var phi_3066_: bool;
-    var phi_3067_: bool;
-    var phi_3068_: bool;
-    var phi_3069_: bool;
-    var phi_3073_: bool;
-    var phi_3074_: bool;
-    var phi_3088_: bool;
-    var phi_3096_: lt_bvh_Hit;
-    var phi_3097_: lt_bvh_Hit;
-    var phi_3098_: lt_bvh_Hit;
-    var phi_3099_: lt_bvh_Hit;
-    var phi_2456_: lt_bvh_Hit;
-    var phi_2459_: u32;
+    var phi_3027_: bool;
+    var phi_3028_: lt_bvh_triangle_Intersection;
+    var phi_3029_: bool;
+    var phi_3030_: bool;
+    var phi_3034_: bool;
+    var phi_3038_: lt_bvh_triangle_Intersection;
+    var phi_3076_: bool;
+    var phi_3077_: bool;
+    var phi_3078_: bool;
+    var phi_3079_: bool;
+    var phi_3080_: bool;
+    var phi_3081_: bool;
+    var phi_3085_: bool;
+    var phi_3086_: bool;
     var phi_3100_: bool;
-    var phi_3139_: bool;
-    var phi_3140_: bool;
-    var phi_3171_: u32;
-    var phi_2123_: lt_bvh_Hit;
-    var phi_2126_: u32;
-    var phi_3172_: lt_bvh_Hit;
-    var phi_3173_: lt_bvh_Hit;
-    var phi_3174_: bool;
-    var phi_3178_: lt_bvh_Hit;
-    var phi_3179_: lt_bvh_Hit;
-    var phi_3180_: lt_bvh_Hit;
-    var phi_3181_: lt_bvh_Hit;
-    var phi_1497_: u32;
-    var phi_1500_: lt_bvh_Hit;
-    var phi_3182_: bool;
-    var phi_3221_: bool;
-    var phi_3222_: bool;
-    var phi_3253_: u32;
-    var phi_1160_: u32;
-    var phi_1163_: lt_bvh_Hit;
-    var phi_3254_: lt_bvh_Hit;
-    var phi_3255_: lt_bvh_Hit;
-    var phi_3256_: bool;
-    var phi_3260_: lt_bvh_Hit;
-    var phi_3447_: f32;
-    var phi_3452_: f32;
-    var phi_3457_: f32;
-    var phi_3465_: f32;
-    var phi_3470_: f32;
-    var phi_3475_: f32;
-    var phi_3539_: vec3<f32>;
-    var phi_3782_: vec3<f32>;
-    var phi_3797_: u32;
-    var phi_3824_: f32;
-    var phi_3831_: f32;
-    var phi_3838_: f32;
-    var phi_3873_: f32;
-    var phi_3880_: f32;
-    var phi_3887_: f32;
-    var phi_3925_: f32;
-    var phi_3932_: f32;
-    var phi_3939_: f32;
-    var phi_4025_: vec3<f32>;
-    var phi_4026_: vec3<f32>;
-    var phi_4027_: vec3<f32>;
-    var phi_4036_: f32;
-    var phi_4037_: f32;
-    var phi_4047_: f32;
+    var phi_3108_: lt_bvh_Hit;
+    var phi_3109_: lt_bvh_Hit;
+    var phi_3110_: lt_bvh_Hit;
+    var phi_3111_: lt_bvh_Hit;
+    var phi_2468_: lt_bvh_Hit;
+    var phi_2471_: u32;
+    var phi_3112_: bool;
+    var phi_3151_: bool;
+    var phi_3152_: bool;
+    var phi_3183_: u32;
+    var phi_2135_: lt_bvh_Hit;
+    var phi_2138_: u32;
+    var phi_3184_: lt_bvh_Hit;
+    var phi_3185_: lt_bvh_Hit;
+    var phi_3186_: bool;
+    var phi_3190_: lt_bvh_Hit;
+    var phi_3191_: lt_bvh_Hit;
+    var phi_3192_: lt_bvh_Hit;
+    var phi_3193_: lt_bvh_Hit;
+    var phi_1502_: u32;
+    var phi_1505_: lt_bvh_Hit;
+    var phi_3194_: bool;
+    var phi_3233_: bool;
+    var phi_3234_: bool;
+    var phi_3265_: u32;
+    var phi_1165_: u32;
+    var phi_1168_: lt_bvh_Hit;
+    var phi_3266_: lt_bvh_Hit;
+    var phi_3267_: lt_bvh_Hit;
+    var phi_3268_: bool;
+    var phi_3272_: lt_bvh_Hit;
+    var phi_3459_: f32;
+    var phi_3464_: f32;
+    var phi_3469_: f32;
+    var phi_3477_: f32;
+    var phi_3482_: f32;
+    var phi_3487_: f32;
+    var phi_3551_: vec3<f32>;
+    var phi_3794_: vec3<f32>;
+    var phi_3809_: u32;
+    var phi_3836_: f32;
+    var phi_3843_: f32;
+    var phi_3850_: f32;
+    var phi_3885_: f32;
+    var phi_3892_: f32;
+    var phi_3899_: f32;
+    var phi_3937_: f32;
+    var phi_3944_: f32;
+    var phi_3951_: f32;
+    var phi_4037_: vec3<f32>;
+    var phi_4038_: vec3<f32>;
+    var phi_4039_: vec3<f32>;
     var phi_4048_: f32;
-    var phi_4058_: f32;
+    var phi_4049_: f32;
     var phi_4059_: f32;
-    var phi_4094_: abi_Sample;
-    var phi_4317_: vec3<f32>;
+    var phi_4060_: f32;
+    var phi_4070_: f32;
+    var phi_4071_: f32;
+    var phi_4106_: abi_Sample;
+    var phi_4329_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -933,7 +929,7 @@ fn function_() {
     let _e105 = p.member.size[0u];
     let _e107 = p.member.size[1u];
     let _e108 = lt_shaders_entry_pixel_index(_e74, _e105, _e107);
-    if (bitcast<i32>(_e108.root) != 0i) {
+    if (bitcast<i32>(_e108.word) != 0i) {
         let _e114 = p.member.root;
         let _e118 = p.member.eye;
         let _e123 = p.member.size[0u];
@@ -945,2192 +941,2194 @@ fn function_() {
         let _e154 = p.member.up;
         let _e165 = _lt_bvh_ray_Ray_new(_e118, vec3<f32>(((_e138.x + (_e140.x * _e127)) + (_e154.x * _e136)), ((_e138.y + (_e140.y * _e127)) + (_e154.y * _e136)), ((_e138.z + (_e140.z * _e127)) + (_e154.z * _e136))));
         let _e167 = lt_bvh_Hit(_e165.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e177 = abs(_e165.direction.x);
-        let _e179 = abs(_e165.direction.y);
-        let _e181 = abs(_e165.direction.z);
+        let _e170 = abs(_e165.direction.x);
+        let _e172 = abs(_e165.direction.y);
+        let _e174 = abs(_e165.direction.z);
         if (abs(_e165.origin.x) < 1000000000000000f) {
             if (abs(_e165.origin.y) < 1000000000000000f) {
-                if (abs(_e165.origin.z) < 1000000000000000f) {
-                    if (_e177 < 1000000000000000f) {
-                        if (_e179 < 1000000000000000f) {
-                            if (_e181 < 1000000000000000f) {
-                                if (_e177 > 0f) {
-                                    phi_802_ = bool();
-                                    phi_803_ = true;
-                                } else {
-                                    let _e189 = (_e179 > 0f);
-                                    if _e189 {
-                                        phi_801_ = bool();
-                                    } else {
-                                        phi_801_ = (_e181 > 0f);
-                                    }
-                                    let _e192 = phi_801_;
-                                    phi_802_ = _e192;
-                                    phi_803_ = _e189;
-                                }
-                                let _e194 = phi_802_;
-                                let _e196 = phi_803_;
-                                if _e196 {
-                                    phi_807_ = true;
-                                } else {
-                                    phi_807_ = _e194;
-                                }
-                                let _e198 = phi_807_;
-                                phi_808_ = _e198;
-                                phi_809_ = false;
-                            } else {
-                                phi_808_ = bool();
-                                phi_809_ = true;
-                            }
-                            let _e200 = phi_808_;
-                            let _e202 = phi_809_;
-                            phi_810_ = _e200;
-                            phi_811_ = false;
-                            phi_812_ = _e202;
-                        } else {
-                            phi_810_ = bool();
-                            phi_811_ = true;
-                            phi_812_ = false;
-                        }
-                        let _e204 = phi_810_;
-                        let _e206 = phi_811_;
-                        let _e208 = phi_812_;
-                        phi_813_ = _e204;
-                        phi_814_ = _e206;
-                        phi_815_ = _e208;
-                    } else {
-                        phi_813_ = bool();
-                        phi_814_ = true;
-                        phi_815_ = false;
-                    }
-                    let _e210 = phi_813_;
-                    let _e212 = phi_814_;
-                    let _e214 = phi_815_;
-                    phi_816_ = _e210;
-                    phi_817_ = _e212;
-                    phi_818_ = _e214;
-                } else {
-                    phi_816_ = bool();
-                    phi_817_ = true;
-                    phi_818_ = false;
-                }
-                let _e216 = phi_816_;
-                let _e218 = phi_817_;
-                let _e220 = phi_818_;
-                phi_819_ = _e216;
-                phi_820_ = _e218;
-                phi_821_ = _e220;
+                phi_777_ = (abs(_e165.origin.z) < 1000000000000000f);
+                phi_778_ = false;
             } else {
-                phi_819_ = bool();
-                phi_820_ = true;
-                phi_821_ = false;
+                phi_777_ = bool();
+                phi_778_ = true;
             }
-            let _e222 = phi_819_;
-            let _e224 = phi_820_;
-            let _e226 = phi_821_;
-            phi_822_ = _e222;
-            phi_823_ = _e224;
-            phi_824_ = _e226;
+            let _e186 = phi_777_;
+            let _e188 = phi_778_;
+            phi_779_ = _e186;
+            phi_780_ = _e188;
         } else {
-            phi_822_ = bool();
-            phi_823_ = true;
-            phi_824_ = false;
+            phi_779_ = bool();
+            phi_780_ = true;
         }
-        let _e228 = phi_822_;
-        let _e230 = phi_823_;
-        let _e232 = phi_824_;
-        if _e230 {
-            phi_828_ = true;
+        let _e190 = phi_779_;
+        let _e192 = phi_780_;
+        if _e192 {
+            phi_784_ = false;
         } else {
-            phi_828_ = _e232;
+            phi_784_ = _e190;
         }
-        let _e234 = phi_828_;
-        if _e234 {
-            phi_832_ = false;
+        let _e194 = phi_784_;
+        if _e194 {
+            if (_e170 < 1000000000000000f) {
+                if (_e172 < 1000000000000000f) {
+                    phi_797_ = (_e174 < 1000000000000000f);
+                    phi_798_ = false;
+                } else {
+                    phi_797_ = bool();
+                    phi_798_ = true;
+                }
+                let _e199 = phi_797_;
+                let _e201 = phi_798_;
+                phi_799_ = _e199;
+                phi_800_ = _e201;
+            } else {
+                phi_799_ = bool();
+                phi_800_ = true;
+            }
+            let _e203 = phi_799_;
+            let _e205 = phi_800_;
+            if _e205 {
+                phi_804_ = false;
+            } else {
+                phi_804_ = _e203;
+            }
+            let _e207 = phi_804_;
+            if _e207 {
+                if (_e170 > 0f) {
+                    phi_818_ = bool();
+                    phi_819_ = true;
+                } else {
+                    let _e209 = (_e172 > 0f);
+                    if _e209 {
+                        phi_817_ = bool();
+                    } else {
+                        phi_817_ = (_e174 > 0f);
+                    }
+                    let _e212 = phi_817_;
+                    phi_818_ = _e212;
+                    phi_819_ = _e209;
+                }
+                let _e214 = phi_818_;
+                let _e216 = phi_819_;
+                if _e216 {
+                    phi_823_ = true;
+                } else {
+                    phi_823_ = _e214;
+                }
+                let _e218 = phi_823_;
+                phi_824_ = _e218;
+                phi_825_ = false;
+            } else {
+                phi_824_ = bool();
+                phi_825_ = true;
+            }
+            let _e220 = phi_824_;
+            let _e222 = phi_825_;
+            phi_826_ = _e220;
+            phi_827_ = _e222;
         } else {
-            phi_832_ = _e228;
+            phi_826_ = bool();
+            phi_827_ = true;
         }
-        let _e236 = phi_832_;
-        if _e236 {
-            let _e237 = (_e114 >= _e78);
-            if _e237 {
-                phi_3254_ = lt_bvh_Hit();
+        let _e224 = phi_826_;
+        let _e226 = phi_827_;
+        if _e226 {
+            phi_831_ = false;
+        } else {
+            phi_831_ = _e224;
+        }
+        let _e228 = phi_831_;
+        if _e228 {
+            let _e229 = (_e114 >= _e78);
+            if _e229 {
+                phi_3266_ = lt_bvh_Hit();
             } else {
                 if (_e114 < _e78) {
                 } else {
                     return;
                 }
-                let _e243 = nodes.member[(0u + _e114)].frame[0u];
-                let _e247 = nodes.member[(0u + _e114)].frame[1u];
-                let _e251 = nodes.member[(0u + _e114)].frame[2u];
-                let _e255 = nodes.member[(0u + _e114)].frame[0u];
-                let _e259 = nodes.member[(0u + _e114)].frame[1u];
-                let _e263 = nodes.member[(0u + _e114)].frame[2u];
-                let _e267 = nodes.member[(0u + _e114)].frame[3u];
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
-                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, abs(_e165.direction.z));
-                let _e307 = (_e306 * 0.0000000000009094947f);
-                if (abs(_e165.direction.x) < _e307) {
-                    phi_907_ = _e307;
+                let _e235 = nodes.member[(0u + _e114)].frame[0u];
+                let _e239 = nodes.member[(0u + _e114)].frame[1u];
+                let _e243 = nodes.member[(0u + _e114)].frame[2u];
+                let _e247 = nodes.member[(0u + _e114)].frame[0u];
+                let _e251 = nodes.member[(0u + _e114)].frame[1u];
+                let _e255 = nodes.member[(0u + _e114)].frame[2u];
+                let _e259 = nodes.member[(0u + _e114)].frame[3u];
+                let _e298 = core_intrinsics_maximum_number_nsz_f32_(abs(_e165.direction.x), abs(_e165.direction.y));
+                let _e299 = core_intrinsics_maximum_number_nsz_f32_(_e298, abs(_e165.direction.z));
+                let _e300 = (_e299 * 0.0000000000009094947f);
+                if (abs(_e165.direction.x) < _e300) {
+                    phi_907_ = _e300;
                 } else {
                     phi_907_ = abs(_e165.direction.x);
                 }
-                let _e314 = phi_907_;
+                let _e306 = phi_907_;
                 if (_e165.direction.x < 0f) {
-                    phi_914_ = (-1f / _e314);
+                    phi_914_ = (-1f / _e306);
                 } else {
-                    phi_914_ = (1f / _e314);
+                    phi_914_ = (1f / _e306);
                 }
-                let _e319 = phi_914_;
-                if (abs(_e165.direction.y) < _e307) {
-                    phi_922_ = _e307;
+                let _e311 = phi_914_;
+                if (abs(_e165.direction.y) < _e300) {
+                    phi_922_ = _e300;
                 } else {
                     phi_922_ = abs(_e165.direction.y);
                 }
-                let _e326 = phi_922_;
+                let _e317 = phi_922_;
                 if (_e165.direction.y < 0f) {
-                    phi_929_ = (-1f / _e326);
+                    phi_929_ = (-1f / _e317);
                 } else {
-                    phi_929_ = (1f / _e326);
+                    phi_929_ = (1f / _e317);
                 }
-                let _e331 = phi_929_;
-                if (abs(_e165.direction.z) < _e307) {
-                    phi_937_ = _e307;
+                let _e322 = phi_929_;
+                if (abs(_e165.direction.z) < _e300) {
+                    phi_937_ = _e300;
                 } else {
                     phi_937_ = abs(_e165.direction.z);
                 }
-                let _e338 = phi_937_;
+                let _e328 = phi_937_;
                 if (_e165.direction.z < 0f) {
-                    phi_944_ = (-1f / _e338);
+                    phi_944_ = (-1f / _e328);
                 } else {
-                    phi_944_ = (1f / _e338);
+                    phi_944_ = (1f / _e328);
                 }
-                let _e343 = phi_944_;
-                let _e351 = abs((bitcast<f32>(_e243) - _e165.origin.x));
-                let _e352 = abs((bitcast<f32>(_e247) - _e165.origin.y));
-                let _e353 = abs((bitcast<f32>(_e251) - _e165.origin.z));
-                let _e361 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
-                let _e362 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
-                let _e363 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
-                if (_e351 > _e361) {
-                    phi_969_ = _e351;
+                let _e333 = phi_944_;
+                let _e340 = abs((bitcast<f32>(_e235) - _e165.origin.x));
+                let _e341 = abs((bitcast<f32>(_e239) - _e165.origin.y));
+                let _e342 = abs((bitcast<f32>(_e243) - _e165.origin.z));
+                let _e349 = abs(((bitcast<f32>(_e247) + (bitcast<f32>((((_e259 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
+                let _e350 = abs(((bitcast<f32>(_e251) + (bitcast<f32>((((_e259 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
+                let _e351 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e259 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
+                if (_e340 > _e349) {
+                    phi_967_ = _e340;
                 } else {
-                    phi_969_ = _e361;
+                    phi_967_ = _e349;
                 }
-                let _e366 = phi_969_;
-                if (_e352 > _e362) {
-                    phi_974_ = _e352;
+                let _e354 = phi_967_;
+                if (_e341 > _e350) {
+                    phi_972_ = _e341;
                 } else {
-                    phi_974_ = _e362;
+                    phi_972_ = _e350;
                 }
-                let _e369 = phi_974_;
-                if (_e353 > _e363) {
-                    phi_979_ = _e353;
+                let _e357 = phi_972_;
+                if (_e342 > _e351) {
+                    phi_977_ = _e342;
                 } else {
-                    phi_979_ = _e363;
+                    phi_977_ = _e351;
                 }
-                let _e372 = phi_979_;
-                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e369);
-                let _e374 = core_intrinsics_maximum_number_nsz_f32_(_e373, _e372);
-                let _e379 = (_e374 * 0.0000019073486f);
-                let _e380 = (abs(_e319) * _e379);
-                let _e381 = (abs(_e331) * _e379);
-                let _e382 = (abs(_e343) * _e379);
-                let _e386 = (_e374 * 0.0000009536743f);
-                let _e387 = (abs(_e319) * _e386);
-                let _e388 = (abs(_e331) * _e386);
-                let _e389 = (abs(_e343) * _e386);
-                if (_e319 < 0f) {
-                    phi_1001_ = 0u;
+                let _e360 = phi_977_;
+                if (_e354 > _e357) {
+                    phi_982_ = _e354;
                 } else {
-                    phi_1001_ = 1u;
+                    phi_982_ = _e357;
                 }
-                let _e392 = phi_1001_;
-                if (_e331 < 0f) {
+                let _e363 = phi_982_;
+                if (_e363 > _e360) {
+                    phi_987_ = _e363;
+                } else {
+                    phi_987_ = _e360;
+                }
+                let _e366 = phi_987_;
+                let _e370 = (_e366 * 0.0000019073486f);
+                let _e371 = (abs(_e311) * _e370);
+                let _e372 = (abs(_e322) * _e370);
+                let _e373 = (abs(_e333) * _e370);
+                let _e377 = (_e366 * 0.0000009536743f);
+                let _e378 = (abs(_e311) * _e377);
+                let _e379 = (abs(_e322) * _e377);
+                let _e380 = (abs(_e333) * _e377);
+                if (_e311 < 0f) {
                     phi_1006_ = 0u;
                 } else {
-                    phi_1006_ = 2u;
+                    phi_1006_ = 1u;
                 }
-                let _e395 = phi_1006_;
-                if (_e343 < 0f) {
+                let _e383 = phi_1006_;
+                if (_e322 < 0f) {
                     phi_1011_ = 0u;
                 } else {
-                    phi_1011_ = 4u;
+                    phi_1011_ = 2u;
                 }
-                let _e398 = phi_1011_;
-                let _e400 = ((_e392 | _e395) | _e398);
-                let _e401 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e401.first[0], _e401.first[1], _e401.first[2], _e401.first[3], _e401.first[4], _e401.first[5], _e401.first[6], _e401.first[7], _e401.first[8], _e401.first[9], _e401.first[10], _e401.first[11], _e401.first[12], _e401.first[13], _e401.first[14], _e401.first[15], _e401.first[16], _e401.first[17], _e401.first[18], _e401.first[19], _e401.first[20], _e401.first[21], _e401.first[22], _e401.first[23], _e401.first[24], _e401.first[25], _e401.first[26], _e401.first[27], _e401.first[28], _e401.first[29], _e401.first[30], _e401.first[31]), array<u32, 32>(_e401.mask[0], _e401.mask[1], _e401.mask[2], _e401.mask[3], _e401.mask[4], _e401.mask[5], _e401.mask[6], _e401.mask[7], _e401.mask[8], _e401.mask[9], _e401.mask[10], _e401.mask[11], _e401.mask[12], _e401.mask[13], _e401.mask[14], _e401.mask[15], _e401.mask[16], _e401.mask[17], _e401.mask[18], _e401.mask[19], _e401.mask[20], _e401.mask[21], _e401.mask[22], _e401.mask[23], _e401.mask[24], _e401.mask[25], _e401.mask[26], _e401.mask[27], _e401.mask[28], _e401.mask[29], _e401.mask[30], _e401.mask[31]), _e401.len, _e401.group, _e401.group_mask);
-                let _e475 = local_2.group_mask;
-                if ((_e475 & 4278190080u) == 0u) {
-                    let _e479 = local_2.len;
-                    if (_e479 == 0u) {
-                        phi_1125_ = false;
+                let _e386 = phi_1011_;
+                if (_e333 < 0f) {
+                    phi_1016_ = 0u;
+                } else {
+                    phi_1016_ = 4u;
+                }
+                let _e389 = phi_1016_;
+                let _e391 = ((_e383 | _e386) | _e389);
+                let _e392 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e392.first[0], _e392.first[1], _e392.first[2], _e392.first[3], _e392.first[4], _e392.first[5], _e392.first[6], _e392.first[7], _e392.first[8], _e392.first[9], _e392.first[10], _e392.first[11], _e392.first[12], _e392.first[13], _e392.first[14], _e392.first[15], _e392.first[16], _e392.first[17], _e392.first[18], _e392.first[19], _e392.first[20], _e392.first[21], _e392.first[22], _e392.first[23], _e392.first[24], _e392.first[25], _e392.first[26], _e392.first[27], _e392.first[28], _e392.first[29], _e392.first[30], _e392.first[31]), array<u32, 32>(_e392.mask[0], _e392.mask[1], _e392.mask[2], _e392.mask[3], _e392.mask[4], _e392.mask[5], _e392.mask[6], _e392.mask[7], _e392.mask[8], _e392.mask[9], _e392.mask[10], _e392.mask[11], _e392.mask[12], _e392.mask[13], _e392.mask[14], _e392.mask[15], _e392.mask[16], _e392.mask[17], _e392.mask[18], _e392.mask[19], _e392.mask[20], _e392.mask[21], _e392.mask[22], _e392.mask[23], _e392.mask[24], _e392.mask[25], _e392.mask[26], _e392.mask[27], _e392.mask[28], _e392.mask[29], _e392.mask[30], _e392.mask[31]), _e392.len, _e392.group, _e392.group_mask);
+                let _e466 = local_2.group_mask;
+                if ((_e466 & 4278190080u) == 0u) {
+                    let _e470 = local_2.len;
+                    if (_e470 == 0u) {
+                        phi_1130_ = false;
                     } else {
-                        let _e483 = local_2.len;
-                        local_2.len = (_e483 - 1u);
-                        let _e486 = local_2.len;
-                        if (_e486 < 32u) {
+                        let _e474 = local_2.len;
+                        local_2.len = (_e474 - 1u);
+                        let _e477 = local_2.len;
+                        if (_e477 < 32u) {
                         } else {
                             return;
                         }
-                        let _e491 = local_2.first[(0u + _e486)];
-                        local_2.group = _e491;
-                        let _e494 = local_2.len;
-                        if (_e494 < 32u) {
+                        let _e482 = local_2.first[(0u + _e477)];
+                        local_2.group = _e482;
+                        let _e485 = local_2.len;
+                        if (_e485 < 32u) {
                         } else {
                             return;
                         }
-                        let _e499 = local_2.mask[(0u + _e494)];
-                        local_2.group_mask = _e499;
-                        phi_1125_ = true;
+                        let _e490 = local_2.mask[(0u + _e485)];
+                        local_2.group_mask = _e490;
+                        phi_1130_ = true;
                     }
-                    let _e502 = phi_1125_;
-                    phi_1126_ = _e502;
+                    let _e493 = phi_1130_;
+                    phi_1131_ = _e493;
                 } else {
-                    phi_1126_ = true;
+                    phi_1131_ = true;
                 }
-                let _e504 = phi_1126_;
-                if _e504 {
-                    let _e506 = local_2.group_mask;
-                    let _e512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, (_e506 == 0u)));
-                    let _e516 = local_2.group_mask;
-                    let _e530 = local_2.group_mask;
-                    local_2.group_mask = (_e530 & ~((1u << bitcast<u32>((_e512 & 31u)))));
-                    let _e533 = local_2.group;
-                    phi_1157_ = (_e533 + countOneBits(((_e516 & ~((4294967295u << bitcast<u32>((((_e512 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e495 = phi_1131_;
+                if _e495 {
+                    let _e497 = local_2.group_mask;
+                    let _e503 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e497)), 32u, (_e497 == 0u)));
+                    let _e507 = local_2.group_mask;
+                    let _e521 = local_2.group_mask;
+                    local_2.group_mask = (_e521 & ~((1u << bitcast<u32>((_e503 & 31u)))));
+                    let _e524 = local_2.group;
+                    phi_1162_ = (_e524 + countOneBits(((_e507 & ~((4294967295u << bitcast<u32>((((_e503 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1157_ = 4294967295u;
+                    phi_1162_ = 4294967295u;
                 }
-                let _e536 = phi_1157_;
-                phi_1159_ = _e536;
-                phi_1162_ = _e167;
+                let _e527 = phi_1162_;
+                phi_1164_ = _e527;
+                phi_1167_ = _e167;
                 loop {
-                    let _e538 = phi_1159_;
-                    let _e540 = phi_1162_;
-                    local_12 = _e540;
-                    let _e541 = (_e538 != 4294967295u);
-                    if _e541 {
-                        if (_e538 < _e78) {
+                    let _e529 = phi_1164_;
+                    let _e531 = phi_1167_;
+                    local_12 = _e531;
+                    let _e532 = (_e529 != 4294967295u);
+                    if _e532 {
+                        if (_e529 < _e78) {
                         } else {
                             return;
                         }
-                        let _e549 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e574 = (bitcast<f32>((((_e549 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e575 = (bitcast<f32>((((_e549 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
-                        let _e576 = (bitcast<f32>((((_e549 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
-                        let _e579 = nodes.member[(0u + _e538)].frame[0u];
-                        let _e583 = nodes.member[(0u + _e538)].frame[1u];
-                        let _e587 = nodes.member[(0u + _e538)].frame[2u];
-                        let _e595 = ((bitcast<f32>(_e579) - _e165.origin.x) * _e319);
-                        let _e596 = ((bitcast<f32>(_e583) - _e165.origin.y) * _e331);
-                        let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
-                        let _e605 = nodes.member[(0u + _e538)].x;
-                        if (_e319 < 0f) {
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e616.unnamed.root, _e605.w), _e616.unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_bvh_traverse_Tree(_e605.x, _e622.unnamed_1.first_primitive));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e628.unnamed_1.root, _e605.y));
+                        let _e540 = nodes.member[(0u + _e529)].frame[3u];
+                        let _e565 = (bitcast<f32>((((_e540 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
+                        let _e566 = (bitcast<f32>((((_e540 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
+                        let _e567 = (bitcast<f32>((((_e540 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e333);
+                        let _e570 = nodes.member[(0u + _e529)].frame[0u];
+                        let _e574 = nodes.member[(0u + _e529)].frame[1u];
+                        let _e578 = nodes.member[(0u + _e529)].frame[2u];
+                        let _e586 = ((bitcast<f32>(_e570) - _e165.origin.x) * _e311);
+                        let _e587 = ((bitcast<f32>(_e574) - _e165.origin.y) * _e322);
+                        let _e588 = ((bitcast<f32>(_e578) - _e165.origin.z) * _e333);
+                        let _e596 = nodes.member[(0u + _e529)].x;
+                        if (_e311 < 0f) {
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.unnamed.word, _e596.w), _e607.unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_mask_LightPlace(_e596.x, _e613.unnamed_1.shift));
+                            phi_1252_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e619.unnamed_1.word, _e596.y));
                         } else {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.unnamed.root, _e605.y), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e605.z, _e650.unnamed_1.first_primitive));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e656.unnamed_1.root, _e605.w));
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.unnamed.word, _e596.y), _e635.unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_mask_LightPlace(_e596.z, _e641.unnamed_1.shift));
+                            phi_1252_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e647.unnamed_1.word, _e596.w));
                         }
-                        let _e664 = phi_1247_;
-                        let _e674 = nodes.member[(0u + _e538)].y;
-                        if (_e331 < 0f) {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e674.w), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e674.x, _e691.unnamed_1.first_primitive));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e674.y));
+                        let _e655 = phi_1252_;
+                        let _e665 = nodes.member[(0u + _e529)].y;
+                        if (_e322 < 0f) {
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.unnamed.word, _e665.w), _e676.unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e665.x, _e682.unnamed_1.shift));
+                            phi_1279_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e688.unnamed_1.word, _e665.y));
                         } else {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.unnamed.root, _e674.y), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e674.z, _e719.unnamed_1.first_primitive));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e725.unnamed_1.root, _e674.w));
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.unnamed.word, _e665.y), _e704.unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e665.z, _e710.unnamed_1.shift));
+                            phi_1279_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e716.unnamed_1.word, _e665.w));
                         }
-                        let _e733 = phi_1274_;
-                        let _e743 = nodes.member[(0u + _e538)].z;
-                        if (_e343 < 0f) {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e743.w), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e743.x, _e760.unnamed_1.first_primitive));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e743.y));
+                        let _e724 = phi_1279_;
+                        let _e734 = nodes.member[(0u + _e529)].z;
+                        if (_e333 < 0f) {
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.unnamed.word, _e734.w), _e745.unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e734.x, _e751.unnamed_1.shift));
+                            phi_1306_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e757.unnamed_1.word, _e734.y));
                         } else {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.unnamed.root, _e743.y), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_bvh_traverse_Tree(_e743.z, _e788.unnamed_1.first_primitive));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e794.unnamed_1.root, _e743.w));
+                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.unnamed.word, _e734.y), _e773.unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e734.z, _e779.unnamed_1.shift));
+                            phi_1306_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e785.unnamed_1.word, _e734.w));
                         }
-                        let _e802 = phi_1301_;
-                        phi_1307_ = 0u;
-                        phi_1310_ = 0u;
+                        let _e793 = phi_1306_;
+                        phi_1312_ = 0u;
+                        phi_1315_ = 0u;
                         loop {
-                            let _e812 = phi_1307_;
-                            let _e814 = phi_1310_;
-                            local_3 = _e814;
-                            local_4 = _e814;
-                            local_5 = _e814;
-                            let _e815 = (_e812 < 8u);
-                            if _e815 {
-                                let _e817 = (_e812 >> bitcast<u32>(2i));
-                                let _e818 = (_e812 & 3u);
-                                if (_e817 == 0u) {
-                                    phi_1324_ = _e664.unnamed.root;
+                            let _e803 = phi_1312_;
+                            let _e805 = phi_1315_;
+                            local_3 = _e805;
+                            local_4 = _e805;
+                            local_5 = _e805;
+                            let _e806 = (_e803 < 8u);
+                            if _e806 {
+                                let _e808 = (_e803 >> bitcast<u32>(2i));
+                                let _e809 = (_e803 & 3u);
+                                if (_e808 == 0u) {
+                                    phi_1329_ = _e655.unnamed.word;
                                 } else {
-                                    phi_1324_ = _e664.unnamed.first_primitive;
+                                    phi_1329_ = _e655.unnamed.shift;
                                 }
-                                let _e821 = phi_1324_;
-                                if (_e817 == 0u) {
-                                    phi_1334_ = _e733.unnamed.root;
+                                let _e812 = phi_1329_;
+                                if (_e808 == 0u) {
+                                    phi_1339_ = _e724.unnamed.word;
                                 } else {
-                                    phi_1334_ = _e733.unnamed.first_primitive;
+                                    phi_1339_ = _e724.unnamed.shift;
                                 }
-                                let _e830 = phi_1334_;
-                                if (_e817 == 0u) {
-                                    phi_1344_ = _e802.unnamed.root;
+                                let _e821 = phi_1339_;
+                                if (_e808 == 0u) {
+                                    phi_1349_ = _e793.unnamed.word;
                                 } else {
-                                    phi_1344_ = _e802.unnamed.first_primitive;
+                                    phi_1349_ = _e793.unnamed.shift;
                                 }
-                                let _e839 = phi_1344_;
-                                let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
-                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
-                                if (_e817 == 0u) {
-                                    phi_1362_ = _e664.unnamed_1.root;
+                                let _e830 = phi_1349_;
+                                let _e843 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)), ((f32(((_e821 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e566) + (_e587 - _e372)));
+                                let _e844 = core_intrinsics_maximum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e567) + (_e588 - _e373)));
+                                if (_e808 == 0u) {
+                                    phi_1367_ = _e655.unnamed_1.word;
                                 } else {
-                                    phi_1362_ = _e664.unnamed_1.first_primitive;
+                                    phi_1367_ = _e655.unnamed_1.shift;
                                 }
-                                let _e856 = phi_1362_;
-                                if (_e817 == 0u) {
-                                    phi_1372_ = _e733.unnamed_1.root;
+                                let _e847 = phi_1367_;
+                                if (_e808 == 0u) {
+                                    phi_1377_ = _e724.unnamed_1.word;
                                 } else {
-                                    phi_1372_ = _e733.unnamed_1.first_primitive;
+                                    phi_1377_ = _e724.unnamed_1.shift;
                                 }
-                                let _e865 = phi_1372_;
-                                if (_e817 == 0u) {
-                                    phi_1382_ = _e802.unnamed_1.root;
+                                let _e856 = phi_1377_;
+                                if (_e808 == 0u) {
+                                    phi_1387_ = _e793.unnamed_1.word;
                                 } else {
-                                    phi_1382_ = _e802.unnamed_1.first_primitive;
+                                    phi_1387_ = _e793.unnamed_1.shift;
                                 }
-                                let _e874 = phi_1382_;
-                                let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
-                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
-                                if (_e853 <= _e888) {
-                                    if (_e853 <= _e540.t) {
-                                        if (_e888 >= _e165.tmin) {
-                                            if (_e817 == 0u) {
-                                                let _e895 = nodes.member[(0u + _e538)].links[2u];
-                                                phi_1418_ = _e895;
+                                let _e865 = phi_1387_;
+                                let _e878 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e847 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e565) + (_e586 + _e371)), ((f32(((_e856 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e566) + (_e587 + _e372)));
+                                let _e879 = core_intrinsics_minimum_number_nsz_f32_(_e878, ((f32(((_e865 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u)) * _e567) + (_e588 + _e373)));
+                                if (_e844 <= _e879) {
+                                    if (_e844 <= _e531.t) {
+                                        if (_e879 >= _e165.tmin) {
+                                            if (_e808 == 0u) {
+                                                let _e886 = nodes.member[(0u + _e529)].links[2u];
+                                                phi_1423_ = _e886;
                                             } else {
-                                                let _e898 = nodes.member[(0u + _e538)].links[3u];
-                                                phi_1418_ = _e898;
+                                                let _e889 = nodes.member[(0u + _e529)].links[3u];
+                                                phi_1423_ = _e889;
                                             }
-                                            let _e900 = phi_1418_;
-                                            let _e905 = ((_e900 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u);
-                                            let _e906 = (_e905 & 31u);
-                                            if (_e906 >= 24u) {
-                                                phi_1431_ = (24u + ((_e906 - 24u) ^ _e400));
+                                            let _e891 = phi_1423_;
+                                            let _e896 = ((_e891 >> bitcast<u32>(((_e809 * 8u) & 31u))) & 255u);
+                                            let _e897 = (_e896 & 31u);
+                                            if (_e897 >= 24u) {
+                                                phi_1436_ = (24u + ((_e897 - 24u) ^ _e391));
                                             } else {
-                                                phi_1431_ = _e906;
+                                                phi_1436_ = _e897;
                                             }
-                                            let _e912 = phi_1431_;
-                                            phi_1436_ = (_e814 | ((_e905 >> bitcast<u32>(5i)) << bitcast<u32>((_e912 & 31u))));
+                                            let _e903 = phi_1436_;
+                                            phi_1441_ = (_e805 | ((_e896 >> bitcast<u32>(5i)) << bitcast<u32>((_e903 & 31u))));
                                         } else {
-                                            phi_1436_ = _e814;
+                                            phi_1441_ = _e805;
                                         }
-                                        let _e920 = phi_1436_;
-                                        phi_1437_ = _e920;
+                                        let _e911 = phi_1441_;
+                                        phi_1442_ = _e911;
                                     } else {
-                                        phi_1437_ = _e814;
+                                        phi_1442_ = _e805;
                                     }
-                                    let _e922 = phi_1437_;
-                                    phi_1438_ = _e922;
+                                    let _e913 = phi_1442_;
+                                    phi_1443_ = _e913;
                                 } else {
-                                    phi_1438_ = _e814;
+                                    phi_1443_ = _e805;
                                 }
-                                let _e924 = phi_1438_;
-                                phi_1308_ = (_e812 + 1u);
-                                phi_1311_ = _e924;
+                                let _e915 = phi_1443_;
+                                phi_1313_ = (_e803 + 1u);
+                                phi_1316_ = _e915;
                             } else {
-                                phi_1308_ = u32();
-                                phi_1311_ = u32();
+                                phi_1313_ = u32();
+                                phi_1316_ = u32();
                             }
-                            let _e927 = phi_1308_;
-                            let _e929 = phi_1311_;
+                            let _e918 = phi_1313_;
+                            let _e920 = phi_1316_;
                             continue;
                             continuing {
-                                phi_1307_ = _e927;
-                                phi_1310_ = _e929;
-                                break if !(_e815);
+                                phi_1312_ = _e918;
+                                phi_1315_ = _e920;
+                                break if !(_e806);
                             }
                         }
-                        let _e933 = nodes.member[(0u + _e538)].links[0u];
-                        let _e937 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e941 = local_3;
-                        if ((_e941 & 4278190080u) == 0u) {
+                        let _e924 = nodes.member[(0u + _e529)].links[0u];
+                        let _e928 = nodes.member[(0u + _e529)].frame[3u];
+                        let _e932 = local_3;
+                        if ((_e932 & 4278190080u) == 0u) {
                         } else {
-                            let _e945 = local_2.group_mask;
-                            if ((_e945 & 4278190080u) == 0u) {
+                            let _e936 = local_2.group_mask;
+                            if ((_e936 & 4278190080u) == 0u) {
                             } else {
-                                let _e949 = local_2.len;
-                                if (_e949 < 32u) {
-                                    let _e952 = local_2.group;
-                                    let _e954 = local_2.len;
-                                    if (_e954 < 32u) {
+                                let _e940 = local_2.len;
+                                if (_e940 < 32u) {
+                                    let _e943 = local_2.group;
+                                    let _e945 = local_2.len;
+                                    if (_e945 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e954)] = _e952;
-                                    let _e960 = local_2.group_mask;
-                                    let _e962 = local_2.len;
-                                    if (_e962 < 32u) {
+                                    local_2.first[(0u + _e945)] = _e943;
+                                    let _e951 = local_2.group_mask;
+                                    let _e953 = local_2.len;
+                                    if (_e953 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e962)] = _e960;
-                                    let _e969 = local_2.len;
-                                    local_2.len = (_e969 + 1u);
+                                    local_2.mask[(0u + _e953)] = _e951;
+                                    let _e960 = local_2.len;
+                                    local_2.len = (_e960 + 1u);
                                 }
                             }
-                            local_2.group = (_e114 + _e933);
-                            let _e973 = local_4;
-                            local_2.group_mask = ((_e973 & 4278190080u) | (_e937 >> bitcast<u32>(24i)));
+                            local_2.group = (_e114 + _e924);
+                            let _e964 = local_4;
+                            local_2.group_mask = ((_e964 & 4278190080u) | (_e928 >> bitcast<u32>(24i)));
                         }
-                        let _e978 = local_5;
-                        phi_1496_ = (_e978 & 16777215u);
-                        phi_1499_ = _e540;
+                        let _e969 = local_5;
+                        phi_1501_ = (_e969 & 16777215u);
+                        phi_1504_ = _e531;
                         loop {
-                            let _e981 = phi_1496_;
-                            let _e983 = phi_1499_;
-                            local_11 = _e983;
-                            if (_e981 == 0u) {
-                                phi_1497_ = u32();
-                                phi_1500_ = lt_bvh_Hit();
-                                phi_3182_ = false;
+                            let _e972 = phi_1501_;
+                            let _e974 = phi_1504_;
+                            local_11 = _e974;
+                            if (_e972 == 0u) {
+                                phi_1502_ = u32();
+                                phi_1505_ = lt_bvh_Hit();
+                                phi_3194_ = false;
                             } else {
-                                let _e987 = nodes.member[(0u + _e538)].links[1u];
-                                let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
-                                if (_e991 < _e93) {
+                                let _e978 = nodes.member[(0u + _e529)].links[1u];
+                                let _e982 = (_e978 + select(firstTrailingBit(_e972), 32u, (_e972 == 0u)));
+                                if (_e982 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e998 = instances.member[(0u + _e991)].low_world;
-                                let _e1000 = instances.member[(0u + _e991)].high_world;
-                                let _e1010 = ((_e998.x - _e165.origin.x) * _e319);
-                                let _e1011 = ((_e998.y - _e165.origin.y) * _e331);
-                                let _e1012 = ((_e998.z - _e165.origin.z) * _e343);
-                                let _e1022 = ((_e1000.x - _e165.origin.x) * _e319);
-                                let _e1023 = ((_e1000.y - _e165.origin.y) * _e331);
-                                let _e1024 = ((_e1000.z - _e165.origin.z) * _e343);
-                                if (_e1010 < _e1022) {
-                                    phi_1554_ = _e1010;
+                                let _e989 = instances.member[(0u + _e982)].low_world;
+                                let _e991 = instances.member[(0u + _e982)].high_world;
+                                let _e1001 = ((_e989.x - _e165.origin.x) * _e311);
+                                let _e1002 = ((_e989.y - _e165.origin.y) * _e322);
+                                let _e1003 = ((_e989.z - _e165.origin.z) * _e333);
+                                let _e1013 = ((_e991.x - _e165.origin.x) * _e311);
+                                let _e1014 = ((_e991.y - _e165.origin.y) * _e322);
+                                let _e1015 = ((_e991.z - _e165.origin.z) * _e333);
+                                if (_e1001 < _e1013) {
+                                    phi_1559_ = _e1001;
                                 } else {
-                                    phi_1554_ = _e1022;
+                                    phi_1559_ = _e1013;
                                 }
-                                let _e1027 = phi_1554_;
-                                if (_e1011 < _e1023) {
-                                    phi_1559_ = _e1011;
+                                let _e1018 = phi_1559_;
+                                if (_e1002 < _e1014) {
+                                    phi_1564_ = _e1002;
                                 } else {
-                                    phi_1559_ = _e1023;
+                                    phi_1564_ = _e1014;
                                 }
-                                let _e1030 = phi_1559_;
-                                if (_e1012 < _e1024) {
-                                    phi_1564_ = _e1012;
+                                let _e1021 = phi_1564_;
+                                if (_e1003 < _e1015) {
+                                    phi_1569_ = _e1003;
                                 } else {
-                                    phi_1564_ = _e1024;
+                                    phi_1569_ = _e1015;
                                 }
-                                let _e1033 = phi_1564_;
-                                if (_e1010 > _e1022) {
-                                    phi_1572_ = _e1010;
+                                let _e1024 = phi_1569_;
+                                if (_e1001 > _e1013) {
+                                    phi_1577_ = _e1001;
                                 } else {
-                                    phi_1572_ = _e1022;
+                                    phi_1577_ = _e1013;
                                 }
-                                let _e1039 = phi_1572_;
-                                if (_e1011 > _e1023) {
-                                    phi_1577_ = _e1011;
+                                let _e1030 = phi_1577_;
+                                if (_e1002 > _e1014) {
+                                    phi_1582_ = _e1002;
                                 } else {
-                                    phi_1577_ = _e1023;
+                                    phi_1582_ = _e1014;
                                 }
-                                let _e1042 = phi_1577_;
-                                if (_e1012 > _e1024) {
-                                    phi_1582_ = _e1012;
+                                let _e1033 = phi_1582_;
+                                if (_e1003 > _e1015) {
+                                    phi_1587_ = _e1003;
                                 } else {
-                                    phi_1582_ = _e1024;
+                                    phi_1587_ = _e1015;
                                 }
-                                let _e1045 = phi_1582_;
-                                let _e1049 = core_intrinsics_maximum_number_nsz_f32_((_e1027 - _e387), (_e1030 - _e388));
-                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_(_e1049, (_e1033 - _e389));
-                                let _e1051 = core_intrinsics_minimum_number_nsz_f32_((_e1039 + _e387), (_e1042 + _e388));
-                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_(_e1051, (_e1045 + _e389));
-                                if (_e1050 <= _e1052) {
-                                    if (_e1050 <= _e983.t) {
-                                        if (_e1052 >= _e165.tmin) {
-                                            let _e1064 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1075 = ((((_e1064.x * _e165.origin.x) + (_e1064.y * _e165.origin.y)) + (_e1064.z * _e165.origin.z)) + (_e1064.w * 1f));
-                                            let _e1077 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1088 = ((((_e1077.x * _e165.origin.x) + (_e1077.y * _e165.origin.y)) + (_e1077.z * _e165.origin.z)) + (_e1077.w * 1f));
-                                            let _e1090 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1101 = ((((_e1090.x * _e165.origin.x) + (_e1090.y * _e165.origin.y)) + (_e1090.z * _e165.origin.z)) + (_e1090.w * 1f));
-                                            let _e1108 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1119 = ((((_e1108.x * _e165.direction.x) + (_e1108.y * _e165.direction.y)) + (_e1108.z * _e165.direction.z)) + (_e1108.w * 0f));
-                                            let _e1121 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1132 = ((((_e1121.x * _e165.direction.x) + (_e1121.y * _e165.direction.y)) + (_e1121.z * _e165.direction.z)) + (_e1121.w * 0f));
-                                            let _e1134 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1145 = ((((_e1134.x * _e165.direction.x) + (_e1134.y * _e165.direction.y)) + (_e1134.z * _e165.direction.z)) + (_e1134.w * 0f));
-                                            let _e1150 = instances.member[(0u + _e991)].root;
-                                            let _e1152 = instances.member[(0u + _e991)].first_triangle;
-                                            let _e1156 = abs(_e1119);
-                                            let _e1157 = abs(_e1132);
-                                            let _e1158 = abs(_e1145);
-                                            if (abs(_e1075) < 1000000000000000f) {
-                                                if (abs(_e1088) < 1000000000000000f) {
-                                                    if (abs(_e1101) < 1000000000000000f) {
-                                                        if (_e1156 < 1000000000000000f) {
-                                                            if (_e1157 < 1000000000000000f) {
-                                                                if (_e1158 < 1000000000000000f) {
-                                                                    if (_e1156 > 0f) {
-                                                                        phi_1739_ = bool();
-                                                                        phi_1740_ = true;
-                                                                    } else {
-                                                                        let _e1166 = (_e1157 > 0f);
-                                                                        if _e1166 {
-                                                                            phi_1738_ = bool();
-                                                                        } else {
-                                                                            phi_1738_ = (_e1158 > 0f);
-                                                                        }
-                                                                        let _e1169 = phi_1738_;
-                                                                        phi_1739_ = _e1169;
-                                                                        phi_1740_ = _e1166;
-                                                                    }
-                                                                    let _e1171 = phi_1739_;
-                                                                    let _e1173 = phi_1740_;
-                                                                    if _e1173 {
-                                                                        phi_1744_ = true;
-                                                                    } else {
-                                                                        phi_1744_ = _e1171;
-                                                                    }
-                                                                    let _e1175 = phi_1744_;
-                                                                    phi_1745_ = _e1175;
-                                                                    phi_1746_ = false;
-                                                                } else {
-                                                                    phi_1745_ = bool();
-                                                                    phi_1746_ = true;
-                                                                }
-                                                                let _e1177 = phi_1745_;
-                                                                let _e1179 = phi_1746_;
-                                                                phi_1747_ = _e1177;
-                                                                phi_1748_ = false;
-                                                                phi_1749_ = _e1179;
-                                                            } else {
-                                                                phi_1747_ = bool();
-                                                                phi_1748_ = true;
-                                                                phi_1749_ = false;
-                                                            }
-                                                            let _e1181 = phi_1747_;
-                                                            let _e1183 = phi_1748_;
-                                                            let _e1185 = phi_1749_;
-                                                            phi_1750_ = _e1181;
-                                                            phi_1751_ = _e1183;
-                                                            phi_1752_ = _e1185;
-                                                        } else {
-                                                            phi_1750_ = bool();
-                                                            phi_1751_ = true;
-                                                            phi_1752_ = false;
-                                                        }
-                                                        let _e1187 = phi_1750_;
-                                                        let _e1189 = phi_1751_;
-                                                        let _e1191 = phi_1752_;
-                                                        phi_1753_ = _e1187;
-                                                        phi_1754_ = _e1189;
-                                                        phi_1755_ = _e1191;
-                                                    } else {
-                                                        phi_1753_ = bool();
-                                                        phi_1754_ = true;
-                                                        phi_1755_ = false;
-                                                    }
-                                                    let _e1193 = phi_1753_;
-                                                    let _e1195 = phi_1754_;
-                                                    let _e1197 = phi_1755_;
-                                                    phi_1756_ = _e1193;
-                                                    phi_1757_ = _e1195;
-                                                    phi_1758_ = _e1197;
+                                let _e1036 = phi_1587_;
+                                let _e1040 = core_intrinsics_maximum_number_nsz_f32_((_e1018 - _e378), (_e1021 - _e379));
+                                let _e1041 = core_intrinsics_maximum_number_nsz_f32_(_e1040, (_e1024 - _e380));
+                                let _e1042 = core_intrinsics_minimum_number_nsz_f32_((_e1030 + _e378), (_e1033 + _e379));
+                                let _e1043 = core_intrinsics_minimum_number_nsz_f32_(_e1042, (_e1036 + _e380));
+                                if (_e1041 <= _e1043) {
+                                    if (_e1041 <= _e974.t) {
+                                        if (_e1043 >= _e165.tmin) {
+                                            let _e1055 = instances.member[(0u + _e982)].world_to_object[0u];
+                                            let _e1066 = ((((_e1055.x * _e165.origin.x) + (_e1055.y * _e165.origin.y)) + (_e1055.z * _e165.origin.z)) + (_e1055.w * 1f));
+                                            let _e1068 = instances.member[(0u + _e982)].world_to_object[1u];
+                                            let _e1079 = ((((_e1068.x * _e165.origin.x) + (_e1068.y * _e165.origin.y)) + (_e1068.z * _e165.origin.z)) + (_e1068.w * 1f));
+                                            let _e1081 = instances.member[(0u + _e982)].world_to_object[2u];
+                                            let _e1092 = ((((_e1081.x * _e165.origin.x) + (_e1081.y * _e165.origin.y)) + (_e1081.z * _e165.origin.z)) + (_e1081.w * 1f));
+                                            let _e1099 = instances.member[(0u + _e982)].world_to_object[0u];
+                                            let _e1110 = ((((_e1099.x * _e165.direction.x) + (_e1099.y * _e165.direction.y)) + (_e1099.z * _e165.direction.z)) + (_e1099.w * 0f));
+                                            let _e1112 = instances.member[(0u + _e982)].world_to_object[1u];
+                                            let _e1123 = ((((_e1112.x * _e165.direction.x) + (_e1112.y * _e165.direction.y)) + (_e1112.z * _e165.direction.z)) + (_e1112.w * 0f));
+                                            let _e1125 = instances.member[(0u + _e982)].world_to_object[2u];
+                                            let _e1136 = ((((_e1125.x * _e165.direction.x) + (_e1125.y * _e165.direction.y)) + (_e1125.z * _e165.direction.z)) + (_e1125.w * 0f));
+                                            let _e1141 = instances.member[(0u + _e982)].root;
+                                            let _e1143 = instances.member[(0u + _e982)].first_triangle;
+                                            let _e1144 = abs(_e1110);
+                                            let _e1145 = abs(_e1123);
+                                            let _e1146 = abs(_e1136);
+                                            if (abs(_e1066) < 1000000000000000f) {
+                                                if (abs(_e1079) < 1000000000000000f) {
+                                                    phi_1719_ = (abs(_e1092) < 1000000000000000f);
+                                                    phi_1720_ = false;
                                                 } else {
-                                                    phi_1756_ = bool();
-                                                    phi_1757_ = true;
-                                                    phi_1758_ = false;
+                                                    phi_1719_ = bool();
+                                                    phi_1720_ = true;
                                                 }
-                                                let _e1199 = phi_1756_;
-                                                let _e1201 = phi_1757_;
-                                                let _e1203 = phi_1758_;
-                                                phi_1759_ = _e1199;
-                                                phi_1760_ = _e1201;
-                                                phi_1761_ = _e1203;
+                                                let _e1154 = phi_1719_;
+                                                let _e1156 = phi_1720_;
+                                                phi_1721_ = _e1154;
+                                                phi_1722_ = _e1156;
                                             } else {
-                                                phi_1759_ = bool();
-                                                phi_1760_ = true;
-                                                phi_1761_ = false;
+                                                phi_1721_ = bool();
+                                                phi_1722_ = true;
                                             }
-                                            let _e1205 = phi_1759_;
-                                            let _e1207 = phi_1760_;
-                                            let _e1209 = phi_1761_;
-                                            if _e1207 {
-                                                phi_1765_ = true;
+                                            let _e1158 = phi_1721_;
+                                            let _e1160 = phi_1722_;
+                                            if _e1160 {
+                                                phi_1726_ = false;
                                             } else {
-                                                phi_1765_ = _e1209;
+                                                phi_1726_ = _e1158;
                                             }
-                                            let _e1211 = phi_1765_;
-                                            if _e1211 {
-                                                phi_1769_ = false;
-                                            } else {
-                                                phi_1769_ = _e1205;
-                                            }
-                                            let _e1213 = phi_1769_;
-                                            if _e1213 {
-                                                let _e1214 = (_e1150 >= _e78);
-                                                if _e1214 {
-                                                    phi_3172_ = lt_bvh_Hit();
+                                            let _e1162 = phi_1726_;
+                                            if _e1162 {
+                                                if (_e1144 < 1000000000000000f) {
+                                                    if (_e1145 < 1000000000000000f) {
+                                                        phi_1739_ = (_e1146 < 1000000000000000f);
+                                                        phi_1740_ = false;
+                                                    } else {
+                                                        phi_1739_ = bool();
+                                                        phi_1740_ = true;
+                                                    }
+                                                    let _e1167 = phi_1739_;
+                                                    let _e1169 = phi_1740_;
+                                                    phi_1741_ = _e1167;
+                                                    phi_1742_ = _e1169;
                                                 } else {
-                                                    if (_e1150 < _e78) {
+                                                    phi_1741_ = bool();
+                                                    phi_1742_ = true;
+                                                }
+                                                let _e1171 = phi_1741_;
+                                                let _e1173 = phi_1742_;
+                                                if _e1173 {
+                                                    phi_1746_ = false;
+                                                } else {
+                                                    phi_1746_ = _e1171;
+                                                }
+                                                let _e1175 = phi_1746_;
+                                                if _e1175 {
+                                                    if (_e1144 > 0f) {
+                                                        phi_1760_ = bool();
+                                                        phi_1761_ = true;
+                                                    } else {
+                                                        let _e1177 = (_e1145 > 0f);
+                                                        if _e1177 {
+                                                            phi_1759_ = bool();
+                                                        } else {
+                                                            phi_1759_ = (_e1146 > 0f);
+                                                        }
+                                                        let _e1180 = phi_1759_;
+                                                        phi_1760_ = _e1180;
+                                                        phi_1761_ = _e1177;
+                                                    }
+                                                    let _e1182 = phi_1760_;
+                                                    let _e1184 = phi_1761_;
+                                                    if _e1184 {
+                                                        phi_1765_ = true;
+                                                    } else {
+                                                        phi_1765_ = _e1182;
+                                                    }
+                                                    let _e1186 = phi_1765_;
+                                                    phi_1766_ = _e1186;
+                                                    phi_1767_ = false;
+                                                } else {
+                                                    phi_1766_ = bool();
+                                                    phi_1767_ = true;
+                                                }
+                                                let _e1188 = phi_1766_;
+                                                let _e1190 = phi_1767_;
+                                                phi_1768_ = _e1188;
+                                                phi_1769_ = _e1190;
+                                            } else {
+                                                phi_1768_ = bool();
+                                                phi_1769_ = true;
+                                            }
+                                            let _e1192 = phi_1768_;
+                                            let _e1194 = phi_1769_;
+                                            if _e1194 {
+                                                phi_1773_ = false;
+                                            } else {
+                                                phi_1773_ = _e1192;
+                                            }
+                                            let _e1196 = phi_1773_;
+                                            if _e1196 {
+                                                let _e1197 = (_e1141 >= _e78);
+                                                if _e1197 {
+                                                    phi_3184_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1141 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
-                                                    let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1119), abs(_e1132));
-                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1145));
-                                                    let _e1280 = (_e1279 * 0.0000000000009094947f);
-                                                    if (abs(_e1119) < _e1280) {
-                                                        phi_1839_ = _e1280;
+                                                    let _e1203 = nodes.member[(0u + _e1141)].frame[0u];
+                                                    let _e1207 = nodes.member[(0u + _e1141)].frame[1u];
+                                                    let _e1211 = nodes.member[(0u + _e1141)].frame[2u];
+                                                    let _e1215 = nodes.member[(0u + _e1141)].frame[0u];
+                                                    let _e1219 = nodes.member[(0u + _e1141)].frame[1u];
+                                                    let _e1223 = nodes.member[(0u + _e1141)].frame[2u];
+                                                    let _e1227 = nodes.member[(0u + _e1141)].frame[3u];
+                                                    let _e1261 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1110), abs(_e1123));
+                                                    let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1261, abs(_e1136));
+                                                    let _e1263 = (_e1262 * 0.0000000000009094947f);
+                                                    if (abs(_e1110) < _e1263) {
+                                                        phi_1843_ = _e1263;
                                                     } else {
-                                                        phi_1839_ = abs(_e1119);
+                                                        phi_1843_ = abs(_e1110);
                                                     }
-                                                    let _e1285 = phi_1839_;
-                                                    if (_e1119 < 0f) {
-                                                        phi_1846_ = (-1f / _e1285);
+                                                    let _e1268 = phi_1843_;
+                                                    if (_e1110 < 0f) {
+                                                        phi_1850_ = (-1f / _e1268);
                                                     } else {
-                                                        phi_1846_ = (1f / _e1285);
+                                                        phi_1850_ = (1f / _e1268);
                                                     }
-                                                    let _e1290 = phi_1846_;
-                                                    if (abs(_e1132) < _e1280) {
-                                                        phi_1853_ = _e1280;
+                                                    let _e1273 = phi_1850_;
+                                                    if (abs(_e1123) < _e1263) {
+                                                        phi_1857_ = _e1263;
                                                     } else {
-                                                        phi_1853_ = abs(_e1132);
+                                                        phi_1857_ = abs(_e1123);
                                                     }
-                                                    let _e1295 = phi_1853_;
-                                                    if (_e1132 < 0f) {
-                                                        phi_1860_ = (-1f / _e1295);
+                                                    let _e1278 = phi_1857_;
+                                                    if (_e1123 < 0f) {
+                                                        phi_1864_ = (-1f / _e1278);
                                                     } else {
-                                                        phi_1860_ = (1f / _e1295);
+                                                        phi_1864_ = (1f / _e1278);
                                                     }
-                                                    let _e1300 = phi_1860_;
-                                                    if (abs(_e1145) < _e1280) {
-                                                        phi_1867_ = _e1280;
+                                                    let _e1283 = phi_1864_;
+                                                    if (abs(_e1136) < _e1263) {
+                                                        phi_1871_ = _e1263;
                                                     } else {
-                                                        phi_1867_ = abs(_e1145);
+                                                        phi_1871_ = abs(_e1136);
                                                     }
-                                                    let _e1305 = phi_1867_;
-                                                    if (_e1145 < 0f) {
-                                                        phi_1874_ = (-1f / _e1305);
+                                                    let _e1288 = phi_1871_;
+                                                    if (_e1136 < 0f) {
+                                                        phi_1878_ = (-1f / _e1288);
                                                     } else {
-                                                        phi_1874_ = (1f / _e1305);
+                                                        phi_1878_ = (1f / _e1288);
                                                     }
-                                                    let _e1310 = phi_1874_;
-                                                    let _e1314 = abs((bitcast<f32>(_e1220) - _e1075));
-                                                    let _e1315 = abs((bitcast<f32>(_e1224) - _e1088));
-                                                    let _e1316 = abs((bitcast<f32>(_e1228) - _e1101));
-                                                    let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1075));
-                                                    let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1088));
-                                                    let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
-                                                    if (_e1314 > _e1320) {
-                                                        phi_1891_ = _e1314;
+                                                    let _e1293 = phi_1878_;
+                                                    let _e1297 = abs((bitcast<f32>(_e1203) - _e1066));
+                                                    let _e1298 = abs((bitcast<f32>(_e1207) - _e1079));
+                                                    let _e1299 = abs((bitcast<f32>(_e1211) - _e1092));
+                                                    let _e1303 = abs(((bitcast<f32>(_e1215) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1066));
+                                                    let _e1304 = abs(((bitcast<f32>(_e1219) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1079));
+                                                    let _e1305 = abs(((bitcast<f32>(_e1223) + (bitcast<f32>((((_e1227 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1092));
+                                                    if (_e1297 > _e1303) {
+                                                        phi_1895_ = _e1297;
                                                     } else {
-                                                        phi_1891_ = _e1320;
+                                                        phi_1895_ = _e1303;
                                                     }
-                                                    let _e1325 = phi_1891_;
-                                                    if (_e1315 > _e1321) {
-                                                        phi_1896_ = _e1315;
+                                                    let _e1308 = phi_1895_;
+                                                    if (_e1298 > _e1304) {
+                                                        phi_1900_ = _e1298;
                                                     } else {
-                                                        phi_1896_ = _e1321;
+                                                        phi_1900_ = _e1304;
                                                     }
-                                                    let _e1328 = phi_1896_;
-                                                    if (_e1316 > _e1322) {
-                                                        phi_1901_ = _e1316;
+                                                    let _e1311 = phi_1900_;
+                                                    if (_e1299 > _e1305) {
+                                                        phi_1905_ = _e1299;
                                                     } else {
-                                                        phi_1901_ = _e1322;
+                                                        phi_1905_ = _e1305;
                                                     }
-                                                    let _e1331 = phi_1901_;
-                                                    let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
-                                                    let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
-                                                    let _e1337 = (_e1333 * 0.0000019073486f);
-                                                    let _e1338 = (abs(_e1290) * _e1337);
-                                                    let _e1339 = (abs(_e1300) * _e1337);
-                                                    let _e1340 = (abs(_e1310) * _e1337);
-                                                    let _e1344 = (_e1333 * 0.0000009536743f);
-                                                    let _e1345 = (abs(_e1290) * _e1344);
-                                                    let _e1346 = (abs(_e1300) * _e1344);
-                                                    let _e1347 = (abs(_e1310) * _e1344);
-                                                    let _e1348 = abs(_e1119);
-                                                    let _e1349 = abs(_e1132);
-                                                    let _e1350 = abs(_e1145);
-                                                    if (_e1348 >= _e1349) {
-                                                        if (_e1348 >= _e1350) {
-                                                            phi_1929_ = false;
+                                                    let _e1314 = phi_1905_;
+                                                    if (_e1308 > _e1311) {
+                                                        phi_1910_ = _e1308;
+                                                    } else {
+                                                        phi_1910_ = _e1311;
+                                                    }
+                                                    let _e1317 = phi_1910_;
+                                                    if (_e1317 > _e1314) {
+                                                        phi_1915_ = _e1317;
+                                                    } else {
+                                                        phi_1915_ = _e1314;
+                                                    }
+                                                    let _e1320 = phi_1915_;
+                                                    let _e1324 = (_e1320 * 0.0000019073486f);
+                                                    let _e1325 = (abs(_e1273) * _e1324);
+                                                    let _e1326 = (abs(_e1283) * _e1324);
+                                                    let _e1327 = (abs(_e1293) * _e1324);
+                                                    let _e1331 = (_e1320 * 0.0000009536743f);
+                                                    let _e1332 = (abs(_e1273) * _e1331);
+                                                    let _e1333 = (abs(_e1283) * _e1331);
+                                                    let _e1334 = (abs(_e1293) * _e1331);
+                                                    let _e1335 = abs(_e1110);
+                                                    let _e1336 = abs(_e1123);
+                                                    let _e1337 = abs(_e1136);
+                                                    if (_e1335 >= _e1336) {
+                                                        if (_e1335 >= _e1337) {
+                                                            phi_1941_ = false;
                                                         } else {
-                                                            phi_1929_ = true;
+                                                            phi_1941_ = true;
                                                         }
-                                                        let _e1354 = phi_1929_;
-                                                        phi_1930_ = _e1354;
+                                                        let _e1341 = phi_1941_;
+                                                        phi_1942_ = _e1341;
                                                     } else {
-                                                        phi_1930_ = true;
+                                                        phi_1942_ = true;
                                                     }
-                                                    let _e1356 = phi_1930_;
-                                                    if _e1356 {
-                                                        if (_e1349 >= _e1350) {
-                                                            phi_1938_ = 1u;
+                                                    let _e1343 = phi_1942_;
+                                                    if _e1343 {
+                                                        if (_e1336 >= _e1337) {
+                                                            phi_1950_ = 1u;
                                                         } else {
-                                                            phi_1938_ = 2u;
+                                                            phi_1950_ = 2u;
                                                         }
-                                                        let _e1359 = phi_1938_;
-                                                        phi_1939_ = _e1359;
+                                                        let _e1346 = phi_1950_;
+                                                        phi_1951_ = _e1346;
                                                     } else {
-                                                        phi_1939_ = 0u;
+                                                        phi_1951_ = 0u;
                                                     }
-                                                    let _e1361 = phi_1939_;
-                                                    if (_e1361 == 0u) {
-                                                        phi_1951_ = vec3<f32>(_e1132, _e1145, _e1119);
+                                                    let _e1348 = phi_1951_;
+                                                    if (_e1348 == 0u) {
+                                                        phi_1963_ = vec3<f32>(_e1123, _e1136, _e1110);
                                                     } else {
-                                                        if (_e1361 == 1u) {
-                                                            phi_1950_ = vec3<f32>(_e1145, _e1119, _e1132);
+                                                        if (_e1348 == 1u) {
+                                                            phi_1962_ = vec3<f32>(_e1136, _e1110, _e1123);
                                                         } else {
-                                                            phi_1950_ = vec3<f32>(_e1119, _e1132, _e1145);
+                                                            phi_1962_ = vec3<f32>(_e1110, _e1123, _e1136);
                                                         }
-                                                        let _e1367 = phi_1950_;
-                                                        phi_1951_ = _e1367;
+                                                        let _e1354 = phi_1962_;
+                                                        phi_1963_ = _e1354;
                                                     }
-                                                    let _e1369 = phi_1951_;
-                                                    let _e1372 = (_e1369.x / _e1369.z);
-                                                    let _e1375 = (_e1369.y / _e1369.z);
-                                                    if (_e1290 < 0f) {
-                                                        phi_1964_ = 0u;
+                                                    let _e1356 = phi_1963_;
+                                                    let _e1359 = (_e1356.x / _e1356.z);
+                                                    let _e1362 = (_e1356.y / _e1356.z);
+                                                    if (_e1273 < 0f) {
+                                                        phi_1976_ = 0u;
                                                     } else {
-                                                        phi_1964_ = 1u;
+                                                        phi_1976_ = 1u;
                                                     }
-                                                    let _e1380 = phi_1964_;
-                                                    if (_e1300 < 0f) {
-                                                        phi_1969_ = 0u;
+                                                    let _e1367 = phi_1976_;
+                                                    if (_e1283 < 0f) {
+                                                        phi_1981_ = 0u;
                                                     } else {
-                                                        phi_1969_ = 2u;
+                                                        phi_1981_ = 2u;
                                                     }
-                                                    let _e1383 = phi_1969_;
-                                                    if (_e1310 < 0f) {
-                                                        phi_1974_ = 0u;
+                                                    let _e1370 = phi_1981_;
+                                                    if (_e1293 < 0f) {
+                                                        phi_1986_ = 0u;
                                                     } else {
-                                                        phi_1974_ = 4u;
+                                                        phi_1986_ = 4u;
                                                     }
-                                                    let _e1386 = phi_1974_;
-                                                    let _e1388 = ((_e1380 | _e1383) | _e1386);
-                                                    let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
-                                                    let _e1463 = local_1.group_mask;
-                                                    if ((_e1463 & 4278190080u) == 0u) {
-                                                        let _e1467 = local_1.len;
-                                                        if (_e1467 == 0u) {
-                                                            phi_2088_ = false;
+                                                    let _e1373 = phi_1986_;
+                                                    let _e1375 = ((_e1367 | _e1370) | _e1373);
+                                                    let _e1376 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1141, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1376.first[0], _e1376.first[1], _e1376.first[2], _e1376.first[3], _e1376.first[4], _e1376.first[5], _e1376.first[6], _e1376.first[7], _e1376.first[8], _e1376.first[9], _e1376.first[10], _e1376.first[11], _e1376.first[12], _e1376.first[13], _e1376.first[14], _e1376.first[15], _e1376.first[16], _e1376.first[17], _e1376.first[18], _e1376.first[19], _e1376.first[20], _e1376.first[21], _e1376.first[22], _e1376.first[23], _e1376.first[24], _e1376.first[25], _e1376.first[26], _e1376.first[27], _e1376.first[28], _e1376.first[29], _e1376.first[30], _e1376.first[31]), array<u32, 32>(_e1376.mask[0], _e1376.mask[1], _e1376.mask[2], _e1376.mask[3], _e1376.mask[4], _e1376.mask[5], _e1376.mask[6], _e1376.mask[7], _e1376.mask[8], _e1376.mask[9], _e1376.mask[10], _e1376.mask[11], _e1376.mask[12], _e1376.mask[13], _e1376.mask[14], _e1376.mask[15], _e1376.mask[16], _e1376.mask[17], _e1376.mask[18], _e1376.mask[19], _e1376.mask[20], _e1376.mask[21], _e1376.mask[22], _e1376.mask[23], _e1376.mask[24], _e1376.mask[25], _e1376.mask[26], _e1376.mask[27], _e1376.mask[28], _e1376.mask[29], _e1376.mask[30], _e1376.mask[31]), _e1376.len, _e1376.group, _e1376.group_mask);
+                                                    let _e1450 = local_1.group_mask;
+                                                    if ((_e1450 & 4278190080u) == 0u) {
+                                                        let _e1454 = local_1.len;
+                                                        if (_e1454 == 0u) {
+                                                            phi_2100_ = false;
                                                         } else {
-                                                            let _e1471 = local_1.len;
-                                                            local_1.len = (_e1471 - 1u);
-                                                            let _e1474 = local_1.len;
-                                                            if (_e1474 < 32u) {
+                                                            let _e1458 = local_1.len;
+                                                            local_1.len = (_e1458 - 1u);
+                                                            let _e1461 = local_1.len;
+                                                            if (_e1461 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1479 = local_1.first[(0u + _e1474)];
-                                                            local_1.group = _e1479;
-                                                            let _e1482 = local_1.len;
-                                                            if (_e1482 < 32u) {
+                                                            let _e1466 = local_1.first[(0u + _e1461)];
+                                                            local_1.group = _e1466;
+                                                            let _e1469 = local_1.len;
+                                                            if (_e1469 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1487 = local_1.mask[(0u + _e1482)];
-                                                            local_1.group_mask = _e1487;
-                                                            phi_2088_ = true;
+                                                            let _e1474 = local_1.mask[(0u + _e1469)];
+                                                            local_1.group_mask = _e1474;
+                                                            phi_2100_ = true;
                                                         }
-                                                        let _e1490 = phi_2088_;
-                                                        phi_2089_ = _e1490;
+                                                        let _e1477 = phi_2100_;
+                                                        phi_2101_ = _e1477;
                                                     } else {
-                                                        phi_2089_ = true;
+                                                        phi_2101_ = true;
                                                     }
-                                                    let _e1492 = phi_2089_;
-                                                    if _e1492 {
-                                                        let _e1494 = local_1.group_mask;
-                                                        let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
-                                                        let _e1504 = local_1.group_mask;
-                                                        let _e1518 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
-                                                        let _e1521 = local_1.group;
-                                                        phi_2120_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1479 = phi_2101_;
+                                                    if _e1479 {
+                                                        let _e1481 = local_1.group_mask;
+                                                        let _e1487 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1481)), 32u, (_e1481 == 0u)));
+                                                        let _e1491 = local_1.group_mask;
+                                                        let _e1505 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1505 & ~((1u << bitcast<u32>((_e1487 & 31u)))));
+                                                        let _e1508 = local_1.group;
+                                                        phi_2132_ = (_e1508 + countOneBits(((_e1491 & ~((4294967295u << bitcast<u32>((((_e1487 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2120_ = 4294967295u;
+                                                        phi_2132_ = 4294967295u;
                                                     }
-                                                    let _e1524 = phi_2120_;
-                                                    phi_2122_ = _e983;
-                                                    phi_2125_ = _e1524;
+                                                    let _e1511 = phi_2132_;
+                                                    phi_2134_ = _e974;
+                                                    phi_2137_ = _e1511;
                                                     loop {
-                                                        let _e1526 = phi_2122_;
-                                                        let _e1528 = phi_2125_;
-                                                        local_10 = _e1526;
-                                                        let _e1529 = (_e1528 != 4294967295u);
-                                                        if _e1529 {
-                                                            if (_e1528 < _e78) {
+                                                        let _e1513 = phi_2134_;
+                                                        let _e1515 = phi_2137_;
+                                                        local_10 = _e1513;
+                                                        let _e1516 = (_e1515 != 4294967295u);
+                                                        if _e1516 {
+                                                            if (_e1515 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1536 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1561 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1562 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
-                                                            let _e1563 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
-                                                            let _e1566 = nodes.member[(0u + _e1528)].frame[0u];
-                                                            let _e1570 = nodes.member[(0u + _e1528)].frame[1u];
-                                                            let _e1574 = nodes.member[(0u + _e1528)].frame[2u];
-                                                            let _e1579 = ((bitcast<f32>(_e1566) - _e1075) * _e1290);
-                                                            let _e1580 = ((bitcast<f32>(_e1570) - _e1088) * _e1300);
-                                                            let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
-                                                            let _e1589 = nodes.member[(0u + _e1528)].x;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
-                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                            let _e1523 = nodes.member[(0u + _e1515)].frame[3u];
+                                                            let _e1548 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1273);
+                                                            let _e1549 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1283);
+                                                            let _e1550 = (bitcast<f32>((((_e1523 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1293);
+                                                            let _e1553 = nodes.member[(0u + _e1515)].frame[0u];
+                                                            let _e1557 = nodes.member[(0u + _e1515)].frame[1u];
+                                                            let _e1561 = nodes.member[(0u + _e1515)].frame[2u];
+                                                            let _e1566 = ((bitcast<f32>(_e1553) - _e1066) * _e1273);
+                                                            let _e1567 = ((bitcast<f32>(_e1557) - _e1079) * _e1283);
+                                                            let _e1568 = ((bitcast<f32>(_e1561) - _e1092) * _e1293);
+                                                            let _e1576 = nodes.member[(0u + _e1515)].x;
+                                                            if (_e1273 < 0f) {
+                                                                let _e1587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1587.unnamed.word, _e1576.w), _e1587.unnamed_1);
+                                                                let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1593.unnamed, lt_mask_LightPlace(_e1576.x, _e1593.unnamed_1.shift));
+                                                                phi_2218_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_mask_LightPlace(_e1599.unnamed_1.word, _e1576.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
-                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1615.unnamed.word, _e1576.y), _e1615.unnamed_1);
+                                                                let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1621.unnamed, lt_mask_LightPlace(_e1576.z, _e1621.unnamed_1.shift));
+                                                                phi_2218_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_mask_LightPlace(_e1627.unnamed_1.word, _e1576.w));
                                                             }
-                                                            let _e1648 = phi_2206_;
-                                                            let _e1658 = nodes.member[(0u + _e1528)].y;
-                                                            if (_e1300 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
-                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                            let _e1635 = phi_2218_;
+                                                            let _e1645 = nodes.member[(0u + _e1515)].y;
+                                                            if (_e1283 < 0f) {
+                                                                let _e1656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1656.unnamed.word, _e1645.w), _e1656.unnamed_1);
+                                                                let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1662.unnamed, lt_mask_LightPlace(_e1645.x, _e1662.unnamed_1.shift));
+                                                                phi_2245_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_mask_LightPlace(_e1668.unnamed_1.word, _e1645.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
-                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1684.unnamed.word, _e1645.y), _e1684.unnamed_1);
+                                                                let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1690.unnamed, lt_mask_LightPlace(_e1645.z, _e1690.unnamed_1.shift));
+                                                                phi_2245_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_mask_LightPlace(_e1696.unnamed_1.word, _e1645.w));
                                                             }
-                                                            let _e1717 = phi_2233_;
-                                                            let _e1727 = nodes.member[(0u + _e1528)].z;
-                                                            if (_e1310 < 0f) {
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1738.unnamed.root, _e1727.w), _e1738.unnamed_1);
-                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1727.x, _e1744.unnamed_1.first_primitive));
-                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_bvh_traverse_Tree(_e1750.unnamed_1.root, _e1727.y));
+                                                            let _e1704 = phi_2245_;
+                                                            let _e1714 = nodes.member[(0u + _e1515)].z;
+                                                            if (_e1293 < 0f) {
+                                                                let _e1725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1725.unnamed.word, _e1714.w), _e1725.unnamed_1);
+                                                                let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1731.unnamed, lt_mask_LightPlace(_e1714.x, _e1731.unnamed_1.shift));
+                                                                phi_2272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_mask_LightPlace(_e1737.unnamed_1.word, _e1714.y));
                                                             } else {
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1766.unnamed.root, _e1727.y), _e1766.unnamed_1);
-                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_bvh_traverse_Tree(_e1727.z, _e1772.unnamed_1.first_primitive));
-                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_bvh_traverse_Tree(_e1778.unnamed_1.root, _e1727.w));
+                                                                let _e1753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1753.unnamed.word, _e1714.y), _e1753.unnamed_1);
+                                                                let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1759.unnamed, lt_mask_LightPlace(_e1714.z, _e1759.unnamed_1.shift));
+                                                                phi_2272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_mask_LightPlace(_e1765.unnamed_1.word, _e1714.w));
                                                             }
-                                                            let _e1786 = phi_2260_;
-                                                            phi_2266_ = 0u;
-                                                            phi_2269_ = 0u;
+                                                            let _e1773 = phi_2272_;
+                                                            phi_2278_ = 0u;
+                                                            phi_2281_ = 0u;
                                                             loop {
-                                                                let _e1796 = phi_2266_;
-                                                                let _e1798 = phi_2269_;
-                                                                local_6 = _e1798;
-                                                                local_7 = _e1798;
-                                                                local_8 = _e1798;
-                                                                let _e1799 = (_e1796 < 8u);
-                                                                if _e1799 {
-                                                                    let _e1801 = (_e1796 >> bitcast<u32>(2i));
-                                                                    let _e1802 = (_e1796 & 3u);
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2283_ = _e1648.unnamed.root;
+                                                                let _e1783 = phi_2278_;
+                                                                let _e1785 = phi_2281_;
+                                                                local_6 = _e1785;
+                                                                local_7 = _e1785;
+                                                                local_8 = _e1785;
+                                                                let _e1786 = (_e1783 < 8u);
+                                                                if _e1786 {
+                                                                    let _e1788 = (_e1783 >> bitcast<u32>(2i));
+                                                                    let _e1789 = (_e1783 & 3u);
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2295_ = _e1635.unnamed.word;
                                                                     } else {
-                                                                        phi_2283_ = _e1648.unnamed.first_primitive;
+                                                                        phi_2295_ = _e1635.unnamed.shift;
                                                                     }
-                                                                    let _e1805 = phi_2283_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2293_ = _e1717.unnamed.root;
+                                                                    let _e1792 = phi_2295_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2305_ = _e1704.unnamed.word;
                                                                     } else {
-                                                                        phi_2293_ = _e1717.unnamed.first_primitive;
+                                                                        phi_2305_ = _e1704.unnamed.shift;
                                                                     }
-                                                                    let _e1814 = phi_2293_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2303_ = _e1786.unnamed.root;
+                                                                    let _e1801 = phi_2305_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2315_ = _e1773.unnamed.word;
                                                                     } else {
-                                                                        phi_2303_ = _e1786.unnamed.first_primitive;
+                                                                        phi_2315_ = _e1773.unnamed.shift;
                                                                     }
-                                                                    let _e1823 = phi_2303_;
-                                                                    let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
-                                                                    let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2321_ = _e1648.unnamed_1.root;
+                                                                    let _e1810 = phi_2315_;
+                                                                    let _e1823 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1792 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)), ((f32(((_e1801 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 - _e1326)));
+                                                                    let _e1824 = core_intrinsics_maximum_number_nsz_f32_(_e1823, ((f32(((_e1810 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 - _e1327)));
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2333_ = _e1635.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1648.unnamed_1.first_primitive;
+                                                                        phi_2333_ = _e1635.unnamed_1.shift;
                                                                     }
-                                                                    let _e1840 = phi_2321_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2331_ = _e1717.unnamed_1.root;
+                                                                    let _e1827 = phi_2333_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2343_ = _e1704.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2331_ = _e1717.unnamed_1.first_primitive;
+                                                                        phi_2343_ = _e1704.unnamed_1.shift;
                                                                     }
-                                                                    let _e1849 = phi_2331_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2341_ = _e1786.unnamed_1.root;
+                                                                    let _e1836 = phi_2343_;
+                                                                    if (_e1788 == 0u) {
+                                                                        phi_2353_ = _e1773.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2341_ = _e1786.unnamed_1.first_primitive;
+                                                                        phi_2353_ = _e1773.unnamed_1.shift;
                                                                     }
-                                                                    let _e1858 = phi_2341_;
-                                                                    let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
-                                                                    let _e1872 = core_intrinsics_minimum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)));
-                                                                    if (_e1837 <= _e1872) {
-                                                                        if (_e1837 <= _e1526.t) {
-                                                                            if (_e1872 >= _e165.tmin) {
-                                                                                if (_e1801 == 0u) {
-                                                                                    let _e1879 = nodes.member[(0u + _e1528)].links[2u];
-                                                                                    phi_2377_ = _e1879;
+                                                                    let _e1845 = phi_2353_;
+                                                                    let _e1858 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1827 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 + _e1325)), ((f32(((_e1836 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1549) + (_e1567 + _e1326)));
+                                                                    let _e1859 = core_intrinsics_minimum_number_nsz_f32_(_e1858, ((f32(((_e1845 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u)) * _e1550) + (_e1568 + _e1327)));
+                                                                    if (_e1824 <= _e1859) {
+                                                                        if (_e1824 <= _e1513.t) {
+                                                                            if (_e1859 >= _e165.tmin) {
+                                                                                if (_e1788 == 0u) {
+                                                                                    let _e1866 = nodes.member[(0u + _e1515)].links[2u];
+                                                                                    phi_2389_ = _e1866;
                                                                                 } else {
-                                                                                    let _e1882 = nodes.member[(0u + _e1528)].links[3u];
-                                                                                    phi_2377_ = _e1882;
+                                                                                    let _e1869 = nodes.member[(0u + _e1515)].links[3u];
+                                                                                    phi_2389_ = _e1869;
                                                                                 }
-                                                                                let _e1884 = phi_2377_;
-                                                                                let _e1889 = ((_e1884 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u);
-                                                                                let _e1890 = (_e1889 & 31u);
-                                                                                if (_e1890 >= 24u) {
-                                                                                    phi_2390_ = (24u + ((_e1890 - 24u) ^ _e1388));
+                                                                                let _e1871 = phi_2389_;
+                                                                                let _e1876 = ((_e1871 >> bitcast<u32>(((_e1789 * 8u) & 31u))) & 255u);
+                                                                                let _e1877 = (_e1876 & 31u);
+                                                                                if (_e1877 >= 24u) {
+                                                                                    phi_2402_ = (24u + ((_e1877 - 24u) ^ _e1375));
                                                                                 } else {
-                                                                                    phi_2390_ = _e1890;
+                                                                                    phi_2402_ = _e1877;
                                                                                 }
-                                                                                let _e1896 = phi_2390_;
-                                                                                phi_2395_ = (_e1798 | ((_e1889 >> bitcast<u32>(5i)) << bitcast<u32>((_e1896 & 31u))));
+                                                                                let _e1883 = phi_2402_;
+                                                                                phi_2407_ = (_e1785 | ((_e1876 >> bitcast<u32>(5i)) << bitcast<u32>((_e1883 & 31u))));
                                                                             } else {
-                                                                                phi_2395_ = _e1798;
+                                                                                phi_2407_ = _e1785;
                                                                             }
-                                                                            let _e1904 = phi_2395_;
-                                                                            phi_2396_ = _e1904;
+                                                                            let _e1891 = phi_2407_;
+                                                                            phi_2408_ = _e1891;
                                                                         } else {
-                                                                            phi_2396_ = _e1798;
+                                                                            phi_2408_ = _e1785;
                                                                         }
-                                                                        let _e1906 = phi_2396_;
-                                                                        phi_2397_ = _e1906;
+                                                                        let _e1893 = phi_2408_;
+                                                                        phi_2409_ = _e1893;
                                                                     } else {
-                                                                        phi_2397_ = _e1798;
+                                                                        phi_2409_ = _e1785;
                                                                     }
-                                                                    let _e1908 = phi_2397_;
-                                                                    phi_2267_ = (_e1796 + 1u);
-                                                                    phi_2270_ = _e1908;
+                                                                    let _e1895 = phi_2409_;
+                                                                    phi_2279_ = (_e1783 + 1u);
+                                                                    phi_2282_ = _e1895;
                                                                 } else {
-                                                                    phi_2267_ = u32();
-                                                                    phi_2270_ = u32();
+                                                                    phi_2279_ = u32();
+                                                                    phi_2282_ = u32();
                                                                 }
-                                                                let _e1911 = phi_2267_;
-                                                                let _e1913 = phi_2270_;
+                                                                let _e1898 = phi_2279_;
+                                                                let _e1900 = phi_2282_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2266_ = _e1911;
-                                                                    phi_2269_ = _e1913;
-                                                                    break if !(_e1799);
+                                                                    phi_2278_ = _e1898;
+                                                                    phi_2281_ = _e1900;
+                                                                    break if !(_e1786);
                                                                 }
                                                             }
-                                                            let _e1917 = nodes.member[(0u + _e1528)].links[0u];
-                                                            let _e1921 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1925 = local_6;
-                                                            if ((_e1925 & 4278190080u) == 0u) {
+                                                            let _e1904 = nodes.member[(0u + _e1515)].links[0u];
+                                                            let _e1908 = nodes.member[(0u + _e1515)].frame[3u];
+                                                            let _e1912 = local_6;
+                                                            if ((_e1912 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1929 = local_1.group_mask;
-                                                                if ((_e1929 & 4278190080u) == 0u) {
+                                                                let _e1916 = local_1.group_mask;
+                                                                if ((_e1916 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1933 = local_1.len;
-                                                                    if (_e1933 < 32u) {
-                                                                        let _e1936 = local_1.group;
-                                                                        let _e1938 = local_1.len;
-                                                                        if (_e1938 < 32u) {
+                                                                    let _e1920 = local_1.len;
+                                                                    if (_e1920 < 32u) {
+                                                                        let _e1923 = local_1.group;
+                                                                        let _e1925 = local_1.len;
+                                                                        if (_e1925 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1938)] = _e1936;
-                                                                        let _e1944 = local_1.group_mask;
-                                                                        let _e1946 = local_1.len;
-                                                                        if (_e1946 < 32u) {
+                                                                        local_1.first[(0u + _e1925)] = _e1923;
+                                                                        let _e1931 = local_1.group_mask;
+                                                                        let _e1933 = local_1.len;
+                                                                        if (_e1933 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1946)] = _e1944;
-                                                                        let _e1953 = local_1.len;
-                                                                        local_1.len = (_e1953 + 1u);
+                                                                        local_1.mask[(0u + _e1933)] = _e1931;
+                                                                        let _e1940 = local_1.len;
+                                                                        local_1.len = (_e1940 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1150 + _e1917);
-                                                                let _e1957 = local_7;
-                                                                local_1.group_mask = ((_e1957 & 4278190080u) | (_e1921 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1141 + _e1904);
+                                                                let _e1944 = local_7;
+                                                                local_1.group_mask = ((_e1944 & 4278190080u) | (_e1908 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1962 = local_8;
-                                                            phi_2455_ = _e1526;
-                                                            phi_2458_ = (_e1962 & 16777215u);
+                                                            let _e1949 = local_8;
+                                                            phi_2467_ = _e1513;
+                                                            phi_2470_ = (_e1949 & 16777215u);
                                                             loop {
-                                                                let _e1965 = phi_2455_;
-                                                                let _e1967 = phi_2458_;
-                                                                local_9 = _e1965;
-                                                                if (_e1967 == 0u) {
-                                                                    phi_2456_ = lt_bvh_Hit();
-                                                                    phi_2459_ = u32();
-                                                                    phi_3100_ = false;
+                                                                let _e1952 = phi_2467_;
+                                                                let _e1954 = phi_2470_;
+                                                                local_9 = _e1952;
+                                                                if (_e1954 == 0u) {
+                                                                    phi_2468_ = lt_bvh_Hit();
+                                                                    phi_2471_ = u32();
+                                                                    phi_3112_ = false;
                                                                 } else {
-                                                                    let _e1971 = nodes.member[(0u + _e1528)].links[1u];
-                                                                    let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
-                                                                    if (_e1976 < _e81) {
+                                                                    let _e1958 = nodes.member[(0u + _e1515)].links[1u];
+                                                                    let _e1963 = ((_e1143 + _e1958) + select(firstTrailingBit(_e1954), 32u, (_e1954 == 0u)));
+                                                                    if (_e1963 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1983 = triangles.member[(0u + _e1976)].v0_;
-                                                                    let _e1985 = (_e1983.x - _e1075);
-                                                                    let _e1987 = (_e1983.y - _e1088);
-                                                                    let _e1989 = (_e1983.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2503_ = vec3<f32>(_e1987, _e1989, _e1985);
+                                                                    let _e1970 = triangles.member[(0u + _e1963)].v0_;
+                                                                    let _e1972 = (_e1970.x - _e1066);
+                                                                    let _e1974 = (_e1970.y - _e1079);
+                                                                    let _e1976 = (_e1970.z - _e1092);
+                                                                    if (_e1348 == 0u) {
+                                                                        phi_2515_ = vec3<f32>(_e1974, _e1976, _e1972);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2502_ = vec3<f32>(_e1989, _e1985, _e1987);
+                                                                        if (_e1348 == 1u) {
+                                                                            phi_2514_ = vec3<f32>(_e1976, _e1972, _e1974);
                                                                         } else {
-                                                                            phi_2502_ = (_e1983 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2514_ = (_e1970 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                         }
-                                                                        let _e1997 = phi_2502_;
-                                                                        phi_2503_ = _e1997;
+                                                                        let _e1984 = phi_2514_;
+                                                                        phi_2515_ = _e1984;
                                                                     }
-                                                                    let _e1999 = phi_2503_;
-                                                                    let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
-                                                                    let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
-                                                                    let _e2009 = triangles.member[(0u + _e1976)].v1_;
-                                                                    let _e2011 = (_e2009.x - _e1075);
-                                                                    let _e2013 = (_e2009.y - _e1088);
-                                                                    let _e2015 = (_e2009.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2533_ = vec3<f32>(_e2013, _e2015, _e2011);
+                                                                    let _e1986 = phi_2515_;
+                                                                    let _e1990 = (_e1986.x - (_e1359 * _e1986.z));
+                                                                    let _e1994 = (_e1986.y - (_e1362 * _e1986.z));
+                                                                    let _e1996 = triangles.member[(0u + _e1963)].v1_;
+                                                                    let _e1998 = (_e1996.x - _e1066);
+                                                                    let _e2000 = (_e1996.y - _e1079);
+                                                                    let _e2002 = (_e1996.z - _e1092);
+                                                                    if (_e1348 == 0u) {
+                                                                        phi_2545_ = vec3<f32>(_e2000, _e2002, _e1998);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2532_ = vec3<f32>(_e2015, _e2011, _e2013);
+                                                                        if (_e1348 == 1u) {
+                                                                            phi_2544_ = vec3<f32>(_e2002, _e1998, _e2000);
                                                                         } else {
-                                                                            phi_2532_ = (_e2009 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2544_ = (_e1996 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                         }
-                                                                        let _e2023 = phi_2532_;
-                                                                        phi_2533_ = _e2023;
+                                                                        let _e2010 = phi_2544_;
+                                                                        phi_2545_ = _e2010;
                                                                     }
-                                                                    let _e2025 = phi_2533_;
-                                                                    let _e2029 = (_e2025.x - (_e1372 * _e2025.z));
-                                                                    let _e2033 = (_e2025.y - (_e1375 * _e2025.z));
-                                                                    let _e2035 = triangles.member[(0u + _e1976)].v2_;
-                                                                    let _e2037 = (_e2035.x - _e1075);
-                                                                    let _e2039 = (_e2035.y - _e1088);
-                                                                    let _e2041 = (_e2035.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2563_ = vec3<f32>(_e2039, _e2041, _e2037);
+                                                                    let _e2012 = phi_2545_;
+                                                                    let _e2016 = (_e2012.x - (_e1359 * _e2012.z));
+                                                                    let _e2020 = (_e2012.y - (_e1362 * _e2012.z));
+                                                                    let _e2022 = triangles.member[(0u + _e1963)].v2_;
+                                                                    let _e2024 = (_e2022.x - _e1066);
+                                                                    let _e2026 = (_e2022.y - _e1079);
+                                                                    let _e2028 = (_e2022.z - _e1092);
+                                                                    if (_e1348 == 0u) {
+                                                                        phi_2575_ = vec3<f32>(_e2026, _e2028, _e2024);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2562_ = vec3<f32>(_e2041, _e2037, _e2039);
+                                                                        if (_e1348 == 1u) {
+                                                                            phi_2574_ = vec3<f32>(_e2028, _e2024, _e2026);
                                                                         } else {
-                                                                            phi_2562_ = (_e2035 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2574_ = (_e2022 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                         }
-                                                                        let _e2049 = phi_2562_;
-                                                                        phi_2563_ = _e2049;
+                                                                        let _e2036 = phi_2574_;
+                                                                        phi_2575_ = _e2036;
                                                                     }
-                                                                    let _e2051 = phi_2563_;
-                                                                    let _e2055 = (_e2051.x - (_e1372 * _e2051.z));
-                                                                    let _e2059 = (_e2051.y - (_e1375 * _e2051.z));
-                                                                    if (_e2029 < _e2055) {
-                                                                        phi_2582_ = true;
+                                                                    let _e2038 = phi_2575_;
+                                                                    let _e2042 = (_e2038.x - (_e1359 * _e2038.z));
+                                                                    let _e2046 = (_e2038.y - (_e1362 * _e2038.z));
+                                                                    if (_e2016 < _e2042) {
+                                                                        phi_2594_ = true;
                                                                     } else {
-                                                                        if (_e2029 == _e2055) {
-                                                                            phi_2581_ = (_e2033 < _e2059);
+                                                                        if (_e2016 == _e2042) {
+                                                                            phi_2593_ = (_e2020 < _e2046);
                                                                         } else {
-                                                                            phi_2581_ = false;
+                                                                            phi_2593_ = false;
                                                                         }
-                                                                        let _e2064 = phi_2581_;
-                                                                        phi_2582_ = _e2064;
+                                                                        let _e2051 = phi_2593_;
+                                                                        phi_2594_ = _e2051;
                                                                     }
-                                                                    let _e2066 = phi_2582_;
-                                                                    if _e2066 {
-                                                                        phi_2586_ = _e2059;
-                                                                        phi_2587_ = _e2055;
-                                                                        phi_2588_ = _e2033;
-                                                                        phi_2589_ = _e2029;
+                                                                    let _e2053 = phi_2594_;
+                                                                    if _e2053 {
+                                                                        phi_2598_ = _e2046;
+                                                                        phi_2599_ = _e2042;
+                                                                        phi_2600_ = _e2020;
+                                                                        phi_2601_ = _e2016;
                                                                     } else {
-                                                                        phi_2586_ = _e2033;
-                                                                        phi_2587_ = _e2029;
-                                                                        phi_2588_ = _e2059;
-                                                                        phi_2589_ = _e2055;
+                                                                        phi_2598_ = _e2020;
+                                                                        phi_2599_ = _e2016;
+                                                                        phi_2600_ = _e2046;
+                                                                        phi_2601_ = _e2042;
                                                                     }
-                                                                    let _e2068 = phi_2586_;
-                                                                    let _e2070 = phi_2587_;
-                                                                    let _e2072 = phi_2588_;
-                                                                    let _e2074 = phi_2589_;
-                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
-                                                                    if _e2066 {
-                                                                        phi_2597_ = -(_e2077);
+                                                                    let _e2055 = phi_2598_;
+                                                                    let _e2057 = phi_2599_;
+                                                                    let _e2059 = phi_2600_;
+                                                                    let _e2061 = phi_2601_;
+                                                                    let _e2064 = ((_e2061 * _e2055) - (_e2059 * _e2057));
+                                                                    if _e2053 {
+                                                                        phi_2609_ = -(_e2064);
                                                                     } else {
-                                                                        phi_2597_ = _e2077;
+                                                                        phi_2609_ = _e2064;
                                                                     }
-                                                                    let _e2080 = phi_2597_;
-                                                                    if (_e2055 < _e2003) {
-                                                                        phi_2608_ = true;
+                                                                    let _e2067 = phi_2609_;
+                                                                    if (_e2042 < _e1990) {
+                                                                        phi_2620_ = true;
                                                                     } else {
-                                                                        if (_e2055 == _e2003) {
-                                                                            phi_2607_ = (_e2059 < _e2007);
+                                                                        if (_e2042 == _e1990) {
+                                                                            phi_2619_ = (_e2046 < _e1994);
                                                                         } else {
-                                                                            phi_2607_ = false;
+                                                                            phi_2619_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2607_;
-                                                                        phi_2608_ = _e2085;
+                                                                        let _e2072 = phi_2619_;
+                                                                        phi_2620_ = _e2072;
                                                                     }
-                                                                    let _e2087 = phi_2608_;
-                                                                    if _e2087 {
-                                                                        phi_2612_ = _e2007;
-                                                                        phi_2613_ = _e2003;
-                                                                        phi_2614_ = _e2059;
-                                                                        phi_2615_ = _e2055;
+                                                                    let _e2074 = phi_2620_;
+                                                                    if _e2074 {
+                                                                        phi_2624_ = _e1994;
+                                                                        phi_2625_ = _e1990;
+                                                                        phi_2626_ = _e2046;
+                                                                        phi_2627_ = _e2042;
                                                                     } else {
-                                                                        phi_2612_ = _e2059;
-                                                                        phi_2613_ = _e2055;
-                                                                        phi_2614_ = _e2007;
-                                                                        phi_2615_ = _e2003;
+                                                                        phi_2624_ = _e2046;
+                                                                        phi_2625_ = _e2042;
+                                                                        phi_2626_ = _e1994;
+                                                                        phi_2627_ = _e1990;
                                                                     }
-                                                                    let _e2089 = phi_2612_;
-                                                                    let _e2091 = phi_2613_;
-                                                                    let _e2093 = phi_2614_;
-                                                                    let _e2095 = phi_2615_;
-                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
-                                                                    if _e2087 {
-                                                                        phi_2623_ = -(_e2098);
+                                                                    let _e2076 = phi_2624_;
+                                                                    let _e2078 = phi_2625_;
+                                                                    let _e2080 = phi_2626_;
+                                                                    let _e2082 = phi_2627_;
+                                                                    let _e2085 = ((_e2082 * _e2076) - (_e2080 * _e2078));
+                                                                    if _e2074 {
+                                                                        phi_2635_ = -(_e2085);
                                                                     } else {
-                                                                        phi_2623_ = _e2098;
+                                                                        phi_2635_ = _e2085;
                                                                     }
-                                                                    let _e2101 = phi_2623_;
-                                                                    if (_e2003 < _e2029) {
-                                                                        phi_2634_ = true;
+                                                                    let _e2088 = phi_2635_;
+                                                                    if (_e1990 < _e2016) {
+                                                                        phi_2646_ = true;
                                                                     } else {
-                                                                        if (_e2003 == _e2029) {
-                                                                            phi_2633_ = (_e2007 < _e2033);
+                                                                        if (_e1990 == _e2016) {
+                                                                            phi_2645_ = (_e1994 < _e2020);
                                                                         } else {
-                                                                            phi_2633_ = false;
+                                                                            phi_2645_ = false;
                                                                         }
-                                                                        let _e2106 = phi_2633_;
-                                                                        phi_2634_ = _e2106;
+                                                                        let _e2093 = phi_2645_;
+                                                                        phi_2646_ = _e2093;
                                                                     }
-                                                                    let _e2108 = phi_2634_;
-                                                                    if _e2108 {
-                                                                        phi_2638_ = _e2033;
-                                                                        phi_2639_ = _e2029;
-                                                                        phi_2640_ = _e2007;
-                                                                        phi_2641_ = _e2003;
+                                                                    let _e2095 = phi_2646_;
+                                                                    if _e2095 {
+                                                                        phi_2650_ = _e2020;
+                                                                        phi_2651_ = _e2016;
+                                                                        phi_2652_ = _e1994;
+                                                                        phi_2653_ = _e1990;
                                                                     } else {
-                                                                        phi_2638_ = _e2007;
-                                                                        phi_2639_ = _e2003;
-                                                                        phi_2640_ = _e2033;
-                                                                        phi_2641_ = _e2029;
+                                                                        phi_2650_ = _e1994;
+                                                                        phi_2651_ = _e1990;
+                                                                        phi_2652_ = _e2020;
+                                                                        phi_2653_ = _e2016;
                                                                     }
-                                                                    let _e2110 = phi_2638_;
-                                                                    let _e2112 = phi_2639_;
-                                                                    let _e2114 = phi_2640_;
-                                                                    let _e2116 = phi_2641_;
-                                                                    let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
-                                                                    if _e2108 {
-                                                                        phi_2649_ = -(_e2119);
+                                                                    let _e2097 = phi_2650_;
+                                                                    let _e2099 = phi_2651_;
+                                                                    let _e2101 = phi_2652_;
+                                                                    let _e2103 = phi_2653_;
+                                                                    let _e2106 = ((_e2103 * _e2097) - (_e2101 * _e2099));
+                                                                    if _e2095 {
+                                                                        phi_2661_ = -(_e2106);
                                                                     } else {
-                                                                        phi_2649_ = _e2119;
+                                                                        phi_2661_ = _e2106;
                                                                     }
-                                                                    let _e2122 = phi_2649_;
-                                                                    if (_e2080 >= 0f) {
-                                                                        if (_e2101 >= 0f) {
-                                                                            if (_e2122 >= 0f) {
-                                                                                phi_2664_ = ((_e2080 + _e2101) + _e2122);
-                                                                                phi_2665_ = false;
+                                                                    let _e2109 = phi_2661_;
+                                                                    if (_e2067 >= 0f) {
+                                                                        if (_e2088 >= 0f) {
+                                                                            if (_e2109 >= 0f) {
+                                                                                phi_2676_ = ((_e2067 + _e2088) + _e2109);
+                                                                                phi_2677_ = false;
                                                                             } else {
-                                                                                phi_2664_ = f32();
-                                                                                phi_2665_ = true;
+                                                                                phi_2676_ = f32();
+                                                                                phi_2677_ = true;
                                                                             }
-                                                                            let _e2129 = phi_2664_;
-                                                                            let _e2131 = phi_2665_;
-                                                                            phi_2666_ = _e2129;
-                                                                            phi_2667_ = _e2131;
+                                                                            let _e2116 = phi_2676_;
+                                                                            let _e2118 = phi_2677_;
+                                                                            phi_2678_ = _e2116;
+                                                                            phi_2679_ = _e2118;
                                                                         } else {
-                                                                            phi_2666_ = f32();
-                                                                            phi_2667_ = true;
+                                                                            phi_2678_ = f32();
+                                                                            phi_2679_ = true;
                                                                         }
-                                                                        let _e2133 = phi_2666_;
-                                                                        let _e2135 = phi_2667_;
-                                                                        phi_2668_ = _e2133;
-                                                                        phi_2669_ = _e2135;
+                                                                        let _e2120 = phi_2678_;
+                                                                        let _e2122 = phi_2679_;
+                                                                        phi_2680_ = _e2120;
+                                                                        phi_2681_ = _e2122;
                                                                     } else {
-                                                                        phi_2668_ = f32();
-                                                                        phi_2669_ = true;
+                                                                        phi_2680_ = f32();
+                                                                        phi_2681_ = true;
                                                                     }
-                                                                    let _e2137 = phi_2668_;
-                                                                    let _e2139 = phi_2669_;
-                                                                    if _e2139 {
-                                                                        if (_e2080 <= 0f) {
-                                                                            if (_e2101 <= 0f) {
-                                                                                let _e2142 = (_e2122 <= 0f);
-                                                                                if _e2142 {
+                                                                    let _e2124 = phi_2680_;
+                                                                    let _e2126 = phi_2681_;
+                                                                    if _e2126 {
+                                                                        if (_e2067 <= 0f) {
+                                                                            if (_e2088 <= 0f) {
+                                                                                let _e2129 = (_e2109 <= 0f);
+                                                                                if _e2129 {
                                                                                 }
-                                                                                phi_2687_ = ((_e2080 + _e2101) + _e2122);
-                                                                                phi_2688_ = false;
-                                                                                phi_2689_ = _e2142;
+                                                                                phi_2699_ = ((_e2067 + _e2088) + _e2109);
+                                                                                phi_2700_ = false;
+                                                                                phi_2701_ = _e2129;
                                                                             } else {
-                                                                                phi_2687_ = f32();
-                                                                                phi_2688_ = true;
-                                                                                phi_2689_ = false;
+                                                                                phi_2699_ = f32();
+                                                                                phi_2700_ = true;
+                                                                                phi_2701_ = false;
                                                                             }
-                                                                            let _e2146 = phi_2687_;
-                                                                            let _e2148 = phi_2688_;
-                                                                            let _e2150 = phi_2689_;
-                                                                            phi_2690_ = _e2146;
-                                                                            phi_2691_ = _e2148;
-                                                                            phi_2692_ = _e2150;
+                                                                            let _e2133 = phi_2699_;
+                                                                            let _e2135 = phi_2700_;
+                                                                            let _e2137 = phi_2701_;
+                                                                            phi_2702_ = _e2133;
+                                                                            phi_2703_ = _e2135;
+                                                                            phi_2704_ = _e2137;
                                                                         } else {
-                                                                            phi_2690_ = f32();
-                                                                            phi_2691_ = true;
-                                                                            phi_2692_ = false;
+                                                                            phi_2702_ = f32();
+                                                                            phi_2703_ = true;
+                                                                            phi_2704_ = false;
                                                                         }
-                                                                        let _e2152 = phi_2690_;
-                                                                        let _e2154 = phi_2691_;
-                                                                        let _e2156 = phi_2692_;
-                                                                        if _e2154 {
-                                                                            phi_2696_ = false;
+                                                                        let _e2139 = phi_2702_;
+                                                                        let _e2141 = phi_2703_;
+                                                                        let _e2143 = phi_2704_;
+                                                                        if _e2141 {
+                                                                            phi_2708_ = false;
                                                                         } else {
-                                                                            phi_2696_ = _e2156;
+                                                                            phi_2708_ = _e2143;
                                                                         }
-                                                                        let _e2158 = phi_2696_;
-                                                                        phi_2697_ = _e2152;
-                                                                        phi_2698_ = _e2158;
+                                                                        let _e2145 = phi_2708_;
+                                                                        phi_2709_ = _e2139;
+                                                                        phi_2710_ = _e2145;
                                                                     } else {
-                                                                        phi_2697_ = _e2137;
-                                                                        phi_2698_ = true;
+                                                                        phi_2709_ = _e2124;
+                                                                        phi_2710_ = true;
                                                                     }
-                                                                    let _e2160 = phi_2697_;
-                                                                    let _e2162 = phi_2698_;
-                                                                    if _e2162 {
-                                                                        let _e2163 = (_e2160 == 0f);
-                                                                        if _e2163 {
-                                                                            phi_3014_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3015_ = false;
+                                                                    let _e2147 = phi_2709_;
+                                                                    let _e2149 = phi_2710_;
+                                                                    if _e2149 {
+                                                                        let _e2150 = (_e2147 == 0f);
+                                                                        if _e2150 {
+                                                                            phi_3026_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3027_ = false;
                                                                         } else {
-                                                                            let _e2165 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2167 = (_e2165.x - _e1075);
-                                                                            let _e2169 = (_e2165.y - _e1088);
-                                                                            let _e2171 = (_e2165.z - _e1101);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2727_ = vec3<f32>(_e2169, _e2171, _e2167);
+                                                                            let _e2152 = triangles.member[(0u + _e1963)].v0_;
+                                                                            let _e2154 = (_e2152.x - _e1066);
+                                                                            let _e2156 = (_e2152.y - _e1079);
+                                                                            let _e2158 = (_e2152.z - _e1092);
+                                                                            if (_e1348 == 0u) {
+                                                                                phi_2739_ = vec3<f32>(_e2156, _e2158, _e2154);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2726_ = vec3<f32>(_e2171, _e2167, _e2169);
+                                                                                if (_e1348 == 1u) {
+                                                                                    phi_2738_ = vec3<f32>(_e2158, _e2154, _e2156);
                                                                                 } else {
-                                                                                    phi_2726_ = (_e2165 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                                    phi_2738_ = (_e2152 - vec3<f32>(_e1066, _e1079, _e1092));
                                                                                 }
-                                                                                let _e2179 = phi_2726_;
-                                                                                phi_2727_ = _e2179;
+                                                                                let _e2166 = phi_2738_;
+                                                                                phi_2739_ = _e2166;
                                                                             }
-                                                                            let _e2181 = phi_2727_;
-                                                                            let _e2183 = triangles.member[(0u + _e1976)].v1_;
-                                                                            let _e2185 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2188 = (_e2183.x - _e2185.x);
-                                                                            let _e2191 = (_e2183.y - _e2185.y);
-                                                                            let _e2194 = (_e2183.z - _e2185.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2753_ = vec3<f32>(_e2191, _e2194, _e2188);
+                                                                            let _e2168 = phi_2739_;
+                                                                            let _e2170 = triangles.member[(0u + _e1963)].v1_;
+                                                                            let _e2172 = triangles.member[(0u + _e1963)].v0_;
+                                                                            let _e2175 = (_e2170.x - _e2172.x);
+                                                                            let _e2178 = (_e2170.y - _e2172.y);
+                                                                            let _e2181 = (_e2170.z - _e2172.z);
+                                                                            if (_e1348 == 0u) {
+                                                                                phi_2765_ = vec3<f32>(_e2178, _e2181, _e2175);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2752_ = vec3<f32>(_e2194, _e2188, _e2191);
+                                                                                if (_e1348 == 1u) {
+                                                                                    phi_2764_ = vec3<f32>(_e2181, _e2175, _e2178);
                                                                                 } else {
-                                                                                    phi_2752_ = (_e2183 - _e2185);
+                                                                                    phi_2764_ = (_e2170 - _e2172);
                                                                                 }
-                                                                                let _e2201 = phi_2752_;
-                                                                                phi_2753_ = _e2201;
+                                                                                let _e2188 = phi_2764_;
+                                                                                phi_2765_ = _e2188;
                                                                             }
-                                                                            let _e2203 = phi_2753_;
-                                                                            let _e2205 = triangles.member[(0u + _e1976)].v2_;
-                                                                            let _e2207 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2210 = (_e2205.x - _e2207.x);
-                                                                            let _e2213 = (_e2205.y - _e2207.y);
-                                                                            let _e2216 = (_e2205.z - _e2207.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2779_ = vec3<f32>(_e2213, _e2216, _e2210);
+                                                                            let _e2190 = phi_2765_;
+                                                                            let _e2192 = triangles.member[(0u + _e1963)].v2_;
+                                                                            let _e2194 = triangles.member[(0u + _e1963)].v0_;
+                                                                            let _e2197 = (_e2192.x - _e2194.x);
+                                                                            let _e2200 = (_e2192.y - _e2194.y);
+                                                                            let _e2203 = (_e2192.z - _e2194.z);
+                                                                            if (_e1348 == 0u) {
+                                                                                phi_2791_ = vec3<f32>(_e2200, _e2203, _e2197);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2778_ = vec3<f32>(_e2216, _e2210, _e2213);
+                                                                                if (_e1348 == 1u) {
+                                                                                    phi_2790_ = vec3<f32>(_e2203, _e2197, _e2200);
                                                                                 } else {
-                                                                                    phi_2778_ = (_e2205 - _e2207);
+                                                                                    phi_2790_ = (_e2192 - _e2194);
                                                                                 }
-                                                                                let _e2223 = phi_2778_;
-                                                                                phi_2779_ = _e2223;
+                                                                                let _e2210 = phi_2790_;
+                                                                                phi_2791_ = _e2210;
                                                                             }
-                                                                            let _e2225 = phi_2779_;
-                                                                            let _e2232 = ((_e2203.y * _e2225.z) - (_e2203.z * _e2225.y));
-                                                                            let _e2239 = ((_e2203.z * _e2225.x) - (_e2203.x * _e2225.z));
-                                                                            let _e2246 = ((_e2203.x * _e2225.y) - (_e2203.y * _e2225.x));
-                                                                            let _e2260 = (((1f / _e1369.z) * (((_e2232 * _e2181.x) + (_e2239 * _e2181.y)) + (_e2246 * _e2181.z))) / (((_e2232 * _e1372) + (_e2239 * _e1375)) + _e2246));
-                                                                            if (_e2260 > _e165.tmin) {
-                                                                                if (_e2260 < _e165.tmax) {
-                                                                                    let _e2264 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2266 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2264.x < _e2266.x) {
-                                                                                        phi_2835_ = _e2264.x;
+                                                                            let _e2212 = phi_2791_;
+                                                                            let _e2219 = ((_e2190.y * _e2212.z) - (_e2190.z * _e2212.y));
+                                                                            let _e2226 = ((_e2190.z * _e2212.x) - (_e2190.x * _e2212.z));
+                                                                            let _e2233 = ((_e2190.x * _e2212.y) - (_e2190.y * _e2212.x));
+                                                                            let _e2247 = (((1f / _e1356.z) * (((_e2219 * _e2168.x) + (_e2226 * _e2168.y)) + (_e2233 * _e2168.z))) / (((_e2219 * _e1359) + (_e2226 * _e1362)) + _e2233));
+                                                                            if (_e2247 > _e165.tmin) {
+                                                                                if (_e2247 < _e165.tmax) {
+                                                                                    let _e2251 = triangles.member[(0u + _e1963)].v0_;
+                                                                                    let _e2253 = triangles.member[(0u + _e1963)].v1_;
+                                                                                    if (_e2251.x < _e2253.x) {
+                                                                                        phi_2847_ = _e2251.x;
                                                                                     } else {
-                                                                                        phi_2835_ = _e2266.x;
+                                                                                        phi_2847_ = _e2253.x;
                                                                                     }
-                                                                                    let _e2273 = phi_2835_;
-                                                                                    if (_e2264.y < _e2266.y) {
-                                                                                        phi_2844_ = _e2264.y;
+                                                                                    let _e2260 = phi_2847_;
+                                                                                    if (_e2251.y < _e2253.y) {
+                                                                                        phi_2856_ = _e2251.y;
                                                                                     } else {
-                                                                                        phi_2844_ = _e2266.y;
+                                                                                        phi_2856_ = _e2253.y;
                                                                                     }
-                                                                                    let _e2280 = phi_2844_;
-                                                                                    if (_e2264.z < _e2266.z) {
-                                                                                        phi_2853_ = _e2264.z;
+                                                                                    let _e2267 = phi_2856_;
+                                                                                    if (_e2251.z < _e2253.z) {
+                                                                                        phi_2865_ = _e2251.z;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2266.z;
+                                                                                        phi_2865_ = _e2253.z;
                                                                                     }
-                                                                                    let _e2287 = phi_2853_;
-                                                                                    let _e2289 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2273 < _e2289.x) {
-                                                                                        phi_2862_ = _e2273;
+                                                                                    let _e2274 = phi_2865_;
+                                                                                    let _e2276 = triangles.member[(0u + _e1963)].v2_;
+                                                                                    if (_e2260 < _e2276.x) {
+                                                                                        phi_2874_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2289.x;
+                                                                                        phi_2874_ = _e2276.x;
                                                                                     }
-                                                                                    let _e2294 = phi_2862_;
-                                                                                    if (_e2280 < _e2289.y) {
-                                                                                        phi_2869_ = _e2280;
+                                                                                    let _e2281 = phi_2874_;
+                                                                                    if (_e2267 < _e2276.y) {
+                                                                                        phi_2881_ = _e2267;
                                                                                     } else {
-                                                                                        phi_2869_ = _e2289.y;
+                                                                                        phi_2881_ = _e2276.y;
                                                                                     }
-                                                                                    let _e2299 = phi_2869_;
-                                                                                    if (_e2287 < _e2289.z) {
-                                                                                        phi_2876_ = _e2287;
+                                                                                    let _e2286 = phi_2881_;
+                                                                                    if (_e2274 < _e2276.z) {
+                                                                                        phi_2888_ = _e2274;
                                                                                     } else {
-                                                                                        phi_2876_ = _e2289.z;
+                                                                                        phi_2888_ = _e2276.z;
                                                                                     }
-                                                                                    let _e2304 = phi_2876_;
-                                                                                    let _e2306 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2308 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2306.x > _e2308.x) {
-                                                                                        phi_2889_ = _e2306.x;
+                                                                                    let _e2291 = phi_2888_;
+                                                                                    let _e2293 = triangles.member[(0u + _e1963)].v0_;
+                                                                                    let _e2295 = triangles.member[(0u + _e1963)].v1_;
+                                                                                    if (_e2293.x > _e2295.x) {
+                                                                                        phi_2901_ = _e2293.x;
                                                                                     } else {
-                                                                                        phi_2889_ = _e2308.x;
+                                                                                        phi_2901_ = _e2295.x;
                                                                                     }
-                                                                                    let _e2315 = phi_2889_;
-                                                                                    if (_e2306.y > _e2308.y) {
-                                                                                        phi_2898_ = _e2306.y;
+                                                                                    let _e2302 = phi_2901_;
+                                                                                    if (_e2293.y > _e2295.y) {
+                                                                                        phi_2910_ = _e2293.y;
                                                                                     } else {
-                                                                                        phi_2898_ = _e2308.y;
+                                                                                        phi_2910_ = _e2295.y;
                                                                                     }
-                                                                                    let _e2322 = phi_2898_;
-                                                                                    if (_e2306.z > _e2308.z) {
-                                                                                        phi_2907_ = _e2306.z;
+                                                                                    let _e2309 = phi_2910_;
+                                                                                    if (_e2293.z > _e2295.z) {
+                                                                                        phi_2919_ = _e2293.z;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2308.z;
+                                                                                        phi_2919_ = _e2295.z;
                                                                                     }
-                                                                                    let _e2329 = phi_2907_;
-                                                                                    let _e2331 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2315 > _e2331.x) {
-                                                                                        phi_2916_ = _e2315;
+                                                                                    let _e2316 = phi_2919_;
+                                                                                    let _e2318 = triangles.member[(0u + _e1963)].v2_;
+                                                                                    if (_e2302 > _e2318.x) {
+                                                                                        phi_2928_ = _e2302;
                                                                                     } else {
-                                                                                        phi_2916_ = _e2331.x;
+                                                                                        phi_2928_ = _e2318.x;
                                                                                     }
-                                                                                    let _e2336 = phi_2916_;
-                                                                                    if (_e2322 > _e2331.y) {
-                                                                                        phi_2923_ = _e2322;
+                                                                                    let _e2323 = phi_2928_;
+                                                                                    if (_e2309 > _e2318.y) {
+                                                                                        phi_2935_ = _e2309;
                                                                                     } else {
-                                                                                        phi_2923_ = _e2331.y;
+                                                                                        phi_2935_ = _e2318.y;
                                                                                     }
-                                                                                    let _e2341 = phi_2923_;
-                                                                                    if (_e2329 > _e2331.z) {
-                                                                                        phi_2930_ = _e2329;
+                                                                                    let _e2328 = phi_2935_;
+                                                                                    if (_e2316 > _e2318.z) {
+                                                                                        phi_2942_ = _e2316;
                                                                                     } else {
-                                                                                        phi_2930_ = _e2331.z;
+                                                                                        phi_2942_ = _e2318.z;
                                                                                     }
-                                                                                    let _e2346 = phi_2930_;
-                                                                                    let _e2350 = ((_e2294 - _e1075) * _e1290);
-                                                                                    let _e2351 = ((_e2299 - _e1088) * _e1300);
-                                                                                    let _e2352 = ((_e2304 - _e1101) * _e1310);
-                                                                                    let _e2356 = ((_e2336 - _e1075) * _e1290);
-                                                                                    let _e2357 = ((_e2341 - _e1088) * _e1300);
-                                                                                    let _e2358 = ((_e2346 - _e1101) * _e1310);
-                                                                                    if (_e2350 < _e2356) {
-                                                                                        phi_2947_ = _e2350;
+                                                                                    let _e2333 = phi_2942_;
+                                                                                    let _e2337 = ((_e2281 - _e1066) * _e1273);
+                                                                                    let _e2338 = ((_e2286 - _e1079) * _e1283);
+                                                                                    let _e2339 = ((_e2291 - _e1092) * _e1293);
+                                                                                    let _e2343 = ((_e2323 - _e1066) * _e1273);
+                                                                                    let _e2344 = ((_e2328 - _e1079) * _e1283);
+                                                                                    let _e2345 = ((_e2333 - _e1092) * _e1293);
+                                                                                    if (_e2337 < _e2343) {
+                                                                                        phi_2959_ = _e2337;
                                                                                     } else {
-                                                                                        phi_2947_ = _e2356;
+                                                                                        phi_2959_ = _e2343;
                                                                                     }
-                                                                                    let _e2361 = phi_2947_;
-                                                                                    if (_e2351 < _e2357) {
-                                                                                        phi_2952_ = _e2351;
+                                                                                    let _e2348 = phi_2959_;
+                                                                                    if (_e2338 < _e2344) {
+                                                                                        phi_2964_ = _e2338;
                                                                                     } else {
-                                                                                        phi_2952_ = _e2357;
+                                                                                        phi_2964_ = _e2344;
                                                                                     }
-                                                                                    let _e2364 = phi_2952_;
-                                                                                    if (_e2352 < _e2358) {
-                                                                                        phi_2957_ = _e2352;
+                                                                                    let _e2351 = phi_2964_;
+                                                                                    if (_e2339 < _e2345) {
+                                                                                        phi_2969_ = _e2339;
                                                                                     } else {
-                                                                                        phi_2957_ = _e2358;
+                                                                                        phi_2969_ = _e2345;
                                                                                     }
-                                                                                    let _e2367 = phi_2957_;
-                                                                                    if (_e2350 > _e2356) {
-                                                                                        phi_2965_ = _e2350;
+                                                                                    let _e2354 = phi_2969_;
+                                                                                    if (_e2337 > _e2343) {
+                                                                                        phi_2977_ = _e2337;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2356;
+                                                                                        phi_2977_ = _e2343;
                                                                                     }
-                                                                                    let _e2373 = phi_2965_;
-                                                                                    if (_e2351 > _e2357) {
-                                                                                        phi_2970_ = _e2351;
+                                                                                    let _e2360 = phi_2977_;
+                                                                                    if (_e2338 > _e2344) {
+                                                                                        phi_2982_ = _e2338;
                                                                                     } else {
-                                                                                        phi_2970_ = _e2357;
+                                                                                        phi_2982_ = _e2344;
                                                                                     }
-                                                                                    let _e2376 = phi_2970_;
-                                                                                    if (_e2352 > _e2358) {
-                                                                                        phi_2975_ = _e2352;
+                                                                                    let _e2363 = phi_2982_;
+                                                                                    if (_e2339 > _e2345) {
+                                                                                        phi_2987_ = _e2339;
                                                                                     } else {
-                                                                                        phi_2975_ = _e2358;
+                                                                                        phi_2987_ = _e2345;
                                                                                     }
-                                                                                    let _e2379 = phi_2975_;
-                                                                                    let _e2383 = core_intrinsics_maximum_number_nsz_f32_((_e2361 - _e1345), (_e2364 - _e1346));
-                                                                                    let _e2384 = core_intrinsics_maximum_number_nsz_f32_(_e2383, (_e2367 - _e1347));
-                                                                                    let _e2385 = core_intrinsics_minimum_number_nsz_f32_((_e2373 + _e1345), (_e2376 + _e1346));
-                                                                                    let _e2386 = core_intrinsics_minimum_number_nsz_f32_(_e2385, (_e2379 + _e1347));
-                                                                                    if (_e2384 > _e1050) {
-                                                                                        phi_2987_ = _e2384;
+                                                                                    let _e2366 = phi_2987_;
+                                                                                    let _e2370 = core_intrinsics_maximum_number_nsz_f32_((_e2348 - _e1332), (_e2351 - _e1333));
+                                                                                    let _e2371 = core_intrinsics_maximum_number_nsz_f32_(_e2370, (_e2354 - _e1334));
+                                                                                    let _e2372 = core_intrinsics_minimum_number_nsz_f32_((_e2360 + _e1332), (_e2363 + _e1333));
+                                                                                    let _e2373 = core_intrinsics_minimum_number_nsz_f32_(_e2372, (_e2366 + _e1334));
+                                                                                    if (_e2371 > _e1041) {
+                                                                                        phi_2999_ = _e2371;
                                                                                     } else {
-                                                                                        phi_2987_ = _e1050;
+                                                                                        phi_2999_ = _e1041;
                                                                                     }
-                                                                                    let _e2389 = phi_2987_;
-                                                                                    if (_e2386 < _e1052) {
-                                                                                        phi_2992_ = _e2386;
+                                                                                    let _e2376 = phi_2999_;
+                                                                                    if (_e2373 < _e1043) {
+                                                                                        phi_3004_ = _e2373;
                                                                                     } else {
-                                                                                        phi_2992_ = _e1052;
+                                                                                        phi_3004_ = _e1043;
                                                                                     }
-                                                                                    let _e2392 = phi_2992_;
-                                                                                    if (_e2260 < _e2389) {
-                                                                                        phi_2997_ = _e2389;
+                                                                                    let _e2379 = phi_3004_;
+                                                                                    if (_e2247 < _e2376) {
+                                                                                        phi_3009_ = _e2376;
                                                                                     } else {
-                                                                                        phi_2997_ = _e2260;
+                                                                                        phi_3009_ = _e2247;
                                                                                     }
-                                                                                    let _e2395 = phi_2997_;
-                                                                                    if (_e2395 > _e2392) {
-                                                                                        phi_3002_ = _e2392;
+                                                                                    let _e2382 = phi_3009_;
+                                                                                    if (_e2382 > _e2379) {
+                                                                                        phi_3014_ = _e2379;
                                                                                     } else {
-                                                                                        phi_3002_ = _e2395;
+                                                                                        phi_3014_ = _e2382;
                                                                                     }
-                                                                                    let _e2398 = phi_3002_;
-                                                                                    phi_3007_ = lt_bvh_triangle_Intersection(_e2398, (_e2101 / _e2160), (_e2122 / _e2160), (_e2389 <= _e2392));
-                                                                                    phi_3008_ = false;
+                                                                                    let _e2385 = phi_3014_;
+                                                                                    phi_3019_ = lt_bvh_triangle_Intersection(_e2385, (_e2088 / _e2147), (_e2109 / _e2147), (_e2376 <= _e2379));
+                                                                                    phi_3020_ = false;
                                                                                 } else {
-                                                                                    phi_3007_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3008_ = true;
+                                                                                    phi_3019_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3020_ = true;
                                                                                 }
-                                                                                let _e2404 = phi_3007_;
-                                                                                let _e2406 = phi_3008_;
-                                                                                phi_3009_ = _e2404;
-                                                                                phi_3010_ = _e2406;
+                                                                                let _e2391 = phi_3019_;
+                                                                                let _e2393 = phi_3020_;
+                                                                                phi_3021_ = _e2391;
+                                                                                phi_3022_ = _e2393;
                                                                             } else {
-                                                                                phi_3009_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3010_ = true;
+                                                                                phi_3021_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3022_ = true;
                                                                             }
-                                                                            let _e2408 = phi_3009_;
-                                                                            let _e2410 = phi_3010_;
-                                                                            if _e2410 {
+                                                                            let _e2395 = phi_3021_;
+                                                                            let _e2397 = phi_3022_;
+                                                                            if _e2397 {
                                                                             }
-                                                                            phi_3014_ = _e2408;
-                                                                            phi_3015_ = _e2410;
+                                                                            phi_3026_ = _e2395;
+                                                                            phi_3027_ = _e2397;
                                                                         }
-                                                                        let _e2412 = phi_3014_;
-                                                                        let _e2414 = phi_3015_;
-                                                                        phi_3016_ = _e2412;
-                                                                        phi_3017_ = _e2163;
-                                                                        phi_3018_ = _e2414;
+                                                                        let _e2399 = phi_3026_;
+                                                                        let _e2401 = phi_3027_;
+                                                                        phi_3028_ = _e2399;
+                                                                        phi_3029_ = _e2150;
+                                                                        phi_3030_ = _e2401;
                                                                     } else {
-                                                                        phi_3016_ = lt_bvh_triangle_Intersection();
-                                                                        phi_3017_ = true;
-                                                                        phi_3018_ = false;
+                                                                        phi_3028_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3029_ = true;
+                                                                        phi_3030_ = false;
                                                                     }
-                                                                    let _e2416 = phi_3016_;
-                                                                    let _e2418 = phi_3017_;
-                                                                    let _e2420 = phi_3018_;
-                                                                    if _e2418 {
-                                                                        phi_3022_ = true;
+                                                                    let _e2403 = phi_3028_;
+                                                                    let _e2405 = phi_3029_;
+                                                                    let _e2407 = phi_3030_;
+                                                                    if _e2405 {
+                                                                        phi_3034_ = true;
                                                                     } else {
-                                                                        phi_3022_ = _e2420;
+                                                                        phi_3034_ = _e2407;
                                                                     }
-                                                                    let _e2422 = phi_3022_;
-                                                                    if _e2422 {
-                                                                        phi_3026_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2409 = phi_3034_;
+                                                                    if _e2409 {
+                                                                        phi_3038_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3026_ = _e2416;
+                                                                        phi_3038_ = _e2403;
                                                                     }
-                                                                    let _e2424 = phi_3026_;
-                                                                    if _e2424.is_hit {
-                                                                        if (_e2424.t > _e165.tmin) {
-                                                                            if (_e2424.t < _e1965.t) {
-                                                                                phi_3074_ = true;
+                                                                    let _e2411 = phi_3038_;
+                                                                    if _e2411.is_hit {
+                                                                        if (_e2411.t > _e165.tmin) {
+                                                                            if (_e2411.t < _e1952.t) {
+                                                                                phi_3086_ = true;
                                                                             } else {
-                                                                                if (_e2424.t == _e1965.t) {
-                                                                                    if (_e1965.triangle != 4294967295u) {
-                                                                                        if (_e1976 < _e1965.triangle) {
-                                                                                            phi_3065_ = true;
+                                                                                if (_e2411.t == _e1952.t) {
+                                                                                    if (_e1952.triangle != 4294967295u) {
+                                                                                        if (_e1963 < _e1952.triangle) {
+                                                                                            phi_3077_ = true;
                                                                                         } else {
-                                                                                            if (_e1976 == _e1965.triangle) {
-                                                                                                phi_3064_ = (_e991 < _e1965.instance);
+                                                                                            if (_e1963 == _e1952.triangle) {
+                                                                                                phi_3076_ = (_e982 < _e1952.instance);
                                                                                             } else {
-                                                                                                phi_3064_ = false;
+                                                                                                phi_3076_ = false;
                                                                                             }
-                                                                                            let _e2442 = phi_3064_;
-                                                                                            phi_3065_ = _e2442;
+                                                                                            let _e2429 = phi_3076_;
+                                                                                            phi_3077_ = _e2429;
                                                                                         }
-                                                                                        let _e2444 = phi_3065_;
-                                                                                        phi_3066_ = _e2444;
-                                                                                        phi_3067_ = false;
+                                                                                        let _e2431 = phi_3077_;
+                                                                                        phi_3078_ = _e2431;
+                                                                                        phi_3079_ = false;
                                                                                     } else {
-                                                                                        phi_3066_ = bool();
-                                                                                        phi_3067_ = true;
+                                                                                        phi_3078_ = bool();
+                                                                                        phi_3079_ = true;
                                                                                     }
-                                                                                    let _e2446 = phi_3066_;
-                                                                                    let _e2448 = phi_3067_;
-                                                                                    phi_3068_ = _e2446;
-                                                                                    phi_3069_ = _e2448;
+                                                                                    let _e2433 = phi_3078_;
+                                                                                    let _e2435 = phi_3079_;
+                                                                                    phi_3080_ = _e2433;
+                                                                                    phi_3081_ = _e2435;
                                                                                 } else {
-                                                                                    phi_3068_ = bool();
-                                                                                    phi_3069_ = true;
+                                                                                    phi_3080_ = bool();
+                                                                                    phi_3081_ = true;
                                                                                 }
-                                                                                let _e2450 = phi_3068_;
-                                                                                let _e2452 = phi_3069_;
-                                                                                if _e2452 {
-                                                                                    phi_3073_ = false;
+                                                                                let _e2437 = phi_3080_;
+                                                                                let _e2439 = phi_3081_;
+                                                                                if _e2439 {
+                                                                                    phi_3085_ = false;
                                                                                 } else {
-                                                                                    phi_3073_ = _e2450;
+                                                                                    phi_3085_ = _e2437;
                                                                                 }
-                                                                                let _e2454 = phi_3073_;
-                                                                                phi_3074_ = _e2454;
+                                                                                let _e2441 = phi_3085_;
+                                                                                phi_3086_ = _e2441;
                                                                             }
-                                                                            let _e2456 = phi_3074_;
-                                                                            if _e2456 {
-                                                                                let _e2458 = triangles.member[(0u + _e1976)].i0_;
-                                                                                if ((_e2458 & 2147483648u) == 0u) {
-                                                                                    phi_3088_ = true;
+                                                                            let _e2443 = phi_3086_;
+                                                                            if _e2443 {
+                                                                                let _e2445 = triangles.member[(0u + _e1963)].i0_;
+                                                                                if ((_e2445 & 2147483648u) == 0u) {
+                                                                                    phi_3100_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_3088_ = true;
+                                                                                    phi_3100_ = true;
                                                                                 }
-                                                                                let _e2462 = phi_3088_;
-                                                                                if _e2462 {
-                                                                                    phi_3096_ = lt_bvh_Hit(_e2424.t, _e2424.u, _e2424.v, _e1976, _e991);
+                                                                                let _e2449 = phi_3100_;
+                                                                                if _e2449 {
+                                                                                    phi_3108_ = lt_bvh_Hit(_e2411.t, _e2411.u, _e2411.v, _e1963, _e982);
                                                                                 } else {
-                                                                                    phi_3096_ = _e1965;
+                                                                                    phi_3108_ = _e1952;
                                                                                 }
-                                                                                let _e2468 = phi_3096_;
-                                                                                phi_3097_ = _e2468;
+                                                                                let _e2455 = phi_3108_;
+                                                                                phi_3109_ = _e2455;
                                                                             } else {
-                                                                                phi_3097_ = _e1965;
+                                                                                phi_3109_ = _e1952;
                                                                             }
-                                                                            let _e2470 = phi_3097_;
-                                                                            phi_3098_ = _e2470;
+                                                                            let _e2457 = phi_3109_;
+                                                                            phi_3110_ = _e2457;
                                                                         } else {
-                                                                            phi_3098_ = _e1965;
+                                                                            phi_3110_ = _e1952;
                                                                         }
-                                                                        let _e2472 = phi_3098_;
-                                                                        phi_3099_ = _e2472;
+                                                                        let _e2459 = phi_3110_;
+                                                                        phi_3111_ = _e2459;
                                                                     } else {
-                                                                        phi_3099_ = _e1965;
+                                                                        phi_3111_ = _e1952;
                                                                     }
-                                                                    let _e2474 = phi_3099_;
-                                                                    phi_2456_ = _e2474;
-                                                                    phi_2459_ = (_e1967 & (_e1967 - 1u));
-                                                                    phi_3100_ = true;
+                                                                    let _e2461 = phi_3111_;
+                                                                    phi_2468_ = _e2461;
+                                                                    phi_2471_ = (_e1954 & (_e1954 - 1u));
+                                                                    phi_3112_ = true;
                                                                 }
-                                                                let _e2476 = phi_2456_;
-                                                                let _e2478 = phi_2459_;
-                                                                let _e2480 = phi_3100_;
+                                                                let _e2463 = phi_2468_;
+                                                                let _e2465 = phi_2471_;
+                                                                let _e2467 = phi_3112_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2455_ = _e2476;
-                                                                    phi_2458_ = _e2478;
-                                                                    break if !(_e2480);
+                                                                    phi_2467_ = _e2463;
+                                                                    phi_2470_ = _e2465;
+                                                                    break if !(_e2467);
                                                                 }
                                                             }
-                                                            let _e2483 = local_1.group_mask;
-                                                            if ((_e2483 & 4278190080u) == 0u) {
-                                                                let _e2487 = local_1.len;
-                                                                if (_e2487 == 0u) {
-                                                                    phi_3139_ = false;
+                                                            let _e2470 = local_1.group_mask;
+                                                            if ((_e2470 & 4278190080u) == 0u) {
+                                                                let _e2474 = local_1.len;
+                                                                if (_e2474 == 0u) {
+                                                                    phi_3151_ = false;
                                                                 } else {
-                                                                    let _e2491 = local_1.len;
-                                                                    local_1.len = (_e2491 - 1u);
-                                                                    let _e2494 = local_1.len;
-                                                                    if (_e2494 < 32u) {
+                                                                    let _e2478 = local_1.len;
+                                                                    local_1.len = (_e2478 - 1u);
+                                                                    let _e2481 = local_1.len;
+                                                                    if (_e2481 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2499 = local_1.first[(0u + _e2494)];
-                                                                    local_1.group = _e2499;
-                                                                    let _e2502 = local_1.len;
-                                                                    if (_e2502 < 32u) {
+                                                                    let _e2486 = local_1.first[(0u + _e2481)];
+                                                                    local_1.group = _e2486;
+                                                                    let _e2489 = local_1.len;
+                                                                    if (_e2489 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2507 = local_1.mask[(0u + _e2502)];
-                                                                    local_1.group_mask = _e2507;
-                                                                    phi_3139_ = true;
+                                                                    let _e2494 = local_1.mask[(0u + _e2489)];
+                                                                    local_1.group_mask = _e2494;
+                                                                    phi_3151_ = true;
                                                                 }
-                                                                let _e2510 = phi_3139_;
-                                                                phi_3140_ = _e2510;
+                                                                let _e2497 = phi_3151_;
+                                                                phi_3152_ = _e2497;
                                                             } else {
-                                                                phi_3140_ = true;
+                                                                phi_3152_ = true;
                                                             }
-                                                            let _e2512 = phi_3140_;
-                                                            if _e2512 {
-                                                                let _e2514 = local_1.group_mask;
-                                                                let _e2520 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2514)), 32u, (_e2514 == 0u)));
-                                                                let _e2524 = local_1.group_mask;
-                                                                let _e2538 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2538 & ~((1u << bitcast<u32>((_e2520 & 31u)))));
-                                                                let _e2541 = local_1.group;
-                                                                phi_3171_ = (_e2541 + countOneBits(((_e2524 & ~((4294967295u << bitcast<u32>((((_e2520 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            let _e2499 = phi_3152_;
+                                                            if _e2499 {
+                                                                let _e2501 = local_1.group_mask;
+                                                                let _e2507 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2501)), 32u, (_e2501 == 0u)));
+                                                                let _e2511 = local_1.group_mask;
+                                                                let _e2525 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2525 & ~((1u << bitcast<u32>((_e2507 & 31u)))));
+                                                                let _e2528 = local_1.group;
+                                                                phi_3183_ = (_e2528 + countOneBits(((_e2511 & ~((4294967295u << bitcast<u32>((((_e2507 - 24u) ^ _e1375) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3171_ = 4294967295u;
+                                                                phi_3183_ = 4294967295u;
                                                             }
-                                                            let _e2544 = phi_3171_;
-                                                            let _e3867 = local_9;
-                                                            phi_2123_ = _e3867;
-                                                            phi_2126_ = _e2544;
+                                                            let _e2531 = phi_3183_;
+                                                            let _e3850 = local_9;
+                                                            phi_2135_ = _e3850;
+                                                            phi_2138_ = _e2531;
                                                         } else {
-                                                            phi_2123_ = lt_bvh_Hit();
-                                                            phi_2126_ = u32();
+                                                            phi_2135_ = lt_bvh_Hit();
+                                                            phi_2138_ = u32();
                                                         }
-                                                        let _e2546 = phi_2123_;
-                                                        let _e2548 = phi_2126_;
+                                                        let _e2533 = phi_2135_;
+                                                        let _e2535 = phi_2138_;
                                                         continue;
                                                         continuing {
-                                                            phi_2122_ = _e2546;
-                                                            phi_2125_ = _e2548;
-                                                            break if !(_e1529);
+                                                            phi_2134_ = _e2533;
+                                                            phi_2137_ = _e2535;
+                                                            break if !(_e1516);
                                                         }
                                                     }
-                                                    let _e3871 = local_10;
-                                                    phi_3172_ = _e3871;
+                                                    let _e3854 = local_10;
+                                                    phi_3184_ = _e3854;
                                                 }
-                                                let _e2551 = phi_3172_;
-                                                phi_3173_ = _e2551;
-                                                phi_3174_ = _e1214;
+                                                let _e2538 = phi_3184_;
+                                                phi_3185_ = _e2538;
+                                                phi_3186_ = _e1197;
                                             } else {
-                                                phi_3173_ = lt_bvh_Hit();
-                                                phi_3174_ = true;
+                                                phi_3185_ = lt_bvh_Hit();
+                                                phi_3186_ = true;
                                             }
-                                            let _e2553 = phi_3173_;
-                                            let _e2555 = phi_3174_;
-                                            if _e2555 {
-                                                phi_3178_ = _e983;
+                                            let _e2540 = phi_3185_;
+                                            let _e2542 = phi_3186_;
+                                            if _e2542 {
+                                                phi_3190_ = _e974;
                                             } else {
-                                                phi_3178_ = _e2553;
+                                                phi_3190_ = _e2540;
                                             }
-                                            let _e2557 = phi_3178_;
-                                            phi_3179_ = _e2557;
+                                            let _e2544 = phi_3190_;
+                                            phi_3191_ = _e2544;
                                         } else {
-                                            phi_3179_ = _e983;
+                                            phi_3191_ = _e974;
                                         }
-                                        let _e2559 = phi_3179_;
-                                        phi_3180_ = _e2559;
+                                        let _e2546 = phi_3191_;
+                                        phi_3192_ = _e2546;
                                     } else {
-                                        phi_3180_ = _e983;
+                                        phi_3192_ = _e974;
                                     }
-                                    let _e2561 = phi_3180_;
-                                    phi_3181_ = _e2561;
+                                    let _e2548 = phi_3192_;
+                                    phi_3193_ = _e2548;
                                 } else {
-                                    phi_3181_ = _e983;
+                                    phi_3193_ = _e974;
                                 }
-                                let _e2563 = phi_3181_;
-                                phi_1497_ = (_e981 & (_e981 - 1u));
-                                phi_1500_ = _e2563;
-                                phi_3182_ = true;
+                                let _e2550 = phi_3193_;
+                                phi_1502_ = (_e972 & (_e972 - 1u));
+                                phi_1505_ = _e2550;
+                                phi_3194_ = true;
                             }
-                            let _e2565 = phi_1497_;
-                            let _e2567 = phi_1500_;
-                            let _e2569 = phi_3182_;
+                            let _e2552 = phi_1502_;
+                            let _e2554 = phi_1505_;
+                            let _e2556 = phi_3194_;
                             continue;
                             continuing {
-                                phi_1496_ = _e2565;
-                                phi_1499_ = _e2567;
-                                break if !(_e2569);
+                                phi_1501_ = _e2552;
+                                phi_1504_ = _e2554;
+                                break if !(_e2556);
                             }
                         }
-                        let _e2572 = local_2.group_mask;
-                        if ((_e2572 & 4278190080u) == 0u) {
-                            let _e2576 = local_2.len;
-                            if (_e2576 == 0u) {
-                                phi_3221_ = false;
+                        let _e2559 = local_2.group_mask;
+                        if ((_e2559 & 4278190080u) == 0u) {
+                            let _e2563 = local_2.len;
+                            if (_e2563 == 0u) {
+                                phi_3233_ = false;
                             } else {
-                                let _e2580 = local_2.len;
-                                local_2.len = (_e2580 - 1u);
-                                let _e2583 = local_2.len;
-                                if (_e2583 < 32u) {
+                                let _e2567 = local_2.len;
+                                local_2.len = (_e2567 - 1u);
+                                let _e2570 = local_2.len;
+                                if (_e2570 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2588 = local_2.first[(0u + _e2583)];
-                                local_2.group = _e2588;
-                                let _e2591 = local_2.len;
-                                if (_e2591 < 32u) {
+                                let _e2575 = local_2.first[(0u + _e2570)];
+                                local_2.group = _e2575;
+                                let _e2578 = local_2.len;
+                                if (_e2578 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2596 = local_2.mask[(0u + _e2591)];
-                                local_2.group_mask = _e2596;
-                                phi_3221_ = true;
+                                let _e2583 = local_2.mask[(0u + _e2578)];
+                                local_2.group_mask = _e2583;
+                                phi_3233_ = true;
                             }
-                            let _e2599 = phi_3221_;
-                            phi_3222_ = _e2599;
+                            let _e2586 = phi_3233_;
+                            phi_3234_ = _e2586;
                         } else {
-                            phi_3222_ = true;
+                            phi_3234_ = true;
                         }
-                        let _e2601 = phi_3222_;
-                        if _e2601 {
-                            let _e2603 = local_2.group_mask;
-                            let _e2609 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2603)), 32u, (_e2603 == 0u)));
-                            let _e2613 = local_2.group_mask;
-                            let _e2627 = local_2.group_mask;
-                            local_2.group_mask = (_e2627 & ~((1u << bitcast<u32>((_e2609 & 31u)))));
-                            let _e2630 = local_2.group;
-                            phi_3253_ = (_e2630 + countOneBits(((_e2613 & ~((4294967295u << bitcast<u32>((((_e2609 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        let _e2588 = phi_3234_;
+                        if _e2588 {
+                            let _e2590 = local_2.group_mask;
+                            let _e2596 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2590)), 32u, (_e2590 == 0u)));
+                            let _e2600 = local_2.group_mask;
+                            let _e2614 = local_2.group_mask;
+                            local_2.group_mask = (_e2614 & ~((1u << bitcast<u32>((_e2596 & 31u)))));
+                            let _e2617 = local_2.group;
+                            phi_3265_ = (_e2617 + countOneBits(((_e2600 & ~((4294967295u << bitcast<u32>((((_e2596 - 24u) ^ _e391) & 31u))))) & 255u)));
                         } else {
-                            phi_3253_ = 4294967295u;
+                            phi_3265_ = 4294967295u;
                         }
-                        let _e2633 = phi_3253_;
-                        phi_1160_ = _e2633;
-                        let _e3887 = local_11;
-                        phi_1163_ = _e3887;
+                        let _e2620 = phi_3265_;
+                        phi_1165_ = _e2620;
+                        let _e3870 = local_11;
+                        phi_1168_ = _e3870;
                     } else {
-                        phi_1160_ = u32();
-                        phi_1163_ = lt_bvh_Hit();
+                        phi_1165_ = u32();
+                        phi_1168_ = lt_bvh_Hit();
                     }
-                    let _e2635 = phi_1160_;
-                    let _e2637 = phi_1163_;
+                    let _e2622 = phi_1165_;
+                    let _e2624 = phi_1168_;
                     continue;
                     continuing {
-                        phi_1159_ = _e2635;
-                        phi_1162_ = _e2637;
-                        break if !(_e541);
+                        phi_1164_ = _e2622;
+                        phi_1167_ = _e2624;
+                        break if !(_e532);
                     }
                 }
-                let _e3890 = local_12;
-                phi_3254_ = _e3890;
+                let _e3873 = local_12;
+                phi_3266_ = _e3873;
             }
-            let _e2640 = phi_3254_;
-            phi_3255_ = _e2640;
-            phi_3256_ = _e237;
+            let _e2627 = phi_3266_;
+            phi_3267_ = _e2627;
+            phi_3268_ = _e229;
         } else {
-            phi_3255_ = lt_bvh_Hit();
-            phi_3256_ = true;
+            phi_3267_ = lt_bvh_Hit();
+            phi_3268_ = true;
         }
-        let _e2642 = phi_3255_;
-        let _e2644 = phi_3256_;
-        if _e2644 {
-            phi_3260_ = _e167;
+        let _e2629 = phi_3267_;
+        let _e2631 = phi_3268_;
+        if _e2631 {
+            phi_3272_ = _e167;
         } else {
-            phi_3260_ = _e2642;
+            phi_3272_ = _e2629;
         }
-        let _e2646 = phi_3260_;
-        if (_e2646.triangle != 4294967295u) {
-            let _e2652 = ((1f - _e2646.u) - _e2646.v);
-            if (_e2646.triangle < _e81) {
+        let _e2633 = phi_3272_;
+        if (_e2633.triangle != 4294967295u) {
+            let _e2639 = ((1f - _e2633.u) - _e2633.v);
+            if (_e2633.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2657 = triangles.member[(0u + _e2646.triangle)];
-            if (_e2646.instance < _e93) {
+            let _e2644 = triangles.member[(0u + _e2633.triangle)];
+            if (_e2633.instance < _e93) {
             } else {
                 return;
             }
-            let _e2668 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e2679 = ((((_e2668.x * _e2657.v0_.x) + (_e2668.y * _e2657.v0_.y)) + (_e2668.z * _e2657.v0_.z)) + (_e2668.w * 1f));
-            let _e2681 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e2692 = ((((_e2681.x * _e2657.v0_.x) + (_e2681.y * _e2657.v0_.y)) + (_e2681.z * _e2657.v0_.z)) + (_e2681.w * 1f));
-            let _e2694 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            let _e2705 = ((((_e2694.x * _e2657.v0_.x) + (_e2694.y * _e2657.v0_.y)) + (_e2694.z * _e2657.v0_.z)) + (_e2694.w * 1f));
-            let _e2712 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e2723 = ((((_e2712.x * _e2657.v1_.x) + (_e2712.y * _e2657.v1_.y)) + (_e2712.z * _e2657.v1_.z)) + (_e2712.w * 1f));
-            let _e2725 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e2736 = ((((_e2725.x * _e2657.v1_.x) + (_e2725.y * _e2657.v1_.y)) + (_e2725.z * _e2657.v1_.z)) + (_e2725.w * 1f));
-            let _e2738 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            let _e2749 = ((((_e2738.x * _e2657.v1_.x) + (_e2738.y * _e2657.v1_.y)) + (_e2738.z * _e2657.v1_.z)) + (_e2738.w * 1f));
-            let _e2756 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e2767 = ((((_e2756.x * _e2657.v2_.x) + (_e2756.y * _e2657.v2_.y)) + (_e2756.z * _e2657.v2_.z)) + (_e2756.w * 1f));
-            let _e2769 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e2780 = ((((_e2769.x * _e2657.v2_.x) + (_e2769.y * _e2657.v2_.y)) + (_e2769.z * _e2657.v2_.z)) + (_e2769.w * 1f));
-            let _e2782 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            let _e2793 = ((((_e2782.x * _e2657.v2_.x) + (_e2782.y * _e2657.v2_.y)) + (_e2782.z * _e2657.v2_.z)) + (_e2782.w * 1f));
-            let _e2806 = (((_e2679 * _e2652) + (_e2723 * _e2646.u)) + (_e2767 * _e2646.v));
-            let _e2807 = (((_e2692 * _e2652) + (_e2736 * _e2646.u)) + (_e2780 * _e2646.v));
-            let _e2808 = (((_e2705 * _e2652) + (_e2749 * _e2646.u)) + (_e2793 * _e2646.v));
-            let _e2810 = abs(_e2679);
-            let _e2811 = abs(_e2692);
-            let _e2812 = abs(_e2705);
-            let _e2813 = abs(_e2723);
-            let _e2814 = abs(_e2736);
-            let _e2815 = abs(_e2749);
-            if (_e2810 > _e2813) {
-                phi_3447_ = _e2810;
+            let _e2655 = instances.member[(0u + _e2633.instance)].object_to_world[0u];
+            let _e2666 = ((((_e2655.x * _e2644.v0_.x) + (_e2655.y * _e2644.v0_.y)) + (_e2655.z * _e2644.v0_.z)) + (_e2655.w * 1f));
+            let _e2668 = instances.member[(0u + _e2633.instance)].object_to_world[1u];
+            let _e2679 = ((((_e2668.x * _e2644.v0_.x) + (_e2668.y * _e2644.v0_.y)) + (_e2668.z * _e2644.v0_.z)) + (_e2668.w * 1f));
+            let _e2681 = instances.member[(0u + _e2633.instance)].object_to_world[2u];
+            let _e2692 = ((((_e2681.x * _e2644.v0_.x) + (_e2681.y * _e2644.v0_.y)) + (_e2681.z * _e2644.v0_.z)) + (_e2681.w * 1f));
+            let _e2699 = instances.member[(0u + _e2633.instance)].object_to_world[0u];
+            let _e2710 = ((((_e2699.x * _e2644.v1_.x) + (_e2699.y * _e2644.v1_.y)) + (_e2699.z * _e2644.v1_.z)) + (_e2699.w * 1f));
+            let _e2712 = instances.member[(0u + _e2633.instance)].object_to_world[1u];
+            let _e2723 = ((((_e2712.x * _e2644.v1_.x) + (_e2712.y * _e2644.v1_.y)) + (_e2712.z * _e2644.v1_.z)) + (_e2712.w * 1f));
+            let _e2725 = instances.member[(0u + _e2633.instance)].object_to_world[2u];
+            let _e2736 = ((((_e2725.x * _e2644.v1_.x) + (_e2725.y * _e2644.v1_.y)) + (_e2725.z * _e2644.v1_.z)) + (_e2725.w * 1f));
+            let _e2743 = instances.member[(0u + _e2633.instance)].object_to_world[0u];
+            let _e2754 = ((((_e2743.x * _e2644.v2_.x) + (_e2743.y * _e2644.v2_.y)) + (_e2743.z * _e2644.v2_.z)) + (_e2743.w * 1f));
+            let _e2756 = instances.member[(0u + _e2633.instance)].object_to_world[1u];
+            let _e2767 = ((((_e2756.x * _e2644.v2_.x) + (_e2756.y * _e2644.v2_.y)) + (_e2756.z * _e2644.v2_.z)) + (_e2756.w * 1f));
+            let _e2769 = instances.member[(0u + _e2633.instance)].object_to_world[2u];
+            let _e2780 = ((((_e2769.x * _e2644.v2_.x) + (_e2769.y * _e2644.v2_.y)) + (_e2769.z * _e2644.v2_.z)) + (_e2769.w * 1f));
+            let _e2793 = (((_e2666 * _e2639) + (_e2710 * _e2633.u)) + (_e2754 * _e2633.v));
+            let _e2794 = (((_e2679 * _e2639) + (_e2723 * _e2633.u)) + (_e2767 * _e2633.v));
+            let _e2795 = (((_e2692 * _e2639) + (_e2736 * _e2633.u)) + (_e2780 * _e2633.v));
+            let _e2797 = abs(_e2666);
+            let _e2798 = abs(_e2679);
+            let _e2799 = abs(_e2692);
+            let _e2800 = abs(_e2710);
+            let _e2801 = abs(_e2723);
+            let _e2802 = abs(_e2736);
+            if (_e2797 > _e2800) {
+                phi_3459_ = _e2797;
             } else {
-                phi_3447_ = _e2813;
+                phi_3459_ = _e2800;
             }
-            let _e2818 = phi_3447_;
+            let _e2805 = phi_3459_;
+            if (_e2798 > _e2801) {
+                phi_3464_ = _e2798;
+            } else {
+                phi_3464_ = _e2801;
+            }
+            let _e2808 = phi_3464_;
+            if (_e2799 > _e2802) {
+                phi_3469_ = _e2799;
+            } else {
+                phi_3469_ = _e2802;
+            }
+            let _e2811 = phi_3469_;
+            let _e2812 = abs(_e2754);
+            let _e2813 = abs(_e2767);
+            let _e2814 = abs(_e2780);
+            if (_e2805 > _e2812) {
+                phi_3477_ = _e2805;
+            } else {
+                phi_3477_ = _e2812;
+            }
+            let _e2817 = phi_3477_;
+            if (_e2808 > _e2813) {
+                phi_3482_ = _e2808;
+            } else {
+                phi_3482_ = _e2813;
+            }
+            let _e2820 = phi_3482_;
             if (_e2811 > _e2814) {
-                phi_3452_ = _e2811;
+                phi_3487_ = _e2811;
             } else {
-                phi_3452_ = _e2814;
+                phi_3487_ = _e2814;
             }
-            let _e2821 = phi_3452_;
-            if (_e2812 > _e2815) {
-                phi_3457_ = _e2812;
+            let _e2823 = phi_3487_;
+            let _e2824 = (_e2710 - _e2666);
+            let _e2825 = (_e2723 - _e2679);
+            let _e2826 = (_e2736 - _e2692);
+            let _e2827 = (_e2754 - _e2666);
+            let _e2828 = (_e2767 - _e2679);
+            let _e2829 = (_e2780 - _e2692);
+            let _e2833 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2825), abs(_e2826));
+            let _e2834 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2824), _e2833);
+            let _e2835 = (_e2824 / _e2834);
+            let _e2836 = (_e2825 / _e2834);
+            let _e2837 = (_e2826 / _e2834);
+            let _e2841 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2828), abs(_e2829));
+            let _e2842 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2827), _e2841);
+            let _e2843 = (_e2827 / _e2842);
+            let _e2844 = (_e2828 / _e2842);
+            let _e2845 = (_e2829 / _e2842);
+            let _e2848 = ((_e2836 * _e2845) - (_e2844 * _e2837));
+            let _e2851 = ((_e2837 * _e2843) - (_e2845 * _e2835));
+            let _e2854 = ((_e2835 * _e2844) - (_e2843 * _e2836));
+            let _e2856 = p.member.eye;
+            let _e2869 = (1f / sqrt((((_e2848 * _e2848) + (_e2851 * _e2851)) + (_e2854 * _e2854))));
+            let _e2870 = (_e2848 * _e2869);
+            let _e2871 = (_e2851 * _e2869);
+            let _e2872 = (_e2854 * _e2869);
+            if ((((_e2870 * (_e2856.x - _e2793)) + (_e2871 * (_e2856.y - _e2794))) + (_e2872 * (_e2856.z - _e2795))) < 0f) {
+                phi_3551_ = vec3<f32>(-(_e2870), -(_e2871), -(_e2872));
             } else {
-                phi_3457_ = _e2815;
+                phi_3551_ = vec3<f32>(_e2870, _e2871, _e2872);
             }
-            let _e2824 = phi_3457_;
-            let _e2825 = abs(_e2767);
-            let _e2826 = abs(_e2780);
-            let _e2827 = abs(_e2793);
-            if (_e2818 > _e2825) {
-                phi_3465_ = _e2818;
-            } else {
-                phi_3465_ = _e2825;
-            }
-            let _e2830 = phi_3465_;
-            if (_e2821 > _e2826) {
-                phi_3470_ = _e2821;
-            } else {
-                phi_3470_ = _e2826;
-            }
-            let _e2833 = phi_3470_;
-            if (_e2824 > _e2827) {
-                phi_3475_ = _e2824;
-            } else {
-                phi_3475_ = _e2827;
-            }
-            let _e2836 = phi_3475_;
-            let _e2837 = (_e2723 - _e2679);
-            let _e2838 = (_e2736 - _e2692);
-            let _e2839 = (_e2749 - _e2705);
-            let _e2840 = (_e2767 - _e2679);
-            let _e2841 = (_e2780 - _e2692);
-            let _e2842 = (_e2793 - _e2705);
-            let _e2846 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2838), abs(_e2839));
-            let _e2847 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2837), _e2846);
-            let _e2848 = (_e2837 / _e2847);
-            let _e2849 = (_e2838 / _e2847);
-            let _e2850 = (_e2839 / _e2847);
-            let _e2854 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2841), abs(_e2842));
-            let _e2855 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2840), _e2854);
-            let _e2856 = (_e2840 / _e2855);
-            let _e2857 = (_e2841 / _e2855);
-            let _e2858 = (_e2842 / _e2855);
-            let _e2861 = ((_e2849 * _e2858) - (_e2857 * _e2850));
-            let _e2864 = ((_e2850 * _e2856) - (_e2858 * _e2848));
-            let _e2867 = ((_e2848 * _e2857) - (_e2856 * _e2849));
-            let _e2869 = p.member.eye;
-            let _e2882 = (1f / sqrt((((_e2861 * _e2861) + (_e2864 * _e2864)) + (_e2867 * _e2867))));
-            let _e2883 = (_e2861 * _e2882);
-            let _e2884 = (_e2864 * _e2882);
-            let _e2885 = (_e2867 * _e2882);
-            if ((((_e2883 * (_e2869.x - _e2806)) + (_e2884 * (_e2869.y - _e2807))) + (_e2885 * (_e2869.z - _e2808))) < 0f) {
-                phi_3539_ = vec3<f32>(-(_e2883), -(_e2884), -(_e2885));
-            } else {
-                phi_3539_ = vec3<f32>(_e2883, _e2884, _e2885);
-            }
-            let _e2898 = phi_3539_;
-            if (_e2646.triangle < _e81) {
+            let _e2885 = phi_3551_;
+            if (_e2633.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2903 = triangles.member[(0u + _e2646.triangle)];
-            let _e2905 = (_e2903.i0_ & 2147483647u);
-            if (_e2905 < _e84) {
+            let _e2890 = triangles.member[(0u + _e2633.triangle)];
+            let _e2892 = (_e2890.i0_ & 2147483647u);
+            if (_e2892 < _e84) {
             } else {
                 return;
             }
-            let _e2911 = vertices.member[(0u + _e2905)];
-            if (_e2903.i1_ < _e84) {
+            let _e2898 = vertices.member[(0u + _e2892)];
+            if (_e2890.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e2915 = vertices.member[(0u + _e2903.i1_)];
-            if (_e2903.i2_ < _e84) {
+            let _e2902 = vertices.member[(0u + _e2890.i1_)];
+            if (_e2890.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e2919 = vertices.member[(0u + _e2903.i2_)];
-            let _e2920 = array<abi_Vertex, 3>(_e2911, _e2915, _e2919);
-            if (_e2920[0].material < arrayLength((&materials.member))) {
+            let _e2906 = vertices.member[(0u + _e2890.i2_)];
+            let _e2907 = array<abi_Vertex, 3>(_e2898, _e2902, _e2906);
+            if (_e2907[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2926 = materials.member[(0u + _e2920[0].material)];
-            let _e2943 = (1f / 255f);
-            let _e2962 = (1f / 255f);
-            let _e2984 = (1f / 255f);
-            if (_e2926.color_size == 0u) {
-                phi_3782_ = vec3<f32>(1f, 1f, 1f);
+            let _e2913 = materials.member[(0u + _e2907[0].material)];
+            let _e2930 = (1f / 255f);
+            let _e2949 = (1f / 255f);
+            let _e2971 = (1f / 255f);
+            if (_e2913.color_size == 0u) {
+                phi_3794_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e2926.color_offset;
-                local.size = _e2926.color_size;
-                local.flags = _e2926.flags;
-                let _e3027 = _lt_shaders_texture_TextureView_quad((&local), (((_e2920[0].u * _e2652) + (_e2920[1].u * _e2646.u)) + (_e2920[2].u * _e2646.v)), (((_e2920[0].v * _e2652) + (_e2920[1].v * _e2646.u)) + (_e2920[2].v * _e2646.v)));
-                if (_e3027.indices[0] < _e96) {
+                local.offset = _e2913.color_offset;
+                local.size = _e2913.color_size;
+                local.flags = _e2913.flags;
+                let _e3014 = _lt_shaders_texture_TextureView_quad((&local), (((_e2907[0].u * _e2639) + (_e2907[1].u * _e2633.u)) + (_e2907[2].u * _e2633.v)), (((_e2907[0].v * _e2639) + (_e2907[1].v * _e2633.u)) + (_e2907[2].v * _e2633.v)));
+                if (_e3014.indices[0] < _e96) {
                 } else {
                     return;
                 }
-                let _e3033 = color_texels.member[(0u + _e3027.indices[0])];
-                let _e3044 = (1f / 255f);
-                if (_e3027.indices[1] < _e96) {
+                let _e3020 = color_texels.member[(0u + _e3014.indices[0])];
+                let _e3031 = (1f / 255f);
+                if (_e3014.indices[1] < _e96) {
                 } else {
                     return;
                 }
-                let _e3058 = color_texels.member[(0u + _e3027.indices[1])];
-                let _e3069 = (1f / 255f);
-                if (_e3027.indices[2] < _e96) {
+                let _e3045 = color_texels.member[(0u + _e3014.indices[1])];
+                let _e3056 = (1f / 255f);
+                if (_e3014.indices[2] < _e96) {
                 } else {
                     return;
                 }
-                let _e3086 = color_texels.member[(0u + _e3027.indices[2])];
-                let _e3097 = (1f / 255f);
-                if (_e3027.indices[3] < _e96) {
+                let _e3073 = color_texels.member[(0u + _e3014.indices[2])];
+                let _e3084 = (1f / 255f);
+                if (_e3014.indices[3] < _e96) {
                 } else {
                     return;
                 }
-                let _e3114 = color_texels.member[(0u + _e3027.indices[3])];
-                let _e3125 = (1f / 255f);
-                let _e3134 = (((((f32((_e3033 & 255u)) * _e3044) * _e3027.weights.x) + ((f32((_e3058 & 255u)) * _e3069) * _e3027.weights.y)) + ((f32((_e3086 & 255u)) * _e3097) * _e3027.weights.z)) + ((f32((_e3114 & 255u)) * _e3125) * _e3027.weights.w));
-                let _e3135 = (((((f32(((_e3033 >> bitcast<u32>(8i)) & 255u)) * _e3044) * _e3027.weights.x) + ((f32(((_e3058 >> bitcast<u32>(8i)) & 255u)) * _e3069) * _e3027.weights.y)) + ((f32(((_e3086 >> bitcast<u32>(8i)) & 255u)) * _e3097) * _e3027.weights.z)) + ((f32(((_e3114 >> bitcast<u32>(8i)) & 255u)) * _e3125) * _e3027.weights.w));
-                let _e3136 = (((((f32(((_e3033 >> bitcast<u32>(16i)) & 255u)) * _e3044) * _e3027.weights.x) + ((f32(((_e3058 >> bitcast<u32>(16i)) & 255u)) * _e3069) * _e3027.weights.y)) + ((f32(((_e3086 >> bitcast<u32>(16i)) & 255u)) * _e3097) * _e3027.weights.z)) + ((f32(((_e3114 >> bitcast<u32>(16i)) & 255u)) * _e3125) * _e3027.weights.w));
-                phi_3782_ = vec3<f32>((_e3134 * _e3134), (_e3135 * _e3135), (_e3136 * _e3136));
+                let _e3101 = color_texels.member[(0u + _e3014.indices[3])];
+                let _e3112 = (1f / 255f);
+                let _e3121 = (((((f32((_e3020 & 255u)) * _e3031) * _e3014.weights.x) + ((f32((_e3045 & 255u)) * _e3056) * _e3014.weights.y)) + ((f32((_e3073 & 255u)) * _e3084) * _e3014.weights.z)) + ((f32((_e3101 & 255u)) * _e3112) * _e3014.weights.w));
+                let _e3122 = (((((f32(((_e3020 >> bitcast<u32>(8i)) & 255u)) * _e3031) * _e3014.weights.x) + ((f32(((_e3045 >> bitcast<u32>(8i)) & 255u)) * _e3056) * _e3014.weights.y)) + ((f32(((_e3073 >> bitcast<u32>(8i)) & 255u)) * _e3084) * _e3014.weights.z)) + ((f32(((_e3101 >> bitcast<u32>(8i)) & 255u)) * _e3112) * _e3014.weights.w));
+                let _e3123 = (((((f32(((_e3020 >> bitcast<u32>(16i)) & 255u)) * _e3031) * _e3014.weights.x) + ((f32(((_e3045 >> bitcast<u32>(16i)) & 255u)) * _e3056) * _e3014.weights.y)) + ((f32(((_e3073 >> bitcast<u32>(16i)) & 255u)) * _e3084) * _e3014.weights.z)) + ((f32(((_e3101 >> bitcast<u32>(16i)) & 255u)) * _e3112) * _e3014.weights.w));
+                phi_3794_ = vec3<f32>((_e3121 * _e3121), (_e3122 * _e3122), (_e3123 * _e3123));
             }
-            let _e3142 = phi_3782_;
-            let _e3144 = ((_e2926.base_color.x * ((((f32((_e2920[0].color & 255u)) * _e2943) * _e2652) + ((f32((_e2920[1].color & 255u)) * _e2962) * _e2646.u)) + ((f32((_e2920[2].color & 255u)) * _e2984) * _e2646.v))) * _e3142.x);
-            let _e3146 = ((_e2926.base_color.y * ((((f32(((_e2920[0].color >> bitcast<u32>(8i)) & 255u)) * _e2943) * _e2652) + ((f32(((_e2920[1].color >> bitcast<u32>(8i)) & 255u)) * _e2962) * _e2646.u)) + ((f32(((_e2920[2].color >> bitcast<u32>(8i)) & 255u)) * _e2984) * _e2646.v))) * _e3142.y);
-            let _e3148 = ((_e2926.base_color.z * ((((f32(((_e2920[0].color >> bitcast<u32>(16i)) & 255u)) * _e2943) * _e2652) + ((f32(((_e2920[1].color >> bitcast<u32>(16i)) & 255u)) * _e2962) * _e2646.u)) + ((f32(((_e2920[2].color >> bitcast<u32>(16i)) & 255u)) * _e2984) * _e2646.v))) * _e3142.z);
-            let _e3149 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2833, _e2836);
-            let _e3150 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2830, _e3149);
-            if ((_e2926.flags & 2u) == 0u) {
-                phi_3797_ = 0u;
+            let _e3129 = phi_3794_;
+            let _e3131 = ((_e2913.base_color.x * ((((f32((_e2907[0].color & 255u)) * _e2930) * _e2639) + ((f32((_e2907[1].color & 255u)) * _e2949) * _e2633.u)) + ((f32((_e2907[2].color & 255u)) * _e2971) * _e2633.v))) * _e3129.x);
+            let _e3133 = ((_e2913.base_color.y * ((((f32(((_e2907[0].color >> bitcast<u32>(8i)) & 255u)) * _e2930) * _e2639) + ((f32(((_e2907[1].color >> bitcast<u32>(8i)) & 255u)) * _e2949) * _e2633.u)) + ((f32(((_e2907[2].color >> bitcast<u32>(8i)) & 255u)) * _e2971) * _e2633.v))) * _e3129.y);
+            let _e3135 = ((_e2913.base_color.z * ((((f32(((_e2907[0].color >> bitcast<u32>(16i)) & 255u)) * _e2930) * _e2639) + ((f32(((_e2907[1].color >> bitcast<u32>(16i)) & 255u)) * _e2949) * _e2633.u)) + ((f32(((_e2907[2].color >> bitcast<u32>(16i)) & 255u)) * _e2971) * _e2633.v))) * _e3129.z);
+            let _e3136 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2820, _e2823);
+            let _e3137 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2817, _e3136);
+            if ((_e2913.flags & 2u) == 0u) {
+                phi_3809_ = 0u;
             } else {
-                phi_3797_ = 1u;
+                phi_3809_ = 1u;
             }
-            let _e3155 = phi_3797_;
-            if (_e2920[0].normal == 2147516416u) {
-                phi_4027_ = _e2898;
+            let _e3142 = phi_3809_;
+            if (_e2907[0].normal == 2147516416u) {
+                phi_4039_ = _e2885;
             } else {
-                let _e3168 = (f32((bitcast<i32>((_e2920[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3174 = (f32((bitcast<i32>(_e2920[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3178 = ((1f - abs(_e3168)) - abs(_e3174));
-                if (_e3178 < 0f) {
-                    phi_3824_ = -(_e3178);
+                let _e3155 = (f32((bitcast<i32>((_e2907[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3161 = (f32((bitcast<i32>(_e2907[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3165 = ((1f - abs(_e3155)) - abs(_e3161));
+                if (_e3165 < 0f) {
+                    phi_3836_ = -(_e3165);
                 } else {
-                    phi_3824_ = 0f;
+                    phi_3836_ = 0f;
                 }
-                let _e3182 = phi_3824_;
-                if (_e3168 < 0f) {
-                    phi_3831_ = (_e3168 + _e3182);
+                let _e3169 = phi_3836_;
+                if (_e3155 < 0f) {
+                    phi_3843_ = (_e3155 + _e3169);
                 } else {
-                    phi_3831_ = (_e3168 - _e3182);
+                    phi_3843_ = (_e3155 - _e3169);
                 }
-                let _e3187 = phi_3831_;
-                if (_e3174 < 0f) {
-                    phi_3838_ = (_e3174 + _e3182);
+                let _e3174 = phi_3843_;
+                if (_e3161 < 0f) {
+                    phi_3850_ = (_e3161 + _e3169);
                 } else {
-                    phi_3838_ = (_e3174 - _e3182);
+                    phi_3850_ = (_e3161 - _e3169);
                 }
-                let _e3192 = phi_3838_;
-                let _e3199 = (1f / sqrt((((_e3187 * _e3187) + (_e3192 * _e3192)) + (_e3178 * _e3178))));
-                let _e3215 = (f32((bitcast<i32>((_e2920[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3221 = (f32((bitcast<i32>(_e2920[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3225 = ((1f - abs(_e3215)) - abs(_e3221));
-                if (_e3225 < 0f) {
-                    phi_3873_ = -(_e3225);
+                let _e3179 = phi_3850_;
+                let _e3186 = (1f / sqrt((((_e3174 * _e3174) + (_e3179 * _e3179)) + (_e3165 * _e3165))));
+                let _e3202 = (f32((bitcast<i32>((_e2907[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3208 = (f32((bitcast<i32>(_e2907[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3212 = ((1f - abs(_e3202)) - abs(_e3208));
+                if (_e3212 < 0f) {
+                    phi_3885_ = -(_e3212);
                 } else {
-                    phi_3873_ = 0f;
+                    phi_3885_ = 0f;
                 }
-                let _e3229 = phi_3873_;
-                if (_e3215 < 0f) {
-                    phi_3880_ = (_e3215 + _e3229);
+                let _e3216 = phi_3885_;
+                if (_e3202 < 0f) {
+                    phi_3892_ = (_e3202 + _e3216);
                 } else {
-                    phi_3880_ = (_e3215 - _e3229);
+                    phi_3892_ = (_e3202 - _e3216);
                 }
-                let _e3234 = phi_3880_;
-                if (_e3221 < 0f) {
-                    phi_3887_ = (_e3221 + _e3229);
+                let _e3221 = phi_3892_;
+                if (_e3208 < 0f) {
+                    phi_3899_ = (_e3208 + _e3216);
                 } else {
-                    phi_3887_ = (_e3221 - _e3229);
+                    phi_3899_ = (_e3208 - _e3216);
                 }
-                let _e3239 = phi_3887_;
-                let _e3246 = (1f / sqrt((((_e3234 * _e3234) + (_e3239 * _e3239)) + (_e3225 * _e3225))));
-                let _e3265 = (f32((bitcast<i32>((_e2920[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3271 = (f32((bitcast<i32>(_e2920[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3275 = ((1f - abs(_e3265)) - abs(_e3271));
-                if (_e3275 < 0f) {
-                    phi_3925_ = -(_e3275);
+                let _e3226 = phi_3899_;
+                let _e3233 = (1f / sqrt((((_e3221 * _e3221) + (_e3226 * _e3226)) + (_e3212 * _e3212))));
+                let _e3252 = (f32((bitcast<i32>((_e2907[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3258 = (f32((bitcast<i32>(_e2907[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3262 = ((1f - abs(_e3252)) - abs(_e3258));
+                if (_e3262 < 0f) {
+                    phi_3937_ = -(_e3262);
                 } else {
-                    phi_3925_ = 0f;
+                    phi_3937_ = 0f;
                 }
-                let _e3279 = phi_3925_;
-                if (_e3265 < 0f) {
-                    phi_3932_ = (_e3265 + _e3279);
+                let _e3266 = phi_3937_;
+                if (_e3252 < 0f) {
+                    phi_3944_ = (_e3252 + _e3266);
                 } else {
-                    phi_3932_ = (_e3265 - _e3279);
+                    phi_3944_ = (_e3252 - _e3266);
                 }
-                let _e3284 = phi_3932_;
-                if (_e3271 < 0f) {
-                    phi_3939_ = (_e3271 + _e3279);
+                let _e3271 = phi_3944_;
+                if (_e3258 < 0f) {
+                    phi_3951_ = (_e3258 + _e3266);
                 } else {
-                    phi_3939_ = (_e3271 - _e3279);
+                    phi_3951_ = (_e3258 - _e3266);
                 }
-                let _e3289 = phi_3939_;
-                let _e3296 = (1f / sqrt((((_e3284 * _e3284) + (_e3289 * _e3289)) + (_e3275 * _e3275))));
-                let _e3303 = ((((_e3187 * _e3199) * _e2652) + ((_e3234 * _e3246) * _e2646.u)) + ((_e3284 * _e3296) * _e2646.v));
-                let _e3304 = ((((_e3192 * _e3199) * _e2652) + ((_e3239 * _e3246) * _e2646.u)) + ((_e3289 * _e3296) * _e2646.v));
-                let _e3305 = ((((_e3178 * _e3199) * _e2652) + ((_e3225 * _e3246) * _e2646.u)) + ((_e3275 * _e3296) * _e2646.v));
-                if (_e2646.instance < _e93) {
+                let _e3276 = phi_3951_;
+                let _e3283 = (1f / sqrt((((_e3271 * _e3271) + (_e3276 * _e3276)) + (_e3262 * _e3262))));
+                let _e3290 = ((((_e3174 * _e3186) * _e2639) + ((_e3221 * _e3233) * _e2633.u)) + ((_e3271 * _e3283) * _e2633.v));
+                let _e3291 = ((((_e3179 * _e3186) * _e2639) + ((_e3226 * _e3233) * _e2633.u)) + ((_e3276 * _e3283) * _e2633.v));
+                let _e3292 = ((((_e3165 * _e3186) * _e2639) + ((_e3212 * _e3233) * _e2633.u)) + ((_e3262 * _e3283) * _e2633.v));
+                if (_e2633.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3312 = instances.member[(0u + _e2646.instance)].world_to_object[0u];
-                let _e3321 = instances.member[(0u + _e2646.instance)].world_to_object[1u];
-                let _e3333 = instances.member[(0u + _e2646.instance)].world_to_object[2u];
-                let _e3340 = (((_e3312.x * _e3303) + (_e3321.x * _e3304)) + (_e3333.x * _e3305));
-                let _e3341 = (((_e3312.y * _e3303) + (_e3321.y * _e3304)) + (_e3333.y * _e3305));
-                let _e3342 = (((_e3312.z * _e3303) + (_e3321.z * _e3304)) + (_e3333.z * _e3305));
-                let _e3348 = sqrt((((_e3340 * _e3340) + (_e3341 * _e3341)) + (_e3342 * _e3342)));
-                if (_e3348 > 0f) {
-                    let _e3350 = (_e3340 / _e3348);
-                    let _e3351 = (_e3341 / _e3348);
-                    let _e3352 = (_e3342 / _e3348);
-                    if ((((_e3350 * _e2898.x) + (_e3351 * _e2898.y)) + (_e3352 * _e2898.z)) < 0f) {
-                        phi_4025_ = vec3<f32>(-(_e3350), -(_e3351), -(_e3352));
+                let _e3299 = instances.member[(0u + _e2633.instance)].world_to_object[0u];
+                let _e3308 = instances.member[(0u + _e2633.instance)].world_to_object[1u];
+                let _e3320 = instances.member[(0u + _e2633.instance)].world_to_object[2u];
+                let _e3327 = (((_e3299.x * _e3290) + (_e3308.x * _e3291)) + (_e3320.x * _e3292));
+                let _e3328 = (((_e3299.y * _e3290) + (_e3308.y * _e3291)) + (_e3320.y * _e3292));
+                let _e3329 = (((_e3299.z * _e3290) + (_e3308.z * _e3291)) + (_e3320.z * _e3292));
+                let _e3335 = sqrt((((_e3327 * _e3327) + (_e3328 * _e3328)) + (_e3329 * _e3329)));
+                if (_e3335 > 0f) {
+                    let _e3337 = (_e3327 / _e3335);
+                    let _e3338 = (_e3328 / _e3335);
+                    let _e3339 = (_e3329 / _e3335);
+                    if ((((_e3337 * _e2885.x) + (_e3338 * _e2885.y)) + (_e3339 * _e2885.z)) < 0f) {
+                        phi_4037_ = vec3<f32>(-(_e3337), -(_e3338), -(_e3339));
                     } else {
-                        phi_4025_ = vec3<f32>(_e3350, _e3351, _e3352);
+                        phi_4037_ = vec3<f32>(_e3337, _e3338, _e3339);
                     }
-                    let _e3368 = phi_4025_;
-                    phi_4026_ = _e3368;
+                    let _e3355 = phi_4037_;
+                    phi_4038_ = _e3355;
                 } else {
-                    phi_4026_ = _e2898;
+                    phi_4038_ = _e2885;
                 }
-                let _e3370 = phi_4026_;
-                phi_4027_ = _e3370;
+                let _e3357 = phi_4038_;
+                phi_4039_ = _e3357;
             }
-            let _e3372 = phi_4027_;
-            if (_e3144 > 0f) {
-                if (_e3144 < 1f) {
-                    phi_4036_ = _e3144;
+            let _e3359 = phi_4039_;
+            if (_e3131 > 0f) {
+                if (_e3131 < 1f) {
+                    phi_4048_ = _e3131;
                 } else {
-                    phi_4036_ = 1f;
+                    phi_4048_ = 1f;
                 }
-                let _e3376 = phi_4036_;
-                phi_4037_ = _e3376;
+                let _e3363 = phi_4048_;
+                phi_4049_ = _e3363;
             } else {
-                phi_4037_ = 0f;
+                phi_4049_ = 0f;
             }
-            let _e3378 = phi_4037_;
-            if (_e3146 > 0f) {
-                if (_e3146 < 1f) {
-                    phi_4047_ = _e3146;
+            let _e3365 = phi_4049_;
+            if (_e3133 > 0f) {
+                if (_e3133 < 1f) {
+                    phi_4059_ = _e3133;
                 } else {
-                    phi_4047_ = 1f;
+                    phi_4059_ = 1f;
                 }
-                let _e3383 = phi_4047_;
-                phi_4048_ = _e3383;
+                let _e3370 = phi_4059_;
+                phi_4060_ = _e3370;
             } else {
-                phi_4048_ = 0f;
+                phi_4060_ = 0f;
             }
-            let _e3385 = phi_4048_;
-            if (_e3148 > 0f) {
-                if (_e3148 < 1f) {
-                    phi_4058_ = _e3148;
+            let _e3372 = phi_4060_;
+            if (_e3135 > 0f) {
+                if (_e3135 < 1f) {
+                    phi_4070_ = _e3135;
                 } else {
-                    phi_4058_ = 1f;
+                    phi_4070_ = 1f;
                 }
-                let _e3390 = phi_4058_;
-                phi_4059_ = _e3390;
+                let _e3377 = phi_4070_;
+                phi_4071_ = _e3377;
             } else {
-                phi_4059_ = 0f;
+                phi_4071_ = 0f;
             }
-            let _e3392 = phi_4059_;
-            let _e3395 = ((sqrt(_e3378) * 255f) + 0.5f);
-            let _e3404 = ((sqrt(_e3385) * 255f) + 0.5f);
-            let _e3416 = ((sqrt(_e3392) * 255f) + 0.5f);
-            phi_4094_ = abi_Sample(vec3<f32>(_e2806, _e2807, _e2808), _e3150, _e2898, _e3155, _e3372, ((select(select(u32(_e3395), 0u, (_e3395 < bitcast<f32>(0u))), 4294967295u, (_e3395 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3404), 0u, (_e3404 < bitcast<f32>(0u))), 4294967295u, (_e3404 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3416), 0u, (_e3416 < bitcast<f32>(0u))), 4294967295u, (_e3416 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3379 = phi_4071_;
+            let _e3382 = ((sqrt(_e3365) * 255f) + 0.5f);
+            let _e3391 = ((sqrt(_e3372) * 255f) + 0.5f);
+            let _e3403 = ((sqrt(_e3379) * 255f) + 0.5f);
+            phi_4106_ = abi_Sample(vec3<f32>(_e2793, _e2794, _e2795), _e3137, _e2885, _e3142, _e3359, ((select(select(u32(_e3382), 0u, (_e3382 < bitcast<f32>(0u))), 4294967295u, (_e3382 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3391), 0u, (_e3391 < bitcast<f32>(0u))), 4294967295u, (_e3391 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3403), 0u, (_e3403 < bitcast<f32>(0u))), 4294967295u, (_e3403 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4094_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4106_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3430 = phi_4094_;
-        if (_e108.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e108.first_primitive)] = _e3430;
-        if (_e2646.triangle != 4294967295u) {
-            let _e3439 = ((1f - _e2646.u) - _e2646.v);
-            if (_e2646.triangle < _e81) {
-            } else {
-                return;
-            }
-            let _e3444 = triangles.member[(0u + _e2646.triangle)];
-            let _e3446 = (_e3444.i0_ & 2147483647u);
-            if (_e3446 < _e99) {
-            } else {
-                return;
-            }
-            let _e3452 = before.member[(0u + _e3446)];
-            if (_e3444.i1_ < _e99) {
-            } else {
-                return;
-            }
-            let _e3456 = before.member[(0u + _e3444.i1_)];
-            if (_e3444.i2_ < _e99) {
-            } else {
-                return;
-            }
-            let _e3460 = before.member[(0u + _e3444.i2_)];
-            if (_e2646.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3470 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3483 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3496 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            if (_e2646.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3520 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3533 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3546 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            if (_e2646.instance < _e93) {
-            } else {
-                return;
-            }
-            let _e3573 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3586 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3599 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            phi_4317_ = vec3<f32>((((((((_e3470.x * _e3452.x) + (_e3470.y * _e3452.y)) + (_e3470.z * _e3452.z)) + (_e3470.w * 1f)) * _e3439) + (((((_e3520.x * _e3456.x) + (_e3520.y * _e3456.y)) + (_e3520.z * _e3456.z)) + (_e3520.w * 1f)) * _e2646.u)) + (((((_e3573.x * _e3460.x) + (_e3573.y * _e3460.y)) + (_e3573.z * _e3460.z)) + (_e3573.w * 1f)) * _e2646.v)), (((((((_e3483.x * _e3452.x) + (_e3483.y * _e3452.y)) + (_e3483.z * _e3452.z)) + (_e3483.w * 1f)) * _e3439) + (((((_e3533.x * _e3456.x) + (_e3533.y * _e3456.y)) + (_e3533.z * _e3456.z)) + (_e3533.w * 1f)) * _e2646.u)) + (((((_e3586.x * _e3460.x) + (_e3586.y * _e3460.y)) + (_e3586.z * _e3460.z)) + (_e3586.w * 1f)) * _e2646.v)), (((((((_e3496.x * _e3452.x) + (_e3496.y * _e3452.y)) + (_e3496.z * _e3452.z)) + (_e3496.w * 1f)) * _e3439) + (((((_e3546.x * _e3456.x) + (_e3546.y * _e3456.y)) + (_e3546.z * _e3456.z)) + (_e3546.w * 1f)) * _e2646.u)) + (((((_e3599.x * _e3460.x) + (_e3599.y * _e3460.y)) + (_e3599.z * _e3460.z)) + (_e3599.w * 1f)) * _e2646.v)));
-        } else {
-            phi_4317_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e3619 = phi_4317_;
-        if (_e108.first_primitive < arrayLength((&past.member))) {
+        let _e3417 = phi_4106_;
+        if (_e108.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3619.x, _e3619.y, _e3619.z, 1f);
+        samples.member[(0u + _e108.shift)] = _e3417;
+        if (_e2633.triangle != 4294967295u) {
+            let _e3426 = ((1f - _e2633.u) - _e2633.v);
+            if (_e2633.triangle < _e81) {
+            } else {
+                return;
+            }
+            let _e3431 = triangles.member[(0u + _e2633.triangle)];
+            let _e3433 = (_e3431.i0_ & 2147483647u);
+            if (_e3433 < _e99) {
+            } else {
+                return;
+            }
+            let _e3439 = before.member[(0u + _e3433)];
+            if (_e3431.i1_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3443 = before.member[(0u + _e3431.i1_)];
+            if (_e3431.i2_ < _e99) {
+            } else {
+                return;
+            }
+            let _e3447 = before.member[(0u + _e3431.i2_)];
+            if (_e2633.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3457 = instances.member[(0u + _e2633.instance)].object_to_world[0u];
+            let _e3470 = instances.member[(0u + _e2633.instance)].object_to_world[1u];
+            let _e3483 = instances.member[(0u + _e2633.instance)].object_to_world[2u];
+            if (_e2633.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3507 = instances.member[(0u + _e2633.instance)].object_to_world[0u];
+            let _e3520 = instances.member[(0u + _e2633.instance)].object_to_world[1u];
+            let _e3533 = instances.member[(0u + _e2633.instance)].object_to_world[2u];
+            if (_e2633.instance < _e93) {
+            } else {
+                return;
+            }
+            let _e3560 = instances.member[(0u + _e2633.instance)].object_to_world[0u];
+            let _e3573 = instances.member[(0u + _e2633.instance)].object_to_world[1u];
+            let _e3586 = instances.member[(0u + _e2633.instance)].object_to_world[2u];
+            phi_4329_ = vec3<f32>((((((((_e3457.x * _e3439.x) + (_e3457.y * _e3439.y)) + (_e3457.z * _e3439.z)) + (_e3457.w * 1f)) * _e3426) + (((((_e3507.x * _e3443.x) + (_e3507.y * _e3443.y)) + (_e3507.z * _e3443.z)) + (_e3507.w * 1f)) * _e2633.u)) + (((((_e3560.x * _e3447.x) + (_e3560.y * _e3447.y)) + (_e3560.z * _e3447.z)) + (_e3560.w * 1f)) * _e2633.v)), (((((((_e3470.x * _e3439.x) + (_e3470.y * _e3439.y)) + (_e3470.z * _e3439.z)) + (_e3470.w * 1f)) * _e3426) + (((((_e3520.x * _e3443.x) + (_e3520.y * _e3443.y)) + (_e3520.z * _e3443.z)) + (_e3520.w * 1f)) * _e2633.u)) + (((((_e3573.x * _e3447.x) + (_e3573.y * _e3447.y)) + (_e3573.z * _e3447.z)) + (_e3573.w * 1f)) * _e2633.v)), (((((((_e3483.x * _e3439.x) + (_e3483.y * _e3439.y)) + (_e3483.z * _e3439.z)) + (_e3483.w * 1f)) * _e3426) + (((((_e3533.x * _e3443.x) + (_e3533.y * _e3443.y)) + (_e3533.z * _e3443.z)) + (_e3533.w * 1f)) * _e2633.u)) + (((((_e3586.x * _e3447.x) + (_e3586.y * _e3447.y)) + (_e3586.z * _e3447.z)) + (_e3586.w * 1f)) * _e2633.v)));
+        } else {
+            phi_4329_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e3606 = phi_4329_;
+        if (_e108.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e108.shift)] = vec4<f32>(_e3606.x, _e3606.y, _e3606.z, 1f);
     }
     return;
 }

@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +91,8 @@ struct type_38 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -152,19 +152,19 @@ var<storage, read_write> samples: type_9;
 @group(0) @binding(6) 
 var<storage> instances: type_51;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_197_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_197_: lt_mask_LightPlace;
     var phi_198_: bool;
-    var phi_199_: lt_bvh_traverse_Tree;
+    var phi_199_: lt_mask_LightPlace;
     var phi_200_: bool;
-    var phi_205_: lt_bvh_traverse_Tree;
+    var phi_205_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_197_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_197_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_198_ = false;
         } else {
-            phi_197_ = lt_bvh_traverse_Tree();
+            phi_197_ = lt_mask_LightPlace();
             phi_198_ = true;
         }
         let _e74 = phi_197_;
@@ -172,18 +172,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_199_ = _e74;
         phi_200_ = _e76;
     } else {
-        phi_199_ = lt_bvh_traverse_Tree();
+        phi_199_ = lt_mask_LightPlace();
         phi_200_ = true;
     }
     let _e78 = phi_199_;
     let _e80 = phi_200_;
     if _e80 {
-        phi_205_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_205_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_205_ = _e78;
     }
     let _e85 = phi_205_;
-    return lt_bvh_traverse_Tree(_e85.root, _e85.first_primitive);
+    return lt_mask_LightPlace(_e85.word, _e85.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -253,292 +253,288 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_400_: bool;
-    var phi_401_: bool;
-    var phi_402_: bool;
-    var phi_406_: bool;
-    var phi_407_: bool;
-    var phi_408_: bool;
-    var phi_409_: bool;
-    var phi_410_: bool;
-    var phi_411_: bool;
-    var phi_412_: bool;
-    var phi_413_: bool;
-    var phi_414_: bool;
-    var phi_415_: bool;
+    var phi_376_: bool;
+    var phi_377_: bool;
+    var phi_378_: bool;
+    var phi_379_: bool;
+    var phi_383_: bool;
+    var phi_396_: bool;
+    var phi_397_: bool;
+    var phi_398_: bool;
+    var phi_399_: bool;
+    var phi_403_: bool;
     var phi_416_: bool;
     var phi_417_: bool;
     var phi_418_: bool;
-    var phi_419_: bool;
-    var phi_420_: bool;
-    var phi_421_: bool;
     var phi_422_: bool;
     var phi_423_: bool;
-    var phi_427_: bool;
-    var phi_431_: bool;
+    var phi_424_: bool;
+    var phi_425_: bool;
+    var phi_426_: bool;
+    var phi_430_: bool;
     var phi_506_: f32;
     var phi_513_: f32;
     var phi_521_: f32;
     var phi_528_: f32;
     var phi_536_: f32;
     var phi_543_: f32;
-    var phi_568_: f32;
-    var phi_573_: f32;
-    var phi_578_: f32;
-    var phi_600_: u32;
+    var phi_566_: f32;
+    var phi_571_: f32;
+    var phi_576_: f32;
+    var phi_581_: f32;
+    var phi_586_: f32;
     var phi_605_: u32;
     var phi_610_: u32;
-    var phi_724_: bool;
-    var phi_725_: bool;
-    var phi_756_: u32;
-    var phi_758_: u32;
-    var phi_761_: lt_bvh_Hit;
-    var phi_846_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_873_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_900_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_906_: u32;
-    var phi_909_: u32;
-    var phi_923_: u32;
-    var phi_933_: u32;
-    var phi_943_: u32;
-    var phi_961_: u32;
-    var phi_971_: u32;
-    var phi_981_: u32;
-    var phi_1017_: u32;
-    var phi_1030_: u32;
+    var phi_615_: u32;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_761_: u32;
+    var phi_763_: u32;
+    var phi_766_: lt_bvh_Hit;
+    var phi_851_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_878_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_905_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_911_: u32;
+    var phi_914_: u32;
+    var phi_928_: u32;
+    var phi_938_: u32;
+    var phi_948_: u32;
+    var phi_966_: u32;
+    var phi_976_: u32;
+    var phi_986_: u32;
+    var phi_1022_: u32;
     var phi_1035_: u32;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_907_: u32;
-    var phi_910_: u32;
+    var phi_1040_: u32;
+    var phi_1041_: u32;
+    var phi_1042_: u32;
+    var phi_912_: u32;
+    var phi_915_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1095_: u32;
-    var phi_1098_: lt_bvh_Hit;
-    var phi_1153_: f32;
+    var phi_1100_: u32;
+    var phi_1103_: lt_bvh_Hit;
     var phi_1158_: f32;
     var phi_1163_: f32;
-    var phi_1171_: f32;
+    var phi_1168_: f32;
     var phi_1176_: f32;
     var phi_1181_: f32;
-    var phi_1337_: bool;
+    var phi_1186_: f32;
+    var phi_1318_: bool;
+    var phi_1319_: bool;
+    var phi_1320_: bool;
+    var phi_1321_: bool;
+    var phi_1325_: bool;
     var phi_1338_: bool;
     var phi_1339_: bool;
-    var phi_1343_: bool;
-    var phi_1344_: bool;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
     var phi_1345_: bool;
-    var phi_1346_: bool;
-    var phi_1347_: bool;
-    var phi_1348_: bool;
-    var phi_1349_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
-    var phi_1353_: bool;
-    var phi_1354_: bool;
-    var phi_1355_: bool;
-    var phi_1356_: bool;
-    var phi_1357_: bool;
     var phi_1358_: bool;
     var phi_1359_: bool;
     var phi_1360_: bool;
     var phi_1364_: bool;
+    var phi_1365_: bool;
+    var phi_1366_: bool;
+    var phi_1367_: bool;
     var phi_1368_: bool;
-    var phi_1438_: f32;
-    var phi_1445_: f32;
-    var phi_1452_: f32;
-    var phi_1459_: f32;
-    var phi_1466_: f32;
-    var phi_1473_: f32;
-    var phi_1490_: f32;
-    var phi_1495_: f32;
-    var phi_1500_: f32;
-    var phi_1528_: bool;
-    var phi_1529_: bool;
-    var phi_1537_: u32;
-    var phi_1538_: u32;
-    var phi_1549_: vec3<f32>;
-    var phi_1550_: vec3<f32>;
-    var phi_1563_: u32;
-    var phi_1568_: u32;
-    var phi_1573_: u32;
-    var phi_1687_: bool;
-    var phi_1688_: bool;
-    var phi_1719_: u32;
-    var phi_1721_: lt_bvh_Hit;
-    var phi_1724_: u32;
-    var phi_1805_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1832_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1859_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1865_: u32;
-    var phi_1868_: u32;
-    var phi_1882_: u32;
-    var phi_1892_: u32;
-    var phi_1902_: u32;
-    var phi_1920_: u32;
-    var phi_1930_: u32;
-    var phi_1940_: u32;
-    var phi_1976_: u32;
-    var phi_1989_: u32;
-    var phi_1994_: u32;
-    var phi_1995_: u32;
-    var phi_1996_: u32;
-    var phi_1866_: u32;
-    var phi_1869_: u32;
+    var phi_1372_: bool;
+    var phi_1442_: f32;
+    var phi_1449_: f32;
+    var phi_1456_: f32;
+    var phi_1463_: f32;
+    var phi_1470_: f32;
+    var phi_1477_: f32;
+    var phi_1494_: f32;
+    var phi_1499_: f32;
+    var phi_1504_: f32;
+    var phi_1509_: f32;
+    var phi_1514_: f32;
+    var phi_1540_: bool;
+    var phi_1541_: bool;
+    var phi_1549_: u32;
+    var phi_1550_: u32;
+    var phi_1561_: vec3<f32>;
+    var phi_1562_: vec3<f32>;
+    var phi_1575_: u32;
+    var phi_1580_: u32;
+    var phi_1585_: u32;
+    var phi_1699_: bool;
+    var phi_1700_: bool;
+    var phi_1731_: u32;
+    var phi_1733_: lt_bvh_Hit;
+    var phi_1736_: u32;
+    var phi_1817_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1844_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1871_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1877_: u32;
+    var phi_1880_: u32;
+    var phi_1894_: u32;
+    var phi_1904_: u32;
+    var phi_1914_: u32;
+    var phi_1932_: u32;
+    var phi_1942_: u32;
+    var phi_1952_: u32;
+    var phi_1988_: u32;
+    var phi_2001_: u32;
+    var phi_2006_: u32;
+    var phi_2007_: u32;
+    var phi_2008_: u32;
+    var phi_1878_: u32;
+    var phi_1881_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_2054_: lt_bvh_Hit;
-    var phi_2057_: u32;
-    var phi_2101_: vec3<f32>;
-    var phi_2102_: vec3<f32>;
-    var phi_2131_: vec3<f32>;
-    var phi_2132_: vec3<f32>;
-    var phi_2161_: vec3<f32>;
-    var phi_2162_: vec3<f32>;
-    var phi_2180_: bool;
-    var phi_2181_: bool;
-    var phi_2185_: f32;
-    var phi_2186_: f32;
-    var phi_2187_: f32;
-    var phi_2188_: f32;
-    var phi_2196_: f32;
-    var phi_2206_: bool;
-    var phi_2207_: bool;
-    var phi_2211_: f32;
-    var phi_2212_: f32;
-    var phi_2213_: f32;
-    var phi_2214_: f32;
-    var phi_2222_: f32;
-    var phi_2232_: bool;
-    var phi_2233_: bool;
-    var phi_2237_: f32;
-    var phi_2238_: f32;
-    var phi_2239_: f32;
-    var phi_2240_: f32;
-    var phi_2248_: f32;
-    var phi_2263_: f32;
-    var phi_2264_: bool;
-    var phi_2265_: f32;
-    var phi_2266_: bool;
-    var phi_2267_: f32;
-    var phi_2268_: bool;
-    var phi_2286_: f32;
-    var phi_2287_: bool;
-    var phi_2288_: bool;
-    var phi_2289_: f32;
-    var phi_2290_: bool;
-    var phi_2291_: bool;
-    var phi_2295_: bool;
-    var phi_2296_: f32;
-    var phi_2297_: bool;
-    var phi_2325_: vec3<f32>;
-    var phi_2326_: vec3<f32>;
-    var phi_2351_: vec3<f32>;
-    var phi_2352_: vec3<f32>;
-    var phi_2377_: vec3<f32>;
-    var phi_2378_: vec3<f32>;
-    var phi_2434_: f32;
-    var phi_2443_: f32;
-    var phi_2452_: f32;
-    var phi_2461_: f32;
-    var phi_2468_: f32;
-    var phi_2475_: f32;
-    var phi_2488_: f32;
-    var phi_2497_: f32;
-    var phi_2506_: f32;
-    var phi_2515_: f32;
-    var phi_2522_: f32;
-    var phi_2529_: f32;
-    var phi_2546_: f32;
-    var phi_2551_: f32;
-    var phi_2556_: f32;
-    var phi_2564_: f32;
-    var phi_2569_: f32;
-    var phi_2574_: f32;
+    var phi_2066_: lt_bvh_Hit;
+    var phi_2069_: u32;
+    var phi_2113_: vec3<f32>;
+    var phi_2114_: vec3<f32>;
+    var phi_2143_: vec3<f32>;
+    var phi_2144_: vec3<f32>;
+    var phi_2173_: vec3<f32>;
+    var phi_2174_: vec3<f32>;
+    var phi_2192_: bool;
+    var phi_2193_: bool;
+    var phi_2197_: f32;
+    var phi_2198_: f32;
+    var phi_2199_: f32;
+    var phi_2200_: f32;
+    var phi_2208_: f32;
+    var phi_2218_: bool;
+    var phi_2219_: bool;
+    var phi_2223_: f32;
+    var phi_2224_: f32;
+    var phi_2225_: f32;
+    var phi_2226_: f32;
+    var phi_2234_: f32;
+    var phi_2244_: bool;
+    var phi_2245_: bool;
+    var phi_2249_: f32;
+    var phi_2250_: f32;
+    var phi_2251_: f32;
+    var phi_2252_: f32;
+    var phi_2260_: f32;
+    var phi_2275_: f32;
+    var phi_2276_: bool;
+    var phi_2277_: f32;
+    var phi_2278_: bool;
+    var phi_2279_: f32;
+    var phi_2280_: bool;
+    var phi_2298_: f32;
+    var phi_2299_: bool;
+    var phi_2300_: bool;
+    var phi_2301_: f32;
+    var phi_2302_: bool;
+    var phi_2303_: bool;
+    var phi_2307_: bool;
+    var phi_2308_: f32;
+    var phi_2309_: bool;
+    var phi_2337_: vec3<f32>;
+    var phi_2338_: vec3<f32>;
+    var phi_2363_: vec3<f32>;
+    var phi_2364_: vec3<f32>;
+    var phi_2389_: vec3<f32>;
+    var phi_2390_: vec3<f32>;
+    var phi_2446_: f32;
+    var phi_2455_: f32;
+    var phi_2464_: f32;
+    var phi_2473_: f32;
+    var phi_2480_: f32;
+    var phi_2487_: f32;
+    var phi_2500_: f32;
+    var phi_2509_: f32;
+    var phi_2518_: f32;
+    var phi_2527_: f32;
+    var phi_2534_: f32;
+    var phi_2541_: f32;
+    var phi_2558_: f32;
+    var phi_2563_: f32;
+    var phi_2568_: f32;
+    var phi_2576_: f32;
+    var phi_2581_: f32;
     var phi_2586_: f32;
-    var phi_2591_: f32;
-    var phi_2596_: f32;
-    var phi_2601_: f32;
-    var phi_2606_: lt_bvh_triangle_Intersection;
-    var phi_2607_: bool;
-    var phi_2608_: lt_bvh_triangle_Intersection;
-    var phi_2609_: bool;
-    var phi_2613_: lt_bvh_triangle_Intersection;
-    var phi_2614_: bool;
-    var phi_2615_: lt_bvh_triangle_Intersection;
-    var phi_2616_: bool;
-    var phi_2617_: bool;
+    var phi_2598_: f32;
+    var phi_2603_: f32;
+    var phi_2608_: f32;
+    var phi_2613_: f32;
+    var phi_2618_: lt_bvh_triangle_Intersection;
+    var phi_2619_: bool;
+    var phi_2620_: lt_bvh_triangle_Intersection;
     var phi_2621_: bool;
     var phi_2625_: lt_bvh_triangle_Intersection;
-    var phi_2663_: bool;
-    var phi_2664_: bool;
-    var phi_2665_: bool;
-    var phi_2666_: bool;
-    var phi_2667_: bool;
-    var phi_2668_: bool;
-    var phi_2672_: bool;
-    var phi_2673_: bool;
-    var phi_2687_: bool;
-    var phi_2695_: lt_bvh_Hit;
-    var phi_2696_: lt_bvh_Hit;
-    var phi_2697_: lt_bvh_Hit;
-    var phi_2698_: lt_bvh_Hit;
-    var phi_2055_: lt_bvh_Hit;
-    var phi_2058_: u32;
+    var phi_2626_: bool;
+    var phi_2627_: lt_bvh_triangle_Intersection;
+    var phi_2628_: bool;
+    var phi_2629_: bool;
+    var phi_2633_: bool;
+    var phi_2637_: lt_bvh_triangle_Intersection;
+    var phi_2675_: bool;
+    var phi_2676_: bool;
+    var phi_2677_: bool;
+    var phi_2678_: bool;
+    var phi_2679_: bool;
+    var phi_2680_: bool;
+    var phi_2684_: bool;
+    var phi_2685_: bool;
     var phi_2699_: bool;
-    var phi_2738_: bool;
-    var phi_2739_: bool;
-    var phi_2770_: u32;
-    var phi_1722_: lt_bvh_Hit;
-    var phi_1725_: u32;
-    var phi_2771_: lt_bvh_Hit;
-    var phi_2772_: lt_bvh_Hit;
-    var phi_2773_: bool;
-    var phi_2777_: lt_bvh_Hit;
-    var phi_2778_: lt_bvh_Hit;
-    var phi_2779_: lt_bvh_Hit;
-    var phi_2780_: lt_bvh_Hit;
-    var phi_1096_: u32;
-    var phi_1099_: lt_bvh_Hit;
-    var phi_2781_: bool;
-    var phi_2820_: bool;
-    var phi_2821_: bool;
-    var phi_2852_: u32;
-    var phi_759_: u32;
-    var phi_762_: lt_bvh_Hit;
-    var phi_2853_: lt_bvh_Hit;
-    var phi_2854_: lt_bvh_Hit;
-    var phi_2855_: bool;
-    var phi_2859_: lt_bvh_Hit;
-    var phi_3047_: f32;
-    var phi_3052_: f32;
-    var phi_3057_: f32;
-    var phi_3065_: f32;
-    var phi_3070_: f32;
-    var phi_3075_: f32;
-    var phi_3139_: vec3<f32>;
-    var phi_3260_: u32;
-    var phi_3287_: f32;
-    var phi_3294_: f32;
-    var phi_3301_: f32;
-    var phi_3336_: f32;
-    var phi_3343_: f32;
-    var phi_3350_: f32;
-    var phi_3388_: f32;
-    var phi_3395_: f32;
-    var phi_3402_: f32;
-    var phi_3488_: vec3<f32>;
-    var phi_3489_: vec3<f32>;
-    var phi_3490_: vec3<f32>;
-    var phi_3499_: f32;
-    var phi_3500_: f32;
-    var phi_3510_: f32;
+    var phi_2707_: lt_bvh_Hit;
+    var phi_2708_: lt_bvh_Hit;
+    var phi_2709_: lt_bvh_Hit;
+    var phi_2710_: lt_bvh_Hit;
+    var phi_2067_: lt_bvh_Hit;
+    var phi_2070_: u32;
+    var phi_2711_: bool;
+    var phi_2750_: bool;
+    var phi_2751_: bool;
+    var phi_2782_: u32;
+    var phi_1734_: lt_bvh_Hit;
+    var phi_1737_: u32;
+    var phi_2783_: lt_bvh_Hit;
+    var phi_2784_: lt_bvh_Hit;
+    var phi_2785_: bool;
+    var phi_2789_: lt_bvh_Hit;
+    var phi_2790_: lt_bvh_Hit;
+    var phi_2791_: lt_bvh_Hit;
+    var phi_2792_: lt_bvh_Hit;
+    var phi_1101_: u32;
+    var phi_1104_: lt_bvh_Hit;
+    var phi_2793_: bool;
+    var phi_2832_: bool;
+    var phi_2833_: bool;
+    var phi_2864_: u32;
+    var phi_764_: u32;
+    var phi_767_: lt_bvh_Hit;
+    var phi_2865_: lt_bvh_Hit;
+    var phi_2866_: lt_bvh_Hit;
+    var phi_2867_: bool;
+    var phi_2871_: lt_bvh_Hit;
+    var phi_3059_: f32;
+    var phi_3064_: f32;
+    var phi_3069_: f32;
+    var phi_3077_: f32;
+    var phi_3082_: f32;
+    var phi_3087_: f32;
+    var phi_3151_: vec3<f32>;
+    var phi_3272_: u32;
+    var phi_3299_: f32;
+    var phi_3306_: f32;
+    var phi_3313_: f32;
+    var phi_3348_: f32;
+    var phi_3355_: f32;
+    var phi_3362_: f32;
+    var phi_3400_: f32;
+    var phi_3407_: f32;
+    var phi_3414_: f32;
+    var phi_3500_: vec3<f32>;
+    var phi_3501_: vec3<f32>;
+    var phi_3502_: vec3<f32>;
     var phi_3511_: f32;
-    var phi_3521_: f32;
+    var phi_3512_: f32;
     var phi_3522_: f32;
-    var phi_3557_: abi_Sample;
+    var phi_3523_: f32;
+    var phi_3533_: f32;
+    var phi_3534_: f32;
+    var phi_3569_: abi_Sample;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
@@ -552,7 +548,7 @@ fn function_() {
     let _e85 = p.member.size[0u];
     let _e87 = p.member.size[1u];
     let _e88 = lt_shaders_entry_pixel_index(_e63, _e85, _e87);
-    if (bitcast<i32>(_e88.root) != 0i) {
+    if (bitcast<i32>(_e88.word) != 0i) {
         let _e94 = p.member.root;
         let _e98 = p.member.eye;
         let _e103 = p.member.size[0u];
@@ -564,2102 +560,2104 @@ fn function_() {
         let _e134 = p.member.up;
         let _e145 = _lt_bvh_ray_Ray_new(_e98, vec3<f32>(((_e118.x + (_e120.x * _e107)) + (_e134.x * _e116)), ((_e118.y + (_e120.y * _e107)) + (_e134.y * _e116)), ((_e118.z + (_e120.z * _e107)) + (_e134.z * _e116))));
         let _e147 = lt_bvh_Hit(_e145.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e157 = abs(_e145.direction.x);
-        let _e159 = abs(_e145.direction.y);
-        let _e161 = abs(_e145.direction.z);
+        let _e150 = abs(_e145.direction.x);
+        let _e152 = abs(_e145.direction.y);
+        let _e154 = abs(_e145.direction.z);
         if (abs(_e145.origin.x) < 1000000000000000f) {
             if (abs(_e145.origin.y) < 1000000000000000f) {
-                if (abs(_e145.origin.z) < 1000000000000000f) {
-                    if (_e157 < 1000000000000000f) {
-                        if (_e159 < 1000000000000000f) {
-                            if (_e161 < 1000000000000000f) {
-                                if (_e157 > 0f) {
-                                    phi_401_ = bool();
-                                    phi_402_ = true;
-                                } else {
-                                    let _e169 = (_e159 > 0f);
-                                    if _e169 {
-                                        phi_400_ = bool();
-                                    } else {
-                                        phi_400_ = (_e161 > 0f);
-                                    }
-                                    let _e172 = phi_400_;
-                                    phi_401_ = _e172;
-                                    phi_402_ = _e169;
-                                }
-                                let _e174 = phi_401_;
-                                let _e176 = phi_402_;
-                                if _e176 {
-                                    phi_406_ = true;
-                                } else {
-                                    phi_406_ = _e174;
-                                }
-                                let _e178 = phi_406_;
-                                phi_407_ = _e178;
-                                phi_408_ = false;
-                            } else {
-                                phi_407_ = bool();
-                                phi_408_ = true;
-                            }
-                            let _e180 = phi_407_;
-                            let _e182 = phi_408_;
-                            phi_409_ = _e180;
-                            phi_410_ = false;
-                            phi_411_ = _e182;
-                        } else {
-                            phi_409_ = bool();
-                            phi_410_ = true;
-                            phi_411_ = false;
-                        }
-                        let _e184 = phi_409_;
-                        let _e186 = phi_410_;
-                        let _e188 = phi_411_;
-                        phi_412_ = _e184;
-                        phi_413_ = _e186;
-                        phi_414_ = _e188;
-                    } else {
-                        phi_412_ = bool();
-                        phi_413_ = true;
-                        phi_414_ = false;
-                    }
-                    let _e190 = phi_412_;
-                    let _e192 = phi_413_;
-                    let _e194 = phi_414_;
-                    phi_415_ = _e190;
-                    phi_416_ = _e192;
-                    phi_417_ = _e194;
-                } else {
-                    phi_415_ = bool();
-                    phi_416_ = true;
-                    phi_417_ = false;
-                }
-                let _e196 = phi_415_;
-                let _e198 = phi_416_;
-                let _e200 = phi_417_;
-                phi_418_ = _e196;
-                phi_419_ = _e198;
-                phi_420_ = _e200;
+                phi_376_ = (abs(_e145.origin.z) < 1000000000000000f);
+                phi_377_ = false;
             } else {
-                phi_418_ = bool();
-                phi_419_ = true;
-                phi_420_ = false;
+                phi_376_ = bool();
+                phi_377_ = true;
             }
-            let _e202 = phi_418_;
-            let _e204 = phi_419_;
-            let _e206 = phi_420_;
-            phi_421_ = _e202;
-            phi_422_ = _e204;
-            phi_423_ = _e206;
+            let _e166 = phi_376_;
+            let _e168 = phi_377_;
+            phi_378_ = _e166;
+            phi_379_ = _e168;
         } else {
-            phi_421_ = bool();
-            phi_422_ = true;
-            phi_423_ = false;
+            phi_378_ = bool();
+            phi_379_ = true;
         }
-        let _e208 = phi_421_;
-        let _e210 = phi_422_;
-        let _e212 = phi_423_;
-        if _e210 {
-            phi_427_ = true;
+        let _e170 = phi_378_;
+        let _e172 = phi_379_;
+        if _e172 {
+            phi_383_ = false;
         } else {
-            phi_427_ = _e212;
+            phi_383_ = _e170;
         }
-        let _e214 = phi_427_;
-        if _e214 {
-            phi_431_ = false;
+        let _e174 = phi_383_;
+        if _e174 {
+            if (_e150 < 1000000000000000f) {
+                if (_e152 < 1000000000000000f) {
+                    phi_396_ = (_e154 < 1000000000000000f);
+                    phi_397_ = false;
+                } else {
+                    phi_396_ = bool();
+                    phi_397_ = true;
+                }
+                let _e179 = phi_396_;
+                let _e181 = phi_397_;
+                phi_398_ = _e179;
+                phi_399_ = _e181;
+            } else {
+                phi_398_ = bool();
+                phi_399_ = true;
+            }
+            let _e183 = phi_398_;
+            let _e185 = phi_399_;
+            if _e185 {
+                phi_403_ = false;
+            } else {
+                phi_403_ = _e183;
+            }
+            let _e187 = phi_403_;
+            if _e187 {
+                if (_e150 > 0f) {
+                    phi_417_ = bool();
+                    phi_418_ = true;
+                } else {
+                    let _e189 = (_e152 > 0f);
+                    if _e189 {
+                        phi_416_ = bool();
+                    } else {
+                        phi_416_ = (_e154 > 0f);
+                    }
+                    let _e192 = phi_416_;
+                    phi_417_ = _e192;
+                    phi_418_ = _e189;
+                }
+                let _e194 = phi_417_;
+                let _e196 = phi_418_;
+                if _e196 {
+                    phi_422_ = true;
+                } else {
+                    phi_422_ = _e194;
+                }
+                let _e198 = phi_422_;
+                phi_423_ = _e198;
+                phi_424_ = false;
+            } else {
+                phi_423_ = bool();
+                phi_424_ = true;
+            }
+            let _e200 = phi_423_;
+            let _e202 = phi_424_;
+            phi_425_ = _e200;
+            phi_426_ = _e202;
         } else {
-            phi_431_ = _e208;
+            phi_425_ = bool();
+            phi_426_ = true;
         }
-        let _e216 = phi_431_;
-        if _e216 {
-            let _e217 = (_e94 >= _e67);
-            if _e217 {
-                phi_2853_ = lt_bvh_Hit();
+        let _e204 = phi_425_;
+        let _e206 = phi_426_;
+        if _e206 {
+            phi_430_ = false;
+        } else {
+            phi_430_ = _e204;
+        }
+        let _e208 = phi_430_;
+        if _e208 {
+            let _e209 = (_e94 >= _e67);
+            if _e209 {
+                phi_2865_ = lt_bvh_Hit();
             } else {
                 if (_e94 < _e67) {
                 } else {
                     return;
                 }
-                let _e223 = nodes.member[(0u + _e94)].frame[0u];
-                let _e227 = nodes.member[(0u + _e94)].frame[1u];
-                let _e231 = nodes.member[(0u + _e94)].frame[2u];
-                let _e235 = nodes.member[(0u + _e94)].frame[0u];
-                let _e239 = nodes.member[(0u + _e94)].frame[1u];
-                let _e243 = nodes.member[(0u + _e94)].frame[2u];
-                let _e247 = nodes.member[(0u + _e94)].frame[3u];
-                let _e285 = core_intrinsics_maximum_number_nsz_f32_(abs(_e145.direction.x), abs(_e145.direction.y));
-                let _e286 = core_intrinsics_maximum_number_nsz_f32_(_e285, abs(_e145.direction.z));
-                let _e287 = (_e286 * 0.0000000000009094947f);
-                if (abs(_e145.direction.x) < _e287) {
-                    phi_506_ = _e287;
+                let _e215 = nodes.member[(0u + _e94)].frame[0u];
+                let _e219 = nodes.member[(0u + _e94)].frame[1u];
+                let _e223 = nodes.member[(0u + _e94)].frame[2u];
+                let _e227 = nodes.member[(0u + _e94)].frame[0u];
+                let _e231 = nodes.member[(0u + _e94)].frame[1u];
+                let _e235 = nodes.member[(0u + _e94)].frame[2u];
+                let _e239 = nodes.member[(0u + _e94)].frame[3u];
+                let _e278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e145.direction.x), abs(_e145.direction.y));
+                let _e279 = core_intrinsics_maximum_number_nsz_f32_(_e278, abs(_e145.direction.z));
+                let _e280 = (_e279 * 0.0000000000009094947f);
+                if (abs(_e145.direction.x) < _e280) {
+                    phi_506_ = _e280;
                 } else {
                     phi_506_ = abs(_e145.direction.x);
                 }
-                let _e294 = phi_506_;
+                let _e286 = phi_506_;
                 if (_e145.direction.x < 0f) {
-                    phi_513_ = (-1f / _e294);
+                    phi_513_ = (-1f / _e286);
                 } else {
-                    phi_513_ = (1f / _e294);
+                    phi_513_ = (1f / _e286);
                 }
-                let _e299 = phi_513_;
-                if (abs(_e145.direction.y) < _e287) {
-                    phi_521_ = _e287;
+                let _e291 = phi_513_;
+                if (abs(_e145.direction.y) < _e280) {
+                    phi_521_ = _e280;
                 } else {
                     phi_521_ = abs(_e145.direction.y);
                 }
-                let _e306 = phi_521_;
+                let _e297 = phi_521_;
                 if (_e145.direction.y < 0f) {
-                    phi_528_ = (-1f / _e306);
+                    phi_528_ = (-1f / _e297);
                 } else {
-                    phi_528_ = (1f / _e306);
+                    phi_528_ = (1f / _e297);
                 }
-                let _e311 = phi_528_;
-                if (abs(_e145.direction.z) < _e287) {
-                    phi_536_ = _e287;
+                let _e302 = phi_528_;
+                if (abs(_e145.direction.z) < _e280) {
+                    phi_536_ = _e280;
                 } else {
                     phi_536_ = abs(_e145.direction.z);
                 }
-                let _e318 = phi_536_;
+                let _e308 = phi_536_;
                 if (_e145.direction.z < 0f) {
-                    phi_543_ = (-1f / _e318);
+                    phi_543_ = (-1f / _e308);
                 } else {
-                    phi_543_ = (1f / _e318);
+                    phi_543_ = (1f / _e308);
                 }
-                let _e323 = phi_543_;
-                let _e331 = abs((bitcast<f32>(_e223) - _e145.origin.x));
-                let _e332 = abs((bitcast<f32>(_e227) - _e145.origin.y));
-                let _e333 = abs((bitcast<f32>(_e231) - _e145.origin.z));
-                let _e341 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e247 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.x));
-                let _e342 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e247 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.y));
-                let _e343 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e247 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.z));
-                if (_e331 > _e341) {
-                    phi_568_ = _e331;
+                let _e313 = phi_543_;
+                let _e320 = abs((bitcast<f32>(_e215) - _e145.origin.x));
+                let _e321 = abs((bitcast<f32>(_e219) - _e145.origin.y));
+                let _e322 = abs((bitcast<f32>(_e223) - _e145.origin.z));
+                let _e329 = abs(((bitcast<f32>(_e227) + (bitcast<f32>((((_e239 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.x));
+                let _e330 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e239 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.y));
+                let _e331 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e239 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.z));
+                if (_e320 > _e329) {
+                    phi_566_ = _e320;
                 } else {
-                    phi_568_ = _e341;
+                    phi_566_ = _e329;
                 }
-                let _e346 = phi_568_;
-                if (_e332 > _e342) {
-                    phi_573_ = _e332;
+                let _e334 = phi_566_;
+                if (_e321 > _e330) {
+                    phi_571_ = _e321;
                 } else {
-                    phi_573_ = _e342;
+                    phi_571_ = _e330;
                 }
-                let _e349 = phi_573_;
-                if (_e333 > _e343) {
-                    phi_578_ = _e333;
+                let _e337 = phi_571_;
+                if (_e322 > _e331) {
+                    phi_576_ = _e322;
                 } else {
-                    phi_578_ = _e343;
+                    phi_576_ = _e331;
                 }
-                let _e352 = phi_578_;
-                let _e353 = core_intrinsics_maximum_number_nsz_f32_(_e346, _e349);
-                let _e354 = core_intrinsics_maximum_number_nsz_f32_(_e353, _e352);
-                let _e359 = (_e354 * 0.0000019073486f);
-                let _e360 = (abs(_e299) * _e359);
-                let _e361 = (abs(_e311) * _e359);
-                let _e362 = (abs(_e323) * _e359);
-                let _e366 = (_e354 * 0.0000009536743f);
-                let _e367 = (abs(_e299) * _e366);
-                let _e368 = (abs(_e311) * _e366);
-                let _e369 = (abs(_e323) * _e366);
-                if (_e299 < 0f) {
-                    phi_600_ = 0u;
+                let _e340 = phi_576_;
+                if (_e334 > _e337) {
+                    phi_581_ = _e334;
                 } else {
-                    phi_600_ = 1u;
+                    phi_581_ = _e337;
                 }
-                let _e372 = phi_600_;
-                if (_e311 < 0f) {
+                let _e343 = phi_581_;
+                if (_e343 > _e340) {
+                    phi_586_ = _e343;
+                } else {
+                    phi_586_ = _e340;
+                }
+                let _e346 = phi_586_;
+                let _e350 = (_e346 * 0.0000019073486f);
+                let _e351 = (abs(_e291) * _e350);
+                let _e352 = (abs(_e302) * _e350);
+                let _e353 = (abs(_e313) * _e350);
+                let _e357 = (_e346 * 0.0000009536743f);
+                let _e358 = (abs(_e291) * _e357);
+                let _e359 = (abs(_e302) * _e357);
+                let _e360 = (abs(_e313) * _e357);
+                if (_e291 < 0f) {
                     phi_605_ = 0u;
                 } else {
-                    phi_605_ = 2u;
+                    phi_605_ = 1u;
                 }
-                let _e375 = phi_605_;
-                if (_e323 < 0f) {
+                let _e363 = phi_605_;
+                if (_e302 < 0f) {
                     phi_610_ = 0u;
                 } else {
-                    phi_610_ = 4u;
+                    phi_610_ = 2u;
                 }
-                let _e378 = phi_610_;
-                let _e380 = ((_e372 | _e375) | _e378);
-                let _e381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e94, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e381.first[0], _e381.first[1], _e381.first[2], _e381.first[3], _e381.first[4], _e381.first[5], _e381.first[6], _e381.first[7], _e381.first[8], _e381.first[9], _e381.first[10], _e381.first[11], _e381.first[12], _e381.first[13], _e381.first[14], _e381.first[15], _e381.first[16], _e381.first[17], _e381.first[18], _e381.first[19], _e381.first[20], _e381.first[21], _e381.first[22], _e381.first[23], _e381.first[24], _e381.first[25], _e381.first[26], _e381.first[27], _e381.first[28], _e381.first[29], _e381.first[30], _e381.first[31]), array<u32, 32>(_e381.mask[0], _e381.mask[1], _e381.mask[2], _e381.mask[3], _e381.mask[4], _e381.mask[5], _e381.mask[6], _e381.mask[7], _e381.mask[8], _e381.mask[9], _e381.mask[10], _e381.mask[11], _e381.mask[12], _e381.mask[13], _e381.mask[14], _e381.mask[15], _e381.mask[16], _e381.mask[17], _e381.mask[18], _e381.mask[19], _e381.mask[20], _e381.mask[21], _e381.mask[22], _e381.mask[23], _e381.mask[24], _e381.mask[25], _e381.mask[26], _e381.mask[27], _e381.mask[28], _e381.mask[29], _e381.mask[30], _e381.mask[31]), _e381.len, _e381.group, _e381.group_mask);
-                let _e455 = local_1.group_mask;
-                if ((_e455 & 4278190080u) == 0u) {
-                    let _e459 = local_1.len;
-                    if (_e459 == 0u) {
-                        phi_724_ = false;
+                let _e366 = phi_610_;
+                if (_e313 < 0f) {
+                    phi_615_ = 0u;
+                } else {
+                    phi_615_ = 4u;
+                }
+                let _e369 = phi_615_;
+                let _e371 = ((_e363 | _e366) | _e369);
+                let _e372 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e94, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e372.first[0], _e372.first[1], _e372.first[2], _e372.first[3], _e372.first[4], _e372.first[5], _e372.first[6], _e372.first[7], _e372.first[8], _e372.first[9], _e372.first[10], _e372.first[11], _e372.first[12], _e372.first[13], _e372.first[14], _e372.first[15], _e372.first[16], _e372.first[17], _e372.first[18], _e372.first[19], _e372.first[20], _e372.first[21], _e372.first[22], _e372.first[23], _e372.first[24], _e372.first[25], _e372.first[26], _e372.first[27], _e372.first[28], _e372.first[29], _e372.first[30], _e372.first[31]), array<u32, 32>(_e372.mask[0], _e372.mask[1], _e372.mask[2], _e372.mask[3], _e372.mask[4], _e372.mask[5], _e372.mask[6], _e372.mask[7], _e372.mask[8], _e372.mask[9], _e372.mask[10], _e372.mask[11], _e372.mask[12], _e372.mask[13], _e372.mask[14], _e372.mask[15], _e372.mask[16], _e372.mask[17], _e372.mask[18], _e372.mask[19], _e372.mask[20], _e372.mask[21], _e372.mask[22], _e372.mask[23], _e372.mask[24], _e372.mask[25], _e372.mask[26], _e372.mask[27], _e372.mask[28], _e372.mask[29], _e372.mask[30], _e372.mask[31]), _e372.len, _e372.group, _e372.group_mask);
+                let _e446 = local_1.group_mask;
+                if ((_e446 & 4278190080u) == 0u) {
+                    let _e450 = local_1.len;
+                    if (_e450 == 0u) {
+                        phi_729_ = false;
                     } else {
-                        let _e463 = local_1.len;
-                        local_1.len = (_e463 - 1u);
-                        let _e466 = local_1.len;
-                        if (_e466 < 32u) {
+                        let _e454 = local_1.len;
+                        local_1.len = (_e454 - 1u);
+                        let _e457 = local_1.len;
+                        if (_e457 < 32u) {
                         } else {
                             return;
                         }
-                        let _e471 = local_1.first[(0u + _e466)];
-                        local_1.group = _e471;
-                        let _e474 = local_1.len;
-                        if (_e474 < 32u) {
+                        let _e462 = local_1.first[(0u + _e457)];
+                        local_1.group = _e462;
+                        let _e465 = local_1.len;
+                        if (_e465 < 32u) {
                         } else {
                             return;
                         }
-                        let _e479 = local_1.mask[(0u + _e474)];
-                        local_1.group_mask = _e479;
-                        phi_724_ = true;
+                        let _e470 = local_1.mask[(0u + _e465)];
+                        local_1.group_mask = _e470;
+                        phi_729_ = true;
                     }
-                    let _e482 = phi_724_;
-                    phi_725_ = _e482;
+                    let _e473 = phi_729_;
+                    phi_730_ = _e473;
                 } else {
-                    phi_725_ = true;
+                    phi_730_ = true;
                 }
-                let _e484 = phi_725_;
-                if _e484 {
-                    let _e486 = local_1.group_mask;
-                    let _e492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e486)), 32u, (_e486 == 0u)));
-                    let _e496 = local_1.group_mask;
-                    let _e510 = local_1.group_mask;
-                    local_1.group_mask = (_e510 & ~((1u << bitcast<u32>((_e492 & 31u)))));
-                    let _e513 = local_1.group;
-                    phi_756_ = (_e513 + countOneBits(((_e496 & ~((4294967295u << bitcast<u32>((((_e492 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e475 = phi_730_;
+                if _e475 {
+                    let _e477 = local_1.group_mask;
+                    let _e483 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e477)), 32u, (_e477 == 0u)));
+                    let _e487 = local_1.group_mask;
+                    let _e501 = local_1.group_mask;
+                    local_1.group_mask = (_e501 & ~((1u << bitcast<u32>((_e483 & 31u)))));
+                    let _e504 = local_1.group;
+                    phi_761_ = (_e504 + countOneBits(((_e487 & ~((4294967295u << bitcast<u32>((((_e483 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_756_ = 4294967295u;
+                    phi_761_ = 4294967295u;
                 }
-                let _e516 = phi_756_;
-                phi_758_ = _e516;
-                phi_761_ = _e147;
+                let _e507 = phi_761_;
+                phi_763_ = _e507;
+                phi_766_ = _e147;
                 loop {
-                    let _e518 = phi_758_;
-                    let _e520 = phi_761_;
-                    local_11 = _e520;
-                    let _e521 = (_e518 != 4294967295u);
-                    if _e521 {
-                        if (_e518 < _e67) {
+                    let _e509 = phi_763_;
+                    let _e511 = phi_766_;
+                    local_11 = _e511;
+                    let _e512 = (_e509 != 4294967295u);
+                    if _e512 {
+                        if (_e509 < _e67) {
                         } else {
                             return;
                         }
-                        let _e529 = nodes.member[(0u + _e518)].frame[3u];
-                        let _e554 = (bitcast<f32>((((_e529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
-                        let _e555 = (bitcast<f32>((((_e529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
-                        let _e556 = (bitcast<f32>((((_e529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
-                        let _e559 = nodes.member[(0u + _e518)].frame[0u];
-                        let _e563 = nodes.member[(0u + _e518)].frame[1u];
-                        let _e567 = nodes.member[(0u + _e518)].frame[2u];
-                        let _e575 = ((bitcast<f32>(_e559) - _e145.origin.x) * _e299);
-                        let _e576 = ((bitcast<f32>(_e563) - _e145.origin.y) * _e311);
-                        let _e577 = ((bitcast<f32>(_e567) - _e145.origin.z) * _e323);
-                        let _e585 = nodes.member[(0u + _e518)].x;
-                        if (_e299 < 0f) {
-                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e596.unnamed.root, _e585.w), _e596.unnamed_1);
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e585.x, _e602.unnamed_1.first_primitive));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_bvh_traverse_Tree(_e608.unnamed_1.root, _e585.y));
+                        let _e520 = nodes.member[(0u + _e509)].frame[3u];
+                        let _e545 = (bitcast<f32>((((_e520 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e291);
+                        let _e546 = (bitcast<f32>((((_e520 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
+                        let _e547 = (bitcast<f32>((((_e520 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
+                        let _e550 = nodes.member[(0u + _e509)].frame[0u];
+                        let _e554 = nodes.member[(0u + _e509)].frame[1u];
+                        let _e558 = nodes.member[(0u + _e509)].frame[2u];
+                        let _e566 = ((bitcast<f32>(_e550) - _e145.origin.x) * _e291);
+                        let _e567 = ((bitcast<f32>(_e554) - _e145.origin.y) * _e302);
+                        let _e568 = ((bitcast<f32>(_e558) - _e145.origin.z) * _e313);
+                        let _e576 = nodes.member[(0u + _e509)].x;
+                        if (_e291 < 0f) {
+                            let _e587 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e576.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e587.unnamed.word, _e576.w), _e587.unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e593.unnamed, lt_mask_LightPlace(_e576.x, _e593.unnamed_1.shift));
+                            phi_851_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_mask_LightPlace(_e599.unnamed_1.word, _e576.y));
                         } else {
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.unnamed.root, _e585.y), _e624.unnamed_1);
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e585.z, _e630.unnamed_1.first_primitive));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_bvh_traverse_Tree(_e636.unnamed_1.root, _e585.w));
+                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e576.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e615.unnamed.word, _e576.y), _e615.unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e576.z, _e621.unnamed_1.shift));
+                            phi_851_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e627.unnamed_1.word, _e576.w));
                         }
-                        let _e644 = phi_846_;
-                        let _e654 = nodes.member[(0u + _e518)].y;
-                        if (_e311 < 0f) {
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e654.w), _e665.unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e654.x, _e671.unnamed_1.first_primitive));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e654.y));
+                        let _e635 = phi_851_;
+                        let _e645 = nodes.member[(0u + _e509)].y;
+                        if (_e302 < 0f) {
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e645.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e656.unnamed.word, _e645.w), _e656.unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_mask_LightPlace(_e645.x, _e662.unnamed_1.shift));
+                            phi_878_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e668.unnamed_1.word, _e645.y));
                         } else {
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.unnamed.root, _e654.y), _e693.unnamed_1);
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e654.z, _e699.unnamed_1.first_primitive));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e705.unnamed_1.root, _e654.w));
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e645.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e684.unnamed.word, _e645.y), _e684.unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e645.z, _e690.unnamed_1.shift));
+                            phi_878_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e696.unnamed_1.word, _e645.w));
                         }
-                        let _e713 = phi_873_;
-                        let _e723 = nodes.member[(0u + _e518)].z;
-                        if (_e323 < 0f) {
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e723.w), _e734.unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e723.x, _e740.unnamed_1.first_primitive));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e723.y));
+                        let _e704 = phi_878_;
+                        let _e714 = nodes.member[(0u + _e509)].z;
+                        if (_e313 < 0f) {
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e714.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e725.unnamed.word, _e714.w), _e725.unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e714.x, _e731.unnamed_1.shift));
+                            phi_905_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e737.unnamed_1.word, _e714.y));
                         } else {
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e762.unnamed.root, _e723.y), _e762.unnamed_1);
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e723.z, _e768.unnamed_1.first_primitive));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e774.unnamed_1.root, _e723.w));
+                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e714.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e753.unnamed.word, _e714.y), _e753.unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_mask_LightPlace(_e714.z, _e759.unnamed_1.shift));
+                            phi_905_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e765.unnamed_1.word, _e714.w));
                         }
-                        let _e782 = phi_900_;
-                        phi_906_ = 0u;
-                        phi_909_ = 0u;
+                        let _e773 = phi_905_;
+                        phi_911_ = 0u;
+                        phi_914_ = 0u;
                         loop {
-                            let _e792 = phi_906_;
-                            let _e794 = phi_909_;
-                            local_2 = _e794;
-                            local_3 = _e794;
-                            local_4 = _e794;
-                            let _e795 = (_e792 < 8u);
-                            if _e795 {
-                                let _e797 = (_e792 >> bitcast<u32>(2i));
-                                let _e798 = (_e792 & 3u);
-                                if (_e797 == 0u) {
-                                    phi_923_ = _e644.unnamed.root;
+                            let _e783 = phi_911_;
+                            let _e785 = phi_914_;
+                            local_2 = _e785;
+                            local_3 = _e785;
+                            local_4 = _e785;
+                            let _e786 = (_e783 < 8u);
+                            if _e786 {
+                                let _e788 = (_e783 >> bitcast<u32>(2i));
+                                let _e789 = (_e783 & 3u);
+                                if (_e788 == 0u) {
+                                    phi_928_ = _e635.unnamed.word;
                                 } else {
-                                    phi_923_ = _e644.unnamed.first_primitive;
+                                    phi_928_ = _e635.unnamed.shift;
                                 }
-                                let _e801 = phi_923_;
-                                if (_e797 == 0u) {
-                                    phi_933_ = _e713.unnamed.root;
+                                let _e792 = phi_928_;
+                                if (_e788 == 0u) {
+                                    phi_938_ = _e704.unnamed.word;
                                 } else {
-                                    phi_933_ = _e713.unnamed.first_primitive;
+                                    phi_938_ = _e704.unnamed.shift;
                                 }
-                                let _e810 = phi_933_;
-                                if (_e797 == 0u) {
-                                    phi_943_ = _e782.unnamed.root;
+                                let _e801 = phi_938_;
+                                if (_e788 == 0u) {
+                                    phi_948_ = _e773.unnamed.word;
                                 } else {
-                                    phi_943_ = _e782.unnamed.first_primitive;
+                                    phi_948_ = _e773.unnamed.shift;
                                 }
-                                let _e819 = phi_943_;
-                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e801 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 - _e360)), ((f32(((_e810 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 - _e361)));
-                                let _e833 = core_intrinsics_maximum_number_nsz_f32_(_e832, ((f32(((_e819 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 - _e362)));
-                                if (_e797 == 0u) {
-                                    phi_961_ = _e644.unnamed_1.root;
+                                let _e810 = phi_948_;
+                                let _e823 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e792 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e545) + (_e566 - _e351)), ((f32(((_e801 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e546) + (_e567 - _e352)));
+                                let _e824 = core_intrinsics_maximum_number_nsz_f32_(_e823, ((f32(((_e810 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e547) + (_e568 - _e353)));
+                                if (_e788 == 0u) {
+                                    phi_966_ = _e635.unnamed_1.word;
                                 } else {
-                                    phi_961_ = _e644.unnamed_1.first_primitive;
+                                    phi_966_ = _e635.unnamed_1.shift;
                                 }
-                                let _e836 = phi_961_;
-                                if (_e797 == 0u) {
-                                    phi_971_ = _e713.unnamed_1.root;
+                                let _e827 = phi_966_;
+                                if (_e788 == 0u) {
+                                    phi_976_ = _e704.unnamed_1.word;
                                 } else {
-                                    phi_971_ = _e713.unnamed_1.first_primitive;
+                                    phi_976_ = _e704.unnamed_1.shift;
                                 }
-                                let _e845 = phi_971_;
-                                if (_e797 == 0u) {
-                                    phi_981_ = _e782.unnamed_1.root;
+                                let _e836 = phi_976_;
+                                if (_e788 == 0u) {
+                                    phi_986_ = _e773.unnamed_1.word;
                                 } else {
-                                    phi_981_ = _e782.unnamed_1.first_primitive;
+                                    phi_986_ = _e773.unnamed_1.shift;
                                 }
-                                let _e854 = phi_981_;
-                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 + _e360)), ((f32(((_e845 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 + _e361)));
-                                let _e868 = core_intrinsics_minimum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 + _e362)));
-                                if (_e833 <= _e868) {
-                                    if (_e833 <= _e520.t) {
-                                        if (_e868 >= _e145.tmin) {
-                                            if (_e797 == 0u) {
-                                                let _e875 = nodes.member[(0u + _e518)].links[2u];
-                                                phi_1017_ = _e875;
+                                let _e845 = phi_986_;
+                                let _e858 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e827 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e545) + (_e566 + _e351)), ((f32(((_e836 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e546) + (_e567 + _e352)));
+                                let _e859 = core_intrinsics_minimum_number_nsz_f32_(_e858, ((f32(((_e845 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u)) * _e547) + (_e568 + _e353)));
+                                if (_e824 <= _e859) {
+                                    if (_e824 <= _e511.t) {
+                                        if (_e859 >= _e145.tmin) {
+                                            if (_e788 == 0u) {
+                                                let _e866 = nodes.member[(0u + _e509)].links[2u];
+                                                phi_1022_ = _e866;
                                             } else {
-                                                let _e878 = nodes.member[(0u + _e518)].links[3u];
-                                                phi_1017_ = _e878;
+                                                let _e869 = nodes.member[(0u + _e509)].links[3u];
+                                                phi_1022_ = _e869;
                                             }
-                                            let _e880 = phi_1017_;
-                                            let _e885 = ((_e880 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u);
-                                            let _e886 = (_e885 & 31u);
-                                            if (_e886 >= 24u) {
-                                                phi_1030_ = (24u + ((_e886 - 24u) ^ _e380));
+                                            let _e871 = phi_1022_;
+                                            let _e876 = ((_e871 >> bitcast<u32>(((_e789 * 8u) & 31u))) & 255u);
+                                            let _e877 = (_e876 & 31u);
+                                            if (_e877 >= 24u) {
+                                                phi_1035_ = (24u + ((_e877 - 24u) ^ _e371));
                                             } else {
-                                                phi_1030_ = _e886;
+                                                phi_1035_ = _e877;
                                             }
-                                            let _e892 = phi_1030_;
-                                            phi_1035_ = (_e794 | ((_e885 >> bitcast<u32>(5i)) << bitcast<u32>((_e892 & 31u))));
+                                            let _e883 = phi_1035_;
+                                            phi_1040_ = (_e785 | ((_e876 >> bitcast<u32>(5i)) << bitcast<u32>((_e883 & 31u))));
                                         } else {
-                                            phi_1035_ = _e794;
+                                            phi_1040_ = _e785;
                                         }
-                                        let _e900 = phi_1035_;
-                                        phi_1036_ = _e900;
+                                        let _e891 = phi_1040_;
+                                        phi_1041_ = _e891;
                                     } else {
-                                        phi_1036_ = _e794;
+                                        phi_1041_ = _e785;
                                     }
-                                    let _e902 = phi_1036_;
-                                    phi_1037_ = _e902;
+                                    let _e893 = phi_1041_;
+                                    phi_1042_ = _e893;
                                 } else {
-                                    phi_1037_ = _e794;
+                                    phi_1042_ = _e785;
                                 }
-                                let _e904 = phi_1037_;
-                                phi_907_ = (_e792 + 1u);
-                                phi_910_ = _e904;
+                                let _e895 = phi_1042_;
+                                phi_912_ = (_e783 + 1u);
+                                phi_915_ = _e895;
                             } else {
-                                phi_907_ = u32();
-                                phi_910_ = u32();
+                                phi_912_ = u32();
+                                phi_915_ = u32();
                             }
-                            let _e907 = phi_907_;
-                            let _e909 = phi_910_;
+                            let _e898 = phi_912_;
+                            let _e900 = phi_915_;
                             continue;
                             continuing {
-                                phi_906_ = _e907;
-                                phi_909_ = _e909;
-                                break if !(_e795);
+                                phi_911_ = _e898;
+                                phi_914_ = _e900;
+                                break if !(_e786);
                             }
                         }
-                        let _e913 = nodes.member[(0u + _e518)].links[0u];
-                        let _e917 = nodes.member[(0u + _e518)].frame[3u];
-                        let _e921 = local_2;
-                        if ((_e921 & 4278190080u) == 0u) {
+                        let _e904 = nodes.member[(0u + _e509)].links[0u];
+                        let _e908 = nodes.member[(0u + _e509)].frame[3u];
+                        let _e912 = local_2;
+                        if ((_e912 & 4278190080u) == 0u) {
                         } else {
-                            let _e925 = local_1.group_mask;
-                            if ((_e925 & 4278190080u) == 0u) {
+                            let _e916 = local_1.group_mask;
+                            if ((_e916 & 4278190080u) == 0u) {
                             } else {
-                                let _e929 = local_1.len;
-                                if (_e929 < 32u) {
-                                    let _e932 = local_1.group;
-                                    let _e934 = local_1.len;
-                                    if (_e934 < 32u) {
+                                let _e920 = local_1.len;
+                                if (_e920 < 32u) {
+                                    let _e923 = local_1.group;
+                                    let _e925 = local_1.len;
+                                    if (_e925 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e934)] = _e932;
-                                    let _e940 = local_1.group_mask;
-                                    let _e942 = local_1.len;
-                                    if (_e942 < 32u) {
+                                    local_1.first[(0u + _e925)] = _e923;
+                                    let _e931 = local_1.group_mask;
+                                    let _e933 = local_1.len;
+                                    if (_e933 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e942)] = _e940;
-                                    let _e949 = local_1.len;
-                                    local_1.len = (_e949 + 1u);
+                                    local_1.mask[(0u + _e933)] = _e931;
+                                    let _e940 = local_1.len;
+                                    local_1.len = (_e940 + 1u);
                                 }
                             }
-                            local_1.group = (_e94 + _e913);
-                            let _e953 = local_3;
-                            local_1.group_mask = ((_e953 & 4278190080u) | (_e917 >> bitcast<u32>(24i)));
+                            local_1.group = (_e94 + _e904);
+                            let _e944 = local_3;
+                            local_1.group_mask = ((_e944 & 4278190080u) | (_e908 >> bitcast<u32>(24i)));
                         }
-                        let _e958 = local_4;
-                        phi_1095_ = (_e958 & 16777215u);
-                        phi_1098_ = _e520;
+                        let _e949 = local_4;
+                        phi_1100_ = (_e949 & 16777215u);
+                        phi_1103_ = _e511;
                         loop {
-                            let _e961 = phi_1095_;
-                            let _e963 = phi_1098_;
-                            local_10 = _e963;
-                            if (_e961 == 0u) {
-                                phi_1096_ = u32();
-                                phi_1099_ = lt_bvh_Hit();
-                                phi_2781_ = false;
+                            let _e952 = phi_1100_;
+                            let _e954 = phi_1103_;
+                            local_10 = _e954;
+                            if (_e952 == 0u) {
+                                phi_1101_ = u32();
+                                phi_1104_ = lt_bvh_Hit();
+                                phi_2793_ = false;
                             } else {
-                                let _e967 = nodes.member[(0u + _e518)].links[1u];
-                                let _e971 = (_e967 + select(firstTrailingBit(_e961), 32u, (_e961 == 0u)));
-                                if (_e971 < _e82) {
+                                let _e958 = nodes.member[(0u + _e509)].links[1u];
+                                let _e962 = (_e958 + select(firstTrailingBit(_e952), 32u, (_e952 == 0u)));
+                                if (_e962 < _e82) {
                                 } else {
                                     return;
                                 }
-                                let _e978 = instances.member[(0u + _e971)].low_world;
-                                let _e980 = instances.member[(0u + _e971)].high_world;
-                                let _e990 = ((_e978.x - _e145.origin.x) * _e299);
-                                let _e991 = ((_e978.y - _e145.origin.y) * _e311);
-                                let _e992 = ((_e978.z - _e145.origin.z) * _e323);
-                                let _e1002 = ((_e980.x - _e145.origin.x) * _e299);
-                                let _e1003 = ((_e980.y - _e145.origin.y) * _e311);
-                                let _e1004 = ((_e980.z - _e145.origin.z) * _e323);
-                                if (_e990 < _e1002) {
-                                    phi_1153_ = _e990;
+                                let _e969 = instances.member[(0u + _e962)].low_world;
+                                let _e971 = instances.member[(0u + _e962)].high_world;
+                                let _e981 = ((_e969.x - _e145.origin.x) * _e291);
+                                let _e982 = ((_e969.y - _e145.origin.y) * _e302);
+                                let _e983 = ((_e969.z - _e145.origin.z) * _e313);
+                                let _e993 = ((_e971.x - _e145.origin.x) * _e291);
+                                let _e994 = ((_e971.y - _e145.origin.y) * _e302);
+                                let _e995 = ((_e971.z - _e145.origin.z) * _e313);
+                                if (_e981 < _e993) {
+                                    phi_1158_ = _e981;
                                 } else {
-                                    phi_1153_ = _e1002;
+                                    phi_1158_ = _e993;
                                 }
-                                let _e1007 = phi_1153_;
-                                if (_e991 < _e1003) {
-                                    phi_1158_ = _e991;
+                                let _e998 = phi_1158_;
+                                if (_e982 < _e994) {
+                                    phi_1163_ = _e982;
                                 } else {
-                                    phi_1158_ = _e1003;
+                                    phi_1163_ = _e994;
                                 }
-                                let _e1010 = phi_1158_;
-                                if (_e992 < _e1004) {
-                                    phi_1163_ = _e992;
+                                let _e1001 = phi_1163_;
+                                if (_e983 < _e995) {
+                                    phi_1168_ = _e983;
                                 } else {
-                                    phi_1163_ = _e1004;
+                                    phi_1168_ = _e995;
                                 }
-                                let _e1013 = phi_1163_;
-                                if (_e990 > _e1002) {
-                                    phi_1171_ = _e990;
+                                let _e1004 = phi_1168_;
+                                if (_e981 > _e993) {
+                                    phi_1176_ = _e981;
                                 } else {
-                                    phi_1171_ = _e1002;
+                                    phi_1176_ = _e993;
                                 }
-                                let _e1019 = phi_1171_;
-                                if (_e991 > _e1003) {
-                                    phi_1176_ = _e991;
+                                let _e1010 = phi_1176_;
+                                if (_e982 > _e994) {
+                                    phi_1181_ = _e982;
                                 } else {
-                                    phi_1176_ = _e1003;
+                                    phi_1181_ = _e994;
                                 }
-                                let _e1022 = phi_1176_;
-                                if (_e992 > _e1004) {
-                                    phi_1181_ = _e992;
+                                let _e1013 = phi_1181_;
+                                if (_e983 > _e995) {
+                                    phi_1186_ = _e983;
                                 } else {
-                                    phi_1181_ = _e1004;
+                                    phi_1186_ = _e995;
                                 }
-                                let _e1025 = phi_1181_;
-                                let _e1029 = core_intrinsics_maximum_number_nsz_f32_((_e1007 - _e367), (_e1010 - _e368));
-                                let _e1030 = core_intrinsics_maximum_number_nsz_f32_(_e1029, (_e1013 - _e369));
-                                let _e1031 = core_intrinsics_minimum_number_nsz_f32_((_e1019 + _e367), (_e1022 + _e368));
-                                let _e1032 = core_intrinsics_minimum_number_nsz_f32_(_e1031, (_e1025 + _e369));
-                                if (_e1030 <= _e1032) {
-                                    if (_e1030 <= _e963.t) {
-                                        if (_e1032 >= _e145.tmin) {
-                                            let _e1044 = instances.member[(0u + _e971)].world_to_object[0u];
-                                            let _e1055 = ((((_e1044.x * _e145.origin.x) + (_e1044.y * _e145.origin.y)) + (_e1044.z * _e145.origin.z)) + (_e1044.w * 1f));
-                                            let _e1057 = instances.member[(0u + _e971)].world_to_object[1u];
-                                            let _e1068 = ((((_e1057.x * _e145.origin.x) + (_e1057.y * _e145.origin.y)) + (_e1057.z * _e145.origin.z)) + (_e1057.w * 1f));
-                                            let _e1070 = instances.member[(0u + _e971)].world_to_object[2u];
-                                            let _e1081 = ((((_e1070.x * _e145.origin.x) + (_e1070.y * _e145.origin.y)) + (_e1070.z * _e145.origin.z)) + (_e1070.w * 1f));
-                                            let _e1088 = instances.member[(0u + _e971)].world_to_object[0u];
-                                            let _e1099 = ((((_e1088.x * _e145.direction.x) + (_e1088.y * _e145.direction.y)) + (_e1088.z * _e145.direction.z)) + (_e1088.w * 0f));
-                                            let _e1101 = instances.member[(0u + _e971)].world_to_object[1u];
-                                            let _e1112 = ((((_e1101.x * _e145.direction.x) + (_e1101.y * _e145.direction.y)) + (_e1101.z * _e145.direction.z)) + (_e1101.w * 0f));
-                                            let _e1114 = instances.member[(0u + _e971)].world_to_object[2u];
-                                            let _e1125 = ((((_e1114.x * _e145.direction.x) + (_e1114.y * _e145.direction.y)) + (_e1114.z * _e145.direction.z)) + (_e1114.w * 0f));
-                                            let _e1130 = instances.member[(0u + _e971)].root;
-                                            let _e1132 = instances.member[(0u + _e971)].first_triangle;
-                                            let _e1136 = abs(_e1099);
-                                            let _e1137 = abs(_e1112);
-                                            let _e1138 = abs(_e1125);
-                                            if (abs(_e1055) < 1000000000000000f) {
-                                                if (abs(_e1068) < 1000000000000000f) {
-                                                    if (abs(_e1081) < 1000000000000000f) {
-                                                        if (_e1136 < 1000000000000000f) {
-                                                            if (_e1137 < 1000000000000000f) {
-                                                                if (_e1138 < 1000000000000000f) {
-                                                                    if (_e1136 > 0f) {
-                                                                        phi_1338_ = bool();
-                                                                        phi_1339_ = true;
-                                                                    } else {
-                                                                        let _e1146 = (_e1137 > 0f);
-                                                                        if _e1146 {
-                                                                            phi_1337_ = bool();
-                                                                        } else {
-                                                                            phi_1337_ = (_e1138 > 0f);
-                                                                        }
-                                                                        let _e1149 = phi_1337_;
-                                                                        phi_1338_ = _e1149;
-                                                                        phi_1339_ = _e1146;
-                                                                    }
-                                                                    let _e1151 = phi_1338_;
-                                                                    let _e1153 = phi_1339_;
-                                                                    if _e1153 {
-                                                                        phi_1343_ = true;
-                                                                    } else {
-                                                                        phi_1343_ = _e1151;
-                                                                    }
-                                                                    let _e1155 = phi_1343_;
-                                                                    phi_1344_ = _e1155;
-                                                                    phi_1345_ = false;
-                                                                } else {
-                                                                    phi_1344_ = bool();
-                                                                    phi_1345_ = true;
-                                                                }
-                                                                let _e1157 = phi_1344_;
-                                                                let _e1159 = phi_1345_;
-                                                                phi_1346_ = _e1157;
-                                                                phi_1347_ = false;
-                                                                phi_1348_ = _e1159;
-                                                            } else {
-                                                                phi_1346_ = bool();
-                                                                phi_1347_ = true;
-                                                                phi_1348_ = false;
-                                                            }
-                                                            let _e1161 = phi_1346_;
-                                                            let _e1163 = phi_1347_;
-                                                            let _e1165 = phi_1348_;
-                                                            phi_1349_ = _e1161;
-                                                            phi_1350_ = _e1163;
-                                                            phi_1351_ = _e1165;
-                                                        } else {
-                                                            phi_1349_ = bool();
-                                                            phi_1350_ = true;
-                                                            phi_1351_ = false;
-                                                        }
-                                                        let _e1167 = phi_1349_;
-                                                        let _e1169 = phi_1350_;
-                                                        let _e1171 = phi_1351_;
-                                                        phi_1352_ = _e1167;
-                                                        phi_1353_ = _e1169;
-                                                        phi_1354_ = _e1171;
-                                                    } else {
-                                                        phi_1352_ = bool();
-                                                        phi_1353_ = true;
-                                                        phi_1354_ = false;
-                                                    }
-                                                    let _e1173 = phi_1352_;
-                                                    let _e1175 = phi_1353_;
-                                                    let _e1177 = phi_1354_;
-                                                    phi_1355_ = _e1173;
-                                                    phi_1356_ = _e1175;
-                                                    phi_1357_ = _e1177;
+                                let _e1016 = phi_1186_;
+                                let _e1020 = core_intrinsics_maximum_number_nsz_f32_((_e998 - _e358), (_e1001 - _e359));
+                                let _e1021 = core_intrinsics_maximum_number_nsz_f32_(_e1020, (_e1004 - _e360));
+                                let _e1022 = core_intrinsics_minimum_number_nsz_f32_((_e1010 + _e358), (_e1013 + _e359));
+                                let _e1023 = core_intrinsics_minimum_number_nsz_f32_(_e1022, (_e1016 + _e360));
+                                if (_e1021 <= _e1023) {
+                                    if (_e1021 <= _e954.t) {
+                                        if (_e1023 >= _e145.tmin) {
+                                            let _e1035 = instances.member[(0u + _e962)].world_to_object[0u];
+                                            let _e1046 = ((((_e1035.x * _e145.origin.x) + (_e1035.y * _e145.origin.y)) + (_e1035.z * _e145.origin.z)) + (_e1035.w * 1f));
+                                            let _e1048 = instances.member[(0u + _e962)].world_to_object[1u];
+                                            let _e1059 = ((((_e1048.x * _e145.origin.x) + (_e1048.y * _e145.origin.y)) + (_e1048.z * _e145.origin.z)) + (_e1048.w * 1f));
+                                            let _e1061 = instances.member[(0u + _e962)].world_to_object[2u];
+                                            let _e1072 = ((((_e1061.x * _e145.origin.x) + (_e1061.y * _e145.origin.y)) + (_e1061.z * _e145.origin.z)) + (_e1061.w * 1f));
+                                            let _e1079 = instances.member[(0u + _e962)].world_to_object[0u];
+                                            let _e1090 = ((((_e1079.x * _e145.direction.x) + (_e1079.y * _e145.direction.y)) + (_e1079.z * _e145.direction.z)) + (_e1079.w * 0f));
+                                            let _e1092 = instances.member[(0u + _e962)].world_to_object[1u];
+                                            let _e1103 = ((((_e1092.x * _e145.direction.x) + (_e1092.y * _e145.direction.y)) + (_e1092.z * _e145.direction.z)) + (_e1092.w * 0f));
+                                            let _e1105 = instances.member[(0u + _e962)].world_to_object[2u];
+                                            let _e1116 = ((((_e1105.x * _e145.direction.x) + (_e1105.y * _e145.direction.y)) + (_e1105.z * _e145.direction.z)) + (_e1105.w * 0f));
+                                            let _e1121 = instances.member[(0u + _e962)].root;
+                                            let _e1123 = instances.member[(0u + _e962)].first_triangle;
+                                            let _e1124 = abs(_e1090);
+                                            let _e1125 = abs(_e1103);
+                                            let _e1126 = abs(_e1116);
+                                            if (abs(_e1046) < 1000000000000000f) {
+                                                if (abs(_e1059) < 1000000000000000f) {
+                                                    phi_1318_ = (abs(_e1072) < 1000000000000000f);
+                                                    phi_1319_ = false;
                                                 } else {
-                                                    phi_1355_ = bool();
-                                                    phi_1356_ = true;
-                                                    phi_1357_ = false;
+                                                    phi_1318_ = bool();
+                                                    phi_1319_ = true;
                                                 }
-                                                let _e1179 = phi_1355_;
-                                                let _e1181 = phi_1356_;
-                                                let _e1183 = phi_1357_;
-                                                phi_1358_ = _e1179;
-                                                phi_1359_ = _e1181;
-                                                phi_1360_ = _e1183;
+                                                let _e1134 = phi_1318_;
+                                                let _e1136 = phi_1319_;
+                                                phi_1320_ = _e1134;
+                                                phi_1321_ = _e1136;
                                             } else {
-                                                phi_1358_ = bool();
-                                                phi_1359_ = true;
-                                                phi_1360_ = false;
+                                                phi_1320_ = bool();
+                                                phi_1321_ = true;
                                             }
-                                            let _e1185 = phi_1358_;
-                                            let _e1187 = phi_1359_;
-                                            let _e1189 = phi_1360_;
-                                            if _e1187 {
-                                                phi_1364_ = true;
+                                            let _e1138 = phi_1320_;
+                                            let _e1140 = phi_1321_;
+                                            if _e1140 {
+                                                phi_1325_ = false;
                                             } else {
-                                                phi_1364_ = _e1189;
+                                                phi_1325_ = _e1138;
                                             }
-                                            let _e1191 = phi_1364_;
-                                            if _e1191 {
-                                                phi_1368_ = false;
-                                            } else {
-                                                phi_1368_ = _e1185;
-                                            }
-                                            let _e1193 = phi_1368_;
-                                            if _e1193 {
-                                                let _e1194 = (_e1130 >= _e67);
-                                                if _e1194 {
-                                                    phi_2771_ = lt_bvh_Hit();
+                                            let _e1142 = phi_1325_;
+                                            if _e1142 {
+                                                if (_e1124 < 1000000000000000f) {
+                                                    if (_e1125 < 1000000000000000f) {
+                                                        phi_1338_ = (_e1126 < 1000000000000000f);
+                                                        phi_1339_ = false;
+                                                    } else {
+                                                        phi_1338_ = bool();
+                                                        phi_1339_ = true;
+                                                    }
+                                                    let _e1147 = phi_1338_;
+                                                    let _e1149 = phi_1339_;
+                                                    phi_1340_ = _e1147;
+                                                    phi_1341_ = _e1149;
                                                 } else {
-                                                    if (_e1130 < _e67) {
+                                                    phi_1340_ = bool();
+                                                    phi_1341_ = true;
+                                                }
+                                                let _e1151 = phi_1340_;
+                                                let _e1153 = phi_1341_;
+                                                if _e1153 {
+                                                    phi_1345_ = false;
+                                                } else {
+                                                    phi_1345_ = _e1151;
+                                                }
+                                                let _e1155 = phi_1345_;
+                                                if _e1155 {
+                                                    if (_e1124 > 0f) {
+                                                        phi_1359_ = bool();
+                                                        phi_1360_ = true;
+                                                    } else {
+                                                        let _e1157 = (_e1125 > 0f);
+                                                        if _e1157 {
+                                                            phi_1358_ = bool();
+                                                        } else {
+                                                            phi_1358_ = (_e1126 > 0f);
+                                                        }
+                                                        let _e1160 = phi_1358_;
+                                                        phi_1359_ = _e1160;
+                                                        phi_1360_ = _e1157;
+                                                    }
+                                                    let _e1162 = phi_1359_;
+                                                    let _e1164 = phi_1360_;
+                                                    if _e1164 {
+                                                        phi_1364_ = true;
+                                                    } else {
+                                                        phi_1364_ = _e1162;
+                                                    }
+                                                    let _e1166 = phi_1364_;
+                                                    phi_1365_ = _e1166;
+                                                    phi_1366_ = false;
+                                                } else {
+                                                    phi_1365_ = bool();
+                                                    phi_1366_ = true;
+                                                }
+                                                let _e1168 = phi_1365_;
+                                                let _e1170 = phi_1366_;
+                                                phi_1367_ = _e1168;
+                                                phi_1368_ = _e1170;
+                                            } else {
+                                                phi_1367_ = bool();
+                                                phi_1368_ = true;
+                                            }
+                                            let _e1172 = phi_1367_;
+                                            let _e1174 = phi_1368_;
+                                            if _e1174 {
+                                                phi_1372_ = false;
+                                            } else {
+                                                phi_1372_ = _e1172;
+                                            }
+                                            let _e1176 = phi_1372_;
+                                            if _e1176 {
+                                                let _e1177 = (_e1121 >= _e67);
+                                                if _e1177 {
+                                                    phi_2783_ = lt_bvh_Hit();
+                                                } else {
+                                                    if (_e1121 < _e67) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1200 = nodes.member[(0u + _e1130)].frame[0u];
-                                                    let _e1204 = nodes.member[(0u + _e1130)].frame[1u];
-                                                    let _e1208 = nodes.member[(0u + _e1130)].frame[2u];
-                                                    let _e1212 = nodes.member[(0u + _e1130)].frame[0u];
-                                                    let _e1216 = nodes.member[(0u + _e1130)].frame[1u];
-                                                    let _e1220 = nodes.member[(0u + _e1130)].frame[2u];
-                                                    let _e1224 = nodes.member[(0u + _e1130)].frame[3u];
-                                                    let _e1258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1099), abs(_e1112));
-                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(_e1258, abs(_e1125));
-                                                    let _e1260 = (_e1259 * 0.0000000000009094947f);
-                                                    if (abs(_e1099) < _e1260) {
-                                                        phi_1438_ = _e1260;
+                                                    let _e1183 = nodes.member[(0u + _e1121)].frame[0u];
+                                                    let _e1187 = nodes.member[(0u + _e1121)].frame[1u];
+                                                    let _e1191 = nodes.member[(0u + _e1121)].frame[2u];
+                                                    let _e1195 = nodes.member[(0u + _e1121)].frame[0u];
+                                                    let _e1199 = nodes.member[(0u + _e1121)].frame[1u];
+                                                    let _e1203 = nodes.member[(0u + _e1121)].frame[2u];
+                                                    let _e1207 = nodes.member[(0u + _e1121)].frame[3u];
+                                                    let _e1241 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1090), abs(_e1103));
+                                                    let _e1242 = core_intrinsics_maximum_number_nsz_f32_(_e1241, abs(_e1116));
+                                                    let _e1243 = (_e1242 * 0.0000000000009094947f);
+                                                    if (abs(_e1090) < _e1243) {
+                                                        phi_1442_ = _e1243;
                                                     } else {
-                                                        phi_1438_ = abs(_e1099);
+                                                        phi_1442_ = abs(_e1090);
                                                     }
-                                                    let _e1265 = phi_1438_;
-                                                    if (_e1099 < 0f) {
-                                                        phi_1445_ = (-1f / _e1265);
+                                                    let _e1248 = phi_1442_;
+                                                    if (_e1090 < 0f) {
+                                                        phi_1449_ = (-1f / _e1248);
                                                     } else {
-                                                        phi_1445_ = (1f / _e1265);
+                                                        phi_1449_ = (1f / _e1248);
                                                     }
-                                                    let _e1270 = phi_1445_;
-                                                    if (abs(_e1112) < _e1260) {
-                                                        phi_1452_ = _e1260;
+                                                    let _e1253 = phi_1449_;
+                                                    if (abs(_e1103) < _e1243) {
+                                                        phi_1456_ = _e1243;
                                                     } else {
-                                                        phi_1452_ = abs(_e1112);
+                                                        phi_1456_ = abs(_e1103);
                                                     }
-                                                    let _e1275 = phi_1452_;
-                                                    if (_e1112 < 0f) {
-                                                        phi_1459_ = (-1f / _e1275);
+                                                    let _e1258 = phi_1456_;
+                                                    if (_e1103 < 0f) {
+                                                        phi_1463_ = (-1f / _e1258);
                                                     } else {
-                                                        phi_1459_ = (1f / _e1275);
+                                                        phi_1463_ = (1f / _e1258);
                                                     }
-                                                    let _e1280 = phi_1459_;
-                                                    if (abs(_e1125) < _e1260) {
-                                                        phi_1466_ = _e1260;
+                                                    let _e1263 = phi_1463_;
+                                                    if (abs(_e1116) < _e1243) {
+                                                        phi_1470_ = _e1243;
                                                     } else {
-                                                        phi_1466_ = abs(_e1125);
+                                                        phi_1470_ = abs(_e1116);
                                                     }
-                                                    let _e1285 = phi_1466_;
-                                                    if (_e1125 < 0f) {
-                                                        phi_1473_ = (-1f / _e1285);
+                                                    let _e1268 = phi_1470_;
+                                                    if (_e1116 < 0f) {
+                                                        phi_1477_ = (-1f / _e1268);
                                                     } else {
-                                                        phi_1473_ = (1f / _e1285);
+                                                        phi_1477_ = (1f / _e1268);
                                                     }
-                                                    let _e1290 = phi_1473_;
-                                                    let _e1294 = abs((bitcast<f32>(_e1200) - _e1055));
-                                                    let _e1295 = abs((bitcast<f32>(_e1204) - _e1068));
-                                                    let _e1296 = abs((bitcast<f32>(_e1208) - _e1081));
-                                                    let _e1300 = abs(((bitcast<f32>(_e1212) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1055));
-                                                    let _e1301 = abs(((bitcast<f32>(_e1216) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1068));
-                                                    let _e1302 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1081));
-                                                    if (_e1294 > _e1300) {
-                                                        phi_1490_ = _e1294;
+                                                    let _e1273 = phi_1477_;
+                                                    let _e1277 = abs((bitcast<f32>(_e1183) - _e1046));
+                                                    let _e1278 = abs((bitcast<f32>(_e1187) - _e1059));
+                                                    let _e1279 = abs((bitcast<f32>(_e1191) - _e1072));
+                                                    let _e1283 = abs(((bitcast<f32>(_e1195) + (bitcast<f32>((((_e1207 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1046));
+                                                    let _e1284 = abs(((bitcast<f32>(_e1199) + (bitcast<f32>((((_e1207 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1059));
+                                                    let _e1285 = abs(((bitcast<f32>(_e1203) + (bitcast<f32>((((_e1207 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
+                                                    if (_e1277 > _e1283) {
+                                                        phi_1494_ = _e1277;
                                                     } else {
-                                                        phi_1490_ = _e1300;
+                                                        phi_1494_ = _e1283;
                                                     }
-                                                    let _e1305 = phi_1490_;
-                                                    if (_e1295 > _e1301) {
-                                                        phi_1495_ = _e1295;
+                                                    let _e1288 = phi_1494_;
+                                                    if (_e1278 > _e1284) {
+                                                        phi_1499_ = _e1278;
                                                     } else {
-                                                        phi_1495_ = _e1301;
+                                                        phi_1499_ = _e1284;
                                                     }
-                                                    let _e1308 = phi_1495_;
-                                                    if (_e1296 > _e1302) {
-                                                        phi_1500_ = _e1296;
+                                                    let _e1291 = phi_1499_;
+                                                    if (_e1279 > _e1285) {
+                                                        phi_1504_ = _e1279;
                                                     } else {
-                                                        phi_1500_ = _e1302;
+                                                        phi_1504_ = _e1285;
                                                     }
-                                                    let _e1311 = phi_1500_;
-                                                    let _e1312 = core_intrinsics_maximum_number_nsz_f32_(_e1305, _e1308);
-                                                    let _e1313 = core_intrinsics_maximum_number_nsz_f32_(_e1312, _e1311);
-                                                    let _e1317 = (_e1313 * 0.0000019073486f);
-                                                    let _e1318 = (abs(_e1270) * _e1317);
-                                                    let _e1319 = (abs(_e1280) * _e1317);
-                                                    let _e1320 = (abs(_e1290) * _e1317);
-                                                    let _e1324 = (_e1313 * 0.0000009536743f);
-                                                    let _e1325 = (abs(_e1270) * _e1324);
-                                                    let _e1326 = (abs(_e1280) * _e1324);
-                                                    let _e1327 = (abs(_e1290) * _e1324);
-                                                    let _e1328 = abs(_e1099);
-                                                    let _e1329 = abs(_e1112);
-                                                    let _e1330 = abs(_e1125);
-                                                    if (_e1328 >= _e1329) {
-                                                        if (_e1328 >= _e1330) {
-                                                            phi_1528_ = false;
+                                                    let _e1294 = phi_1504_;
+                                                    if (_e1288 > _e1291) {
+                                                        phi_1509_ = _e1288;
+                                                    } else {
+                                                        phi_1509_ = _e1291;
+                                                    }
+                                                    let _e1297 = phi_1509_;
+                                                    if (_e1297 > _e1294) {
+                                                        phi_1514_ = _e1297;
+                                                    } else {
+                                                        phi_1514_ = _e1294;
+                                                    }
+                                                    let _e1300 = phi_1514_;
+                                                    let _e1304 = (_e1300 * 0.0000019073486f);
+                                                    let _e1305 = (abs(_e1253) * _e1304);
+                                                    let _e1306 = (abs(_e1263) * _e1304);
+                                                    let _e1307 = (abs(_e1273) * _e1304);
+                                                    let _e1311 = (_e1300 * 0.0000009536743f);
+                                                    let _e1312 = (abs(_e1253) * _e1311);
+                                                    let _e1313 = (abs(_e1263) * _e1311);
+                                                    let _e1314 = (abs(_e1273) * _e1311);
+                                                    let _e1315 = abs(_e1090);
+                                                    let _e1316 = abs(_e1103);
+                                                    let _e1317 = abs(_e1116);
+                                                    if (_e1315 >= _e1316) {
+                                                        if (_e1315 >= _e1317) {
+                                                            phi_1540_ = false;
                                                         } else {
-                                                            phi_1528_ = true;
+                                                            phi_1540_ = true;
                                                         }
-                                                        let _e1334 = phi_1528_;
-                                                        phi_1529_ = _e1334;
+                                                        let _e1321 = phi_1540_;
+                                                        phi_1541_ = _e1321;
                                                     } else {
-                                                        phi_1529_ = true;
+                                                        phi_1541_ = true;
                                                     }
-                                                    let _e1336 = phi_1529_;
-                                                    if _e1336 {
-                                                        if (_e1329 >= _e1330) {
-                                                            phi_1537_ = 1u;
+                                                    let _e1323 = phi_1541_;
+                                                    if _e1323 {
+                                                        if (_e1316 >= _e1317) {
+                                                            phi_1549_ = 1u;
                                                         } else {
-                                                            phi_1537_ = 2u;
+                                                            phi_1549_ = 2u;
                                                         }
-                                                        let _e1339 = phi_1537_;
-                                                        phi_1538_ = _e1339;
+                                                        let _e1326 = phi_1549_;
+                                                        phi_1550_ = _e1326;
                                                     } else {
-                                                        phi_1538_ = 0u;
+                                                        phi_1550_ = 0u;
                                                     }
-                                                    let _e1341 = phi_1538_;
-                                                    if (_e1341 == 0u) {
-                                                        phi_1550_ = vec3<f32>(_e1112, _e1125, _e1099);
+                                                    let _e1328 = phi_1550_;
+                                                    if (_e1328 == 0u) {
+                                                        phi_1562_ = vec3<f32>(_e1103, _e1116, _e1090);
                                                     } else {
-                                                        if (_e1341 == 1u) {
-                                                            phi_1549_ = vec3<f32>(_e1125, _e1099, _e1112);
+                                                        if (_e1328 == 1u) {
+                                                            phi_1561_ = vec3<f32>(_e1116, _e1090, _e1103);
                                                         } else {
-                                                            phi_1549_ = vec3<f32>(_e1099, _e1112, _e1125);
+                                                            phi_1561_ = vec3<f32>(_e1090, _e1103, _e1116);
                                                         }
-                                                        let _e1347 = phi_1549_;
-                                                        phi_1550_ = _e1347;
+                                                        let _e1334 = phi_1561_;
+                                                        phi_1562_ = _e1334;
                                                     }
-                                                    let _e1349 = phi_1550_;
-                                                    let _e1352 = (_e1349.x / _e1349.z);
-                                                    let _e1355 = (_e1349.y / _e1349.z);
-                                                    if (_e1270 < 0f) {
-                                                        phi_1563_ = 0u;
+                                                    let _e1336 = phi_1562_;
+                                                    let _e1339 = (_e1336.x / _e1336.z);
+                                                    let _e1342 = (_e1336.y / _e1336.z);
+                                                    if (_e1253 < 0f) {
+                                                        phi_1575_ = 0u;
                                                     } else {
-                                                        phi_1563_ = 1u;
+                                                        phi_1575_ = 1u;
                                                     }
-                                                    let _e1360 = phi_1563_;
-                                                    if (_e1280 < 0f) {
-                                                        phi_1568_ = 0u;
+                                                    let _e1347 = phi_1575_;
+                                                    if (_e1263 < 0f) {
+                                                        phi_1580_ = 0u;
                                                     } else {
-                                                        phi_1568_ = 2u;
+                                                        phi_1580_ = 2u;
                                                     }
-                                                    let _e1363 = phi_1568_;
-                                                    if (_e1290 < 0f) {
-                                                        phi_1573_ = 0u;
+                                                    let _e1350 = phi_1580_;
+                                                    if (_e1273 < 0f) {
+                                                        phi_1585_ = 0u;
                                                     } else {
-                                                        phi_1573_ = 4u;
+                                                        phi_1585_ = 4u;
                                                     }
-                                                    let _e1366 = phi_1573_;
-                                                    let _e1368 = ((_e1360 | _e1363) | _e1366);
-                                                    let _e1369 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1130, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1369.first[0], _e1369.first[1], _e1369.first[2], _e1369.first[3], _e1369.first[4], _e1369.first[5], _e1369.first[6], _e1369.first[7], _e1369.first[8], _e1369.first[9], _e1369.first[10], _e1369.first[11], _e1369.first[12], _e1369.first[13], _e1369.first[14], _e1369.first[15], _e1369.first[16], _e1369.first[17], _e1369.first[18], _e1369.first[19], _e1369.first[20], _e1369.first[21], _e1369.first[22], _e1369.first[23], _e1369.first[24], _e1369.first[25], _e1369.first[26], _e1369.first[27], _e1369.first[28], _e1369.first[29], _e1369.first[30], _e1369.first[31]), array<u32, 32>(_e1369.mask[0], _e1369.mask[1], _e1369.mask[2], _e1369.mask[3], _e1369.mask[4], _e1369.mask[5], _e1369.mask[6], _e1369.mask[7], _e1369.mask[8], _e1369.mask[9], _e1369.mask[10], _e1369.mask[11], _e1369.mask[12], _e1369.mask[13], _e1369.mask[14], _e1369.mask[15], _e1369.mask[16], _e1369.mask[17], _e1369.mask[18], _e1369.mask[19], _e1369.mask[20], _e1369.mask[21], _e1369.mask[22], _e1369.mask[23], _e1369.mask[24], _e1369.mask[25], _e1369.mask[26], _e1369.mask[27], _e1369.mask[28], _e1369.mask[29], _e1369.mask[30], _e1369.mask[31]), _e1369.len, _e1369.group, _e1369.group_mask);
-                                                    let _e1443 = local.group_mask;
-                                                    if ((_e1443 & 4278190080u) == 0u) {
-                                                        let _e1447 = local.len;
-                                                        if (_e1447 == 0u) {
-                                                            phi_1687_ = false;
+                                                    let _e1353 = phi_1585_;
+                                                    let _e1355 = ((_e1347 | _e1350) | _e1353);
+                                                    let _e1356 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1121, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1356.first[0], _e1356.first[1], _e1356.first[2], _e1356.first[3], _e1356.first[4], _e1356.first[5], _e1356.first[6], _e1356.first[7], _e1356.first[8], _e1356.first[9], _e1356.first[10], _e1356.first[11], _e1356.first[12], _e1356.first[13], _e1356.first[14], _e1356.first[15], _e1356.first[16], _e1356.first[17], _e1356.first[18], _e1356.first[19], _e1356.first[20], _e1356.first[21], _e1356.first[22], _e1356.first[23], _e1356.first[24], _e1356.first[25], _e1356.first[26], _e1356.first[27], _e1356.first[28], _e1356.first[29], _e1356.first[30], _e1356.first[31]), array<u32, 32>(_e1356.mask[0], _e1356.mask[1], _e1356.mask[2], _e1356.mask[3], _e1356.mask[4], _e1356.mask[5], _e1356.mask[6], _e1356.mask[7], _e1356.mask[8], _e1356.mask[9], _e1356.mask[10], _e1356.mask[11], _e1356.mask[12], _e1356.mask[13], _e1356.mask[14], _e1356.mask[15], _e1356.mask[16], _e1356.mask[17], _e1356.mask[18], _e1356.mask[19], _e1356.mask[20], _e1356.mask[21], _e1356.mask[22], _e1356.mask[23], _e1356.mask[24], _e1356.mask[25], _e1356.mask[26], _e1356.mask[27], _e1356.mask[28], _e1356.mask[29], _e1356.mask[30], _e1356.mask[31]), _e1356.len, _e1356.group, _e1356.group_mask);
+                                                    let _e1430 = local.group_mask;
+                                                    if ((_e1430 & 4278190080u) == 0u) {
+                                                        let _e1434 = local.len;
+                                                        if (_e1434 == 0u) {
+                                                            phi_1699_ = false;
                                                         } else {
-                                                            let _e1451 = local.len;
-                                                            local.len = (_e1451 - 1u);
-                                                            let _e1454 = local.len;
-                                                            if (_e1454 < 32u) {
+                                                            let _e1438 = local.len;
+                                                            local.len = (_e1438 - 1u);
+                                                            let _e1441 = local.len;
+                                                            if (_e1441 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1459 = local.first[(0u + _e1454)];
-                                                            local.group = _e1459;
-                                                            let _e1462 = local.len;
-                                                            if (_e1462 < 32u) {
+                                                            let _e1446 = local.first[(0u + _e1441)];
+                                                            local.group = _e1446;
+                                                            let _e1449 = local.len;
+                                                            if (_e1449 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1467 = local.mask[(0u + _e1462)];
-                                                            local.group_mask = _e1467;
-                                                            phi_1687_ = true;
+                                                            let _e1454 = local.mask[(0u + _e1449)];
+                                                            local.group_mask = _e1454;
+                                                            phi_1699_ = true;
                                                         }
-                                                        let _e1470 = phi_1687_;
-                                                        phi_1688_ = _e1470;
+                                                        let _e1457 = phi_1699_;
+                                                        phi_1700_ = _e1457;
                                                     } else {
-                                                        phi_1688_ = true;
+                                                        phi_1700_ = true;
                                                     }
-                                                    let _e1472 = phi_1688_;
-                                                    if _e1472 {
-                                                        let _e1474 = local.group_mask;
-                                                        let _e1480 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1474)), 32u, (_e1474 == 0u)));
-                                                        let _e1484 = local.group_mask;
-                                                        let _e1498 = local.group_mask;
-                                                        local.group_mask = (_e1498 & ~((1u << bitcast<u32>((_e1480 & 31u)))));
-                                                        let _e1501 = local.group;
-                                                        phi_1719_ = (_e1501 + countOneBits(((_e1484 & ~((4294967295u << bitcast<u32>((((_e1480 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1459 = phi_1700_;
+                                                    if _e1459 {
+                                                        let _e1461 = local.group_mask;
+                                                        let _e1467 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1461)), 32u, (_e1461 == 0u)));
+                                                        let _e1471 = local.group_mask;
+                                                        let _e1485 = local.group_mask;
+                                                        local.group_mask = (_e1485 & ~((1u << bitcast<u32>((_e1467 & 31u)))));
+                                                        let _e1488 = local.group;
+                                                        phi_1731_ = (_e1488 + countOneBits(((_e1471 & ~((4294967295u << bitcast<u32>((((_e1467 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1719_ = 4294967295u;
+                                                        phi_1731_ = 4294967295u;
                                                     }
-                                                    let _e1504 = phi_1719_;
-                                                    phi_1721_ = _e963;
-                                                    phi_1724_ = _e1504;
+                                                    let _e1491 = phi_1731_;
+                                                    phi_1733_ = _e954;
+                                                    phi_1736_ = _e1491;
                                                     loop {
-                                                        let _e1506 = phi_1721_;
-                                                        let _e1508 = phi_1724_;
-                                                        local_9 = _e1506;
-                                                        let _e1509 = (_e1508 != 4294967295u);
-                                                        if _e1509 {
-                                                            if (_e1508 < _e67) {
+                                                        let _e1493 = phi_1733_;
+                                                        let _e1495 = phi_1736_;
+                                                        local_9 = _e1493;
+                                                        let _e1496 = (_e1495 != 4294967295u);
+                                                        if _e1496 {
+                                                            if (_e1495 < _e67) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1516 = nodes.member[(0u + _e1508)].frame[3u];
-                                                            let _e1541 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1270);
-                                                            let _e1542 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1280);
-                                                            let _e1543 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1546 = nodes.member[(0u + _e1508)].frame[0u];
-                                                            let _e1550 = nodes.member[(0u + _e1508)].frame[1u];
-                                                            let _e1554 = nodes.member[(0u + _e1508)].frame[2u];
-                                                            let _e1559 = ((bitcast<f32>(_e1546) - _e1055) * _e1270);
-                                                            let _e1560 = ((bitcast<f32>(_e1550) - _e1068) * _e1280);
-                                                            let _e1561 = ((bitcast<f32>(_e1554) - _e1081) * _e1290);
-                                                            let _e1569 = nodes.member[(0u + _e1508)].x;
-                                                            if (_e1270 < 0f) {
-                                                                let _e1580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1569.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1580.unnamed.root, _e1569.w), _e1580.unnamed_1);
-                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1586.unnamed, lt_bvh_traverse_Tree(_e1569.x, _e1586.unnamed_1.first_primitive));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1592.unnamed, lt_bvh_traverse_Tree(_e1592.unnamed_1.root, _e1569.y));
+                                                            let _e1503 = nodes.member[(0u + _e1495)].frame[3u];
+                                                            let _e1528 = (bitcast<f32>((((_e1503 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1253);
+                                                            let _e1529 = (bitcast<f32>((((_e1503 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1263);
+                                                            let _e1530 = (bitcast<f32>((((_e1503 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1273);
+                                                            let _e1533 = nodes.member[(0u + _e1495)].frame[0u];
+                                                            let _e1537 = nodes.member[(0u + _e1495)].frame[1u];
+                                                            let _e1541 = nodes.member[(0u + _e1495)].frame[2u];
+                                                            let _e1546 = ((bitcast<f32>(_e1533) - _e1046) * _e1253);
+                                                            let _e1547 = ((bitcast<f32>(_e1537) - _e1059) * _e1263);
+                                                            let _e1548 = ((bitcast<f32>(_e1541) - _e1072) * _e1273);
+                                                            let _e1556 = nodes.member[(0u + _e1495)].x;
+                                                            if (_e1253 < 0f) {
+                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1556.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1567.unnamed.word, _e1556.w), _e1567.unnamed_1);
+                                                                let _e1579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1573.unnamed, lt_mask_LightPlace(_e1556.x, _e1573.unnamed_1.shift));
+                                                                phi_1817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1579.unnamed, lt_mask_LightPlace(_e1579.unnamed_1.word, _e1556.y));
                                                             } else {
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1569.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1608.unnamed.root, _e1569.y), _e1608.unnamed_1);
-                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1569.z, _e1614.unnamed_1.first_primitive));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1620.unnamed, lt_bvh_traverse_Tree(_e1620.unnamed_1.root, _e1569.w));
+                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1556.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1595.unnamed.word, _e1556.y), _e1595.unnamed_1);
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_mask_LightPlace(_e1556.z, _e1601.unnamed_1.shift));
+                                                                phi_1817_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_mask_LightPlace(_e1607.unnamed_1.word, _e1556.w));
                                                             }
-                                                            let _e1628 = phi_1805_;
-                                                            let _e1638 = nodes.member[(0u + _e1508)].y;
-                                                            if (_e1280 < 0f) {
-                                                                let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1649.unnamed.root, _e1638.w), _e1649.unnamed_1);
-                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1638.x, _e1655.unnamed_1.first_primitive));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1661.unnamed, lt_bvh_traverse_Tree(_e1661.unnamed_1.root, _e1638.y));
+                                                            let _e1615 = phi_1817_;
+                                                            let _e1625 = nodes.member[(0u + _e1495)].y;
+                                                            if (_e1263 < 0f) {
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1636.unnamed.word, _e1625.w), _e1636.unnamed_1);
+                                                                let _e1648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1625.x, _e1642.unnamed_1.shift));
+                                                                phi_1844_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1648.unnamed, lt_mask_LightPlace(_e1648.unnamed_1.word, _e1625.y));
                                                             } else {
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1677.unnamed.root, _e1638.y), _e1677.unnamed_1);
-                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1638.z, _e1683.unnamed_1.first_primitive));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1689.unnamed, lt_bvh_traverse_Tree(_e1689.unnamed_1.root, _e1638.w));
+                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1664.unnamed.word, _e1625.y), _e1664.unnamed_1);
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_mask_LightPlace(_e1625.z, _e1670.unnamed_1.shift));
+                                                                phi_1844_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_mask_LightPlace(_e1676.unnamed_1.word, _e1625.w));
                                                             }
-                                                            let _e1697 = phi_1832_;
-                                                            let _e1707 = nodes.member[(0u + _e1508)].z;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1718.unnamed.root, _e1707.w), _e1718.unnamed_1);
-                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1707.x, _e1724.unnamed_1.first_primitive));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1730.unnamed, lt_bvh_traverse_Tree(_e1730.unnamed_1.root, _e1707.y));
+                                                            let _e1684 = phi_1844_;
+                                                            let _e1694 = nodes.member[(0u + _e1495)].z;
+                                                            if (_e1273 < 0f) {
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1705.unnamed.word, _e1694.w), _e1705.unnamed_1);
+                                                                let _e1717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1694.x, _e1711.unnamed_1.shift));
+                                                                phi_1871_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1717.unnamed, lt_mask_LightPlace(_e1717.unnamed_1.word, _e1694.y));
                                                             } else {
-                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1746.unnamed.root, _e1707.y), _e1746.unnamed_1);
-                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1707.z, _e1752.unnamed_1.first_primitive));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1758.unnamed, lt_bvh_traverse_Tree(_e1758.unnamed_1.root, _e1707.w));
+                                                                let _e1733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1733.unnamed.word, _e1694.y), _e1733.unnamed_1);
+                                                                let _e1745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1739.unnamed, lt_mask_LightPlace(_e1694.z, _e1739.unnamed_1.shift));
+                                                                phi_1871_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1745.unnamed, lt_mask_LightPlace(_e1745.unnamed_1.word, _e1694.w));
                                                             }
-                                                            let _e1766 = phi_1859_;
-                                                            phi_1865_ = 0u;
-                                                            phi_1868_ = 0u;
+                                                            let _e1753 = phi_1871_;
+                                                            phi_1877_ = 0u;
+                                                            phi_1880_ = 0u;
                                                             loop {
-                                                                let _e1776 = phi_1865_;
-                                                                let _e1778 = phi_1868_;
-                                                                local_5 = _e1778;
-                                                                local_6 = _e1778;
-                                                                local_7 = _e1778;
-                                                                let _e1779 = (_e1776 < 8u);
-                                                                if _e1779 {
-                                                                    let _e1781 = (_e1776 >> bitcast<u32>(2i));
-                                                                    let _e1782 = (_e1776 & 3u);
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1882_ = _e1628.unnamed.root;
+                                                                let _e1763 = phi_1877_;
+                                                                let _e1765 = phi_1880_;
+                                                                local_5 = _e1765;
+                                                                local_6 = _e1765;
+                                                                local_7 = _e1765;
+                                                                let _e1766 = (_e1763 < 8u);
+                                                                if _e1766 {
+                                                                    let _e1768 = (_e1763 >> bitcast<u32>(2i));
+                                                                    let _e1769 = (_e1763 & 3u);
+                                                                    if (_e1768 == 0u) {
+                                                                        phi_1894_ = _e1615.unnamed.word;
                                                                     } else {
-                                                                        phi_1882_ = _e1628.unnamed.first_primitive;
+                                                                        phi_1894_ = _e1615.unnamed.shift;
                                                                     }
-                                                                    let _e1785 = phi_1882_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1892_ = _e1697.unnamed.root;
+                                                                    let _e1772 = phi_1894_;
+                                                                    if (_e1768 == 0u) {
+                                                                        phi_1904_ = _e1684.unnamed.word;
                                                                     } else {
-                                                                        phi_1892_ = _e1697.unnamed.first_primitive;
+                                                                        phi_1904_ = _e1684.unnamed.shift;
                                                                     }
-                                                                    let _e1794 = phi_1892_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1902_ = _e1766.unnamed.root;
+                                                                    let _e1781 = phi_1904_;
+                                                                    if (_e1768 == 0u) {
+                                                                        phi_1914_ = _e1753.unnamed.word;
                                                                     } else {
-                                                                        phi_1902_ = _e1766.unnamed.first_primitive;
+                                                                        phi_1914_ = _e1753.unnamed.shift;
                                                                     }
-                                                                    let _e1803 = phi_1902_;
-                                                                    let _e1816 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1785 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)), ((f32(((_e1794 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
-                                                                    let _e1817 = core_intrinsics_maximum_number_nsz_f32_(_e1816, ((f32(((_e1803 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 - _e1320)));
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1920_ = _e1628.unnamed_1.root;
+                                                                    let _e1790 = phi_1914_;
+                                                                    let _e1803 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1772 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1528) + (_e1546 - _e1305)), ((f32(((_e1781 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1529) + (_e1547 - _e1306)));
+                                                                    let _e1804 = core_intrinsics_maximum_number_nsz_f32_(_e1803, ((f32(((_e1790 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1530) + (_e1548 - _e1307)));
+                                                                    if (_e1768 == 0u) {
+                                                                        phi_1932_ = _e1615.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1920_ = _e1628.unnamed_1.first_primitive;
+                                                                        phi_1932_ = _e1615.unnamed_1.shift;
                                                                     }
-                                                                    let _e1820 = phi_1920_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1930_ = _e1697.unnamed_1.root;
+                                                                    let _e1807 = phi_1932_;
+                                                                    if (_e1768 == 0u) {
+                                                                        phi_1942_ = _e1684.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1930_ = _e1697.unnamed_1.first_primitive;
+                                                                        phi_1942_ = _e1684.unnamed_1.shift;
                                                                     }
-                                                                    let _e1829 = phi_1930_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1940_ = _e1766.unnamed_1.root;
+                                                                    let _e1816 = phi_1942_;
+                                                                    if (_e1768 == 0u) {
+                                                                        phi_1952_ = _e1753.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1940_ = _e1766.unnamed_1.first_primitive;
+                                                                        phi_1952_ = _e1753.unnamed_1.shift;
                                                                     }
-                                                                    let _e1838 = phi_1940_;
-                                                                    let _e1851 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1820 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)), ((f32(((_e1829 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
-                                                                    let _e1852 = core_intrinsics_minimum_number_nsz_f32_(_e1851, ((f32(((_e1838 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 + _e1320)));
-                                                                    if (_e1817 <= _e1852) {
-                                                                        if (_e1817 <= _e1506.t) {
-                                                                            if (_e1852 >= _e145.tmin) {
-                                                                                if (_e1781 == 0u) {
-                                                                                    let _e1859 = nodes.member[(0u + _e1508)].links[2u];
-                                                                                    phi_1976_ = _e1859;
+                                                                    let _e1825 = phi_1952_;
+                                                                    let _e1838 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1807 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1528) + (_e1546 + _e1305)), ((f32(((_e1816 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1529) + (_e1547 + _e1306)));
+                                                                    let _e1839 = core_intrinsics_minimum_number_nsz_f32_(_e1838, ((f32(((_e1825 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u)) * _e1530) + (_e1548 + _e1307)));
+                                                                    if (_e1804 <= _e1839) {
+                                                                        if (_e1804 <= _e1493.t) {
+                                                                            if (_e1839 >= _e145.tmin) {
+                                                                                if (_e1768 == 0u) {
+                                                                                    let _e1846 = nodes.member[(0u + _e1495)].links[2u];
+                                                                                    phi_1988_ = _e1846;
                                                                                 } else {
-                                                                                    let _e1862 = nodes.member[(0u + _e1508)].links[3u];
-                                                                                    phi_1976_ = _e1862;
+                                                                                    let _e1849 = nodes.member[(0u + _e1495)].links[3u];
+                                                                                    phi_1988_ = _e1849;
                                                                                 }
-                                                                                let _e1864 = phi_1976_;
-                                                                                let _e1869 = ((_e1864 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u);
-                                                                                let _e1870 = (_e1869 & 31u);
-                                                                                if (_e1870 >= 24u) {
-                                                                                    phi_1989_ = (24u + ((_e1870 - 24u) ^ _e1368));
+                                                                                let _e1851 = phi_1988_;
+                                                                                let _e1856 = ((_e1851 >> bitcast<u32>(((_e1769 * 8u) & 31u))) & 255u);
+                                                                                let _e1857 = (_e1856 & 31u);
+                                                                                if (_e1857 >= 24u) {
+                                                                                    phi_2001_ = (24u + ((_e1857 - 24u) ^ _e1355));
                                                                                 } else {
-                                                                                    phi_1989_ = _e1870;
+                                                                                    phi_2001_ = _e1857;
                                                                                 }
-                                                                                let _e1876 = phi_1989_;
-                                                                                phi_1994_ = (_e1778 | ((_e1869 >> bitcast<u32>(5i)) << bitcast<u32>((_e1876 & 31u))));
+                                                                                let _e1863 = phi_2001_;
+                                                                                phi_2006_ = (_e1765 | ((_e1856 >> bitcast<u32>(5i)) << bitcast<u32>((_e1863 & 31u))));
                                                                             } else {
-                                                                                phi_1994_ = _e1778;
+                                                                                phi_2006_ = _e1765;
                                                                             }
-                                                                            let _e1884 = phi_1994_;
-                                                                            phi_1995_ = _e1884;
+                                                                            let _e1871 = phi_2006_;
+                                                                            phi_2007_ = _e1871;
                                                                         } else {
-                                                                            phi_1995_ = _e1778;
+                                                                            phi_2007_ = _e1765;
                                                                         }
-                                                                        let _e1886 = phi_1995_;
-                                                                        phi_1996_ = _e1886;
+                                                                        let _e1873 = phi_2007_;
+                                                                        phi_2008_ = _e1873;
                                                                     } else {
-                                                                        phi_1996_ = _e1778;
+                                                                        phi_2008_ = _e1765;
                                                                     }
-                                                                    let _e1888 = phi_1996_;
-                                                                    phi_1866_ = (_e1776 + 1u);
-                                                                    phi_1869_ = _e1888;
+                                                                    let _e1875 = phi_2008_;
+                                                                    phi_1878_ = (_e1763 + 1u);
+                                                                    phi_1881_ = _e1875;
                                                                 } else {
-                                                                    phi_1866_ = u32();
-                                                                    phi_1869_ = u32();
+                                                                    phi_1878_ = u32();
+                                                                    phi_1881_ = u32();
                                                                 }
-                                                                let _e1891 = phi_1866_;
-                                                                let _e1893 = phi_1869_;
+                                                                let _e1878 = phi_1878_;
+                                                                let _e1880 = phi_1881_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1865_ = _e1891;
-                                                                    phi_1868_ = _e1893;
-                                                                    break if !(_e1779);
+                                                                    phi_1877_ = _e1878;
+                                                                    phi_1880_ = _e1880;
+                                                                    break if !(_e1766);
                                                                 }
                                                             }
-                                                            let _e1897 = nodes.member[(0u + _e1508)].links[0u];
-                                                            let _e1901 = nodes.member[(0u + _e1508)].frame[3u];
-                                                            let _e1905 = local_5;
-                                                            if ((_e1905 & 4278190080u) == 0u) {
+                                                            let _e1884 = nodes.member[(0u + _e1495)].links[0u];
+                                                            let _e1888 = nodes.member[(0u + _e1495)].frame[3u];
+                                                            let _e1892 = local_5;
+                                                            if ((_e1892 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1909 = local.group_mask;
-                                                                if ((_e1909 & 4278190080u) == 0u) {
+                                                                let _e1896 = local.group_mask;
+                                                                if ((_e1896 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1913 = local.len;
-                                                                    if (_e1913 < 32u) {
-                                                                        let _e1916 = local.group;
-                                                                        let _e1918 = local.len;
-                                                                        if (_e1918 < 32u) {
+                                                                    let _e1900 = local.len;
+                                                                    if (_e1900 < 32u) {
+                                                                        let _e1903 = local.group;
+                                                                        let _e1905 = local.len;
+                                                                        if (_e1905 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1918)] = _e1916;
-                                                                        let _e1924 = local.group_mask;
-                                                                        let _e1926 = local.len;
-                                                                        if (_e1926 < 32u) {
+                                                                        local.first[(0u + _e1905)] = _e1903;
+                                                                        let _e1911 = local.group_mask;
+                                                                        let _e1913 = local.len;
+                                                                        if (_e1913 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1926)] = _e1924;
-                                                                        let _e1933 = local.len;
-                                                                        local.len = (_e1933 + 1u);
+                                                                        local.mask[(0u + _e1913)] = _e1911;
+                                                                        let _e1920 = local.len;
+                                                                        local.len = (_e1920 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1130 + _e1897);
-                                                                let _e1937 = local_6;
-                                                                local.group_mask = ((_e1937 & 4278190080u) | (_e1901 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1121 + _e1884);
+                                                                let _e1924 = local_6;
+                                                                local.group_mask = ((_e1924 & 4278190080u) | (_e1888 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1942 = local_7;
-                                                            phi_2054_ = _e1506;
-                                                            phi_2057_ = (_e1942 & 16777215u);
+                                                            let _e1929 = local_7;
+                                                            phi_2066_ = _e1493;
+                                                            phi_2069_ = (_e1929 & 16777215u);
                                                             loop {
-                                                                let _e1945 = phi_2054_;
-                                                                let _e1947 = phi_2057_;
-                                                                local_8 = _e1945;
-                                                                if (_e1947 == 0u) {
-                                                                    phi_2055_ = lt_bvh_Hit();
-                                                                    phi_2058_ = u32();
-                                                                    phi_2699_ = false;
+                                                                let _e1932 = phi_2066_;
+                                                                let _e1934 = phi_2069_;
+                                                                local_8 = _e1932;
+                                                                if (_e1934 == 0u) {
+                                                                    phi_2067_ = lt_bvh_Hit();
+                                                                    phi_2070_ = u32();
+                                                                    phi_2711_ = false;
                                                                 } else {
-                                                                    let _e1951 = nodes.member[(0u + _e1508)].links[1u];
-                                                                    let _e1956 = ((_e1132 + _e1951) + select(firstTrailingBit(_e1947), 32u, (_e1947 == 0u)));
-                                                                    if (_e1956 < _e70) {
+                                                                    let _e1938 = nodes.member[(0u + _e1495)].links[1u];
+                                                                    let _e1943 = ((_e1123 + _e1938) + select(firstTrailingBit(_e1934), 32u, (_e1934 == 0u)));
+                                                                    if (_e1943 < _e70) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1963 = triangles.member[(0u + _e1956)].v0_;
-                                                                    let _e1965 = (_e1963.x - _e1055);
-                                                                    let _e1967 = (_e1963.y - _e1068);
-                                                                    let _e1969 = (_e1963.z - _e1081);
-                                                                    if (_e1341 == 0u) {
-                                                                        phi_2102_ = vec3<f32>(_e1967, _e1969, _e1965);
+                                                                    let _e1950 = triangles.member[(0u + _e1943)].v0_;
+                                                                    let _e1952 = (_e1950.x - _e1046);
+                                                                    let _e1954 = (_e1950.y - _e1059);
+                                                                    let _e1956 = (_e1950.z - _e1072);
+                                                                    if (_e1328 == 0u) {
+                                                                        phi_2114_ = vec3<f32>(_e1954, _e1956, _e1952);
                                                                     } else {
-                                                                        if (_e1341 == 1u) {
-                                                                            phi_2101_ = vec3<f32>(_e1969, _e1965, _e1967);
+                                                                        if (_e1328 == 1u) {
+                                                                            phi_2113_ = vec3<f32>(_e1956, _e1952, _e1954);
                                                                         } else {
-                                                                            phi_2101_ = (_e1963 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2113_ = (_e1950 - vec3<f32>(_e1046, _e1059, _e1072));
                                                                         }
-                                                                        let _e1977 = phi_2101_;
-                                                                        phi_2102_ = _e1977;
+                                                                        let _e1964 = phi_2113_;
+                                                                        phi_2114_ = _e1964;
                                                                     }
-                                                                    let _e1979 = phi_2102_;
-                                                                    let _e1983 = (_e1979.x - (_e1352 * _e1979.z));
-                                                                    let _e1987 = (_e1979.y - (_e1355 * _e1979.z));
-                                                                    let _e1989 = triangles.member[(0u + _e1956)].v1_;
-                                                                    let _e1991 = (_e1989.x - _e1055);
-                                                                    let _e1993 = (_e1989.y - _e1068);
-                                                                    let _e1995 = (_e1989.z - _e1081);
-                                                                    if (_e1341 == 0u) {
-                                                                        phi_2132_ = vec3<f32>(_e1993, _e1995, _e1991);
+                                                                    let _e1966 = phi_2114_;
+                                                                    let _e1970 = (_e1966.x - (_e1339 * _e1966.z));
+                                                                    let _e1974 = (_e1966.y - (_e1342 * _e1966.z));
+                                                                    let _e1976 = triangles.member[(0u + _e1943)].v1_;
+                                                                    let _e1978 = (_e1976.x - _e1046);
+                                                                    let _e1980 = (_e1976.y - _e1059);
+                                                                    let _e1982 = (_e1976.z - _e1072);
+                                                                    if (_e1328 == 0u) {
+                                                                        phi_2144_ = vec3<f32>(_e1980, _e1982, _e1978);
                                                                     } else {
-                                                                        if (_e1341 == 1u) {
-                                                                            phi_2131_ = vec3<f32>(_e1995, _e1991, _e1993);
+                                                                        if (_e1328 == 1u) {
+                                                                            phi_2143_ = vec3<f32>(_e1982, _e1978, _e1980);
                                                                         } else {
-                                                                            phi_2131_ = (_e1989 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2143_ = (_e1976 - vec3<f32>(_e1046, _e1059, _e1072));
                                                                         }
-                                                                        let _e2003 = phi_2131_;
-                                                                        phi_2132_ = _e2003;
+                                                                        let _e1990 = phi_2143_;
+                                                                        phi_2144_ = _e1990;
                                                                     }
-                                                                    let _e2005 = phi_2132_;
-                                                                    let _e2009 = (_e2005.x - (_e1352 * _e2005.z));
-                                                                    let _e2013 = (_e2005.y - (_e1355 * _e2005.z));
-                                                                    let _e2015 = triangles.member[(0u + _e1956)].v2_;
-                                                                    let _e2017 = (_e2015.x - _e1055);
-                                                                    let _e2019 = (_e2015.y - _e1068);
-                                                                    let _e2021 = (_e2015.z - _e1081);
-                                                                    if (_e1341 == 0u) {
-                                                                        phi_2162_ = vec3<f32>(_e2019, _e2021, _e2017);
+                                                                    let _e1992 = phi_2144_;
+                                                                    let _e1996 = (_e1992.x - (_e1339 * _e1992.z));
+                                                                    let _e2000 = (_e1992.y - (_e1342 * _e1992.z));
+                                                                    let _e2002 = triangles.member[(0u + _e1943)].v2_;
+                                                                    let _e2004 = (_e2002.x - _e1046);
+                                                                    let _e2006 = (_e2002.y - _e1059);
+                                                                    let _e2008 = (_e2002.z - _e1072);
+                                                                    if (_e1328 == 0u) {
+                                                                        phi_2174_ = vec3<f32>(_e2006, _e2008, _e2004);
                                                                     } else {
-                                                                        if (_e1341 == 1u) {
-                                                                            phi_2161_ = vec3<f32>(_e2021, _e2017, _e2019);
+                                                                        if (_e1328 == 1u) {
+                                                                            phi_2173_ = vec3<f32>(_e2008, _e2004, _e2006);
                                                                         } else {
-                                                                            phi_2161_ = (_e2015 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2173_ = (_e2002 - vec3<f32>(_e1046, _e1059, _e1072));
                                                                         }
-                                                                        let _e2029 = phi_2161_;
-                                                                        phi_2162_ = _e2029;
+                                                                        let _e2016 = phi_2173_;
+                                                                        phi_2174_ = _e2016;
                                                                     }
-                                                                    let _e2031 = phi_2162_;
-                                                                    let _e2035 = (_e2031.x - (_e1352 * _e2031.z));
-                                                                    let _e2039 = (_e2031.y - (_e1355 * _e2031.z));
-                                                                    if (_e2009 < _e2035) {
-                                                                        phi_2181_ = true;
+                                                                    let _e2018 = phi_2174_;
+                                                                    let _e2022 = (_e2018.x - (_e1339 * _e2018.z));
+                                                                    let _e2026 = (_e2018.y - (_e1342 * _e2018.z));
+                                                                    if (_e1996 < _e2022) {
+                                                                        phi_2193_ = true;
                                                                     } else {
-                                                                        if (_e2009 == _e2035) {
-                                                                            phi_2180_ = (_e2013 < _e2039);
+                                                                        if (_e1996 == _e2022) {
+                                                                            phi_2192_ = (_e2000 < _e2026);
                                                                         } else {
-                                                                            phi_2180_ = false;
+                                                                            phi_2192_ = false;
                                                                         }
-                                                                        let _e2044 = phi_2180_;
-                                                                        phi_2181_ = _e2044;
+                                                                        let _e2031 = phi_2192_;
+                                                                        phi_2193_ = _e2031;
                                                                     }
-                                                                    let _e2046 = phi_2181_;
-                                                                    if _e2046 {
-                                                                        phi_2185_ = _e2039;
-                                                                        phi_2186_ = _e2035;
-                                                                        phi_2187_ = _e2013;
-                                                                        phi_2188_ = _e2009;
+                                                                    let _e2033 = phi_2193_;
+                                                                    if _e2033 {
+                                                                        phi_2197_ = _e2026;
+                                                                        phi_2198_ = _e2022;
+                                                                        phi_2199_ = _e2000;
+                                                                        phi_2200_ = _e1996;
                                                                     } else {
-                                                                        phi_2185_ = _e2013;
-                                                                        phi_2186_ = _e2009;
-                                                                        phi_2187_ = _e2039;
-                                                                        phi_2188_ = _e2035;
+                                                                        phi_2197_ = _e2000;
+                                                                        phi_2198_ = _e1996;
+                                                                        phi_2199_ = _e2026;
+                                                                        phi_2200_ = _e2022;
                                                                     }
-                                                                    let _e2048 = phi_2185_;
-                                                                    let _e2050 = phi_2186_;
-                                                                    let _e2052 = phi_2187_;
-                                                                    let _e2054 = phi_2188_;
-                                                                    let _e2057 = ((_e2054 * _e2048) - (_e2052 * _e2050));
-                                                                    if _e2046 {
-                                                                        phi_2196_ = -(_e2057);
+                                                                    let _e2035 = phi_2197_;
+                                                                    let _e2037 = phi_2198_;
+                                                                    let _e2039 = phi_2199_;
+                                                                    let _e2041 = phi_2200_;
+                                                                    let _e2044 = ((_e2041 * _e2035) - (_e2039 * _e2037));
+                                                                    if _e2033 {
+                                                                        phi_2208_ = -(_e2044);
                                                                     } else {
-                                                                        phi_2196_ = _e2057;
+                                                                        phi_2208_ = _e2044;
                                                                     }
-                                                                    let _e2060 = phi_2196_;
-                                                                    if (_e2035 < _e1983) {
-                                                                        phi_2207_ = true;
+                                                                    let _e2047 = phi_2208_;
+                                                                    if (_e2022 < _e1970) {
+                                                                        phi_2219_ = true;
                                                                     } else {
-                                                                        if (_e2035 == _e1983) {
-                                                                            phi_2206_ = (_e2039 < _e1987);
+                                                                        if (_e2022 == _e1970) {
+                                                                            phi_2218_ = (_e2026 < _e1974);
                                                                         } else {
-                                                                            phi_2206_ = false;
+                                                                            phi_2218_ = false;
                                                                         }
-                                                                        let _e2065 = phi_2206_;
-                                                                        phi_2207_ = _e2065;
+                                                                        let _e2052 = phi_2218_;
+                                                                        phi_2219_ = _e2052;
                                                                     }
-                                                                    let _e2067 = phi_2207_;
-                                                                    if _e2067 {
-                                                                        phi_2211_ = _e1987;
-                                                                        phi_2212_ = _e1983;
-                                                                        phi_2213_ = _e2039;
-                                                                        phi_2214_ = _e2035;
+                                                                    let _e2054 = phi_2219_;
+                                                                    if _e2054 {
+                                                                        phi_2223_ = _e1974;
+                                                                        phi_2224_ = _e1970;
+                                                                        phi_2225_ = _e2026;
+                                                                        phi_2226_ = _e2022;
                                                                     } else {
-                                                                        phi_2211_ = _e2039;
-                                                                        phi_2212_ = _e2035;
-                                                                        phi_2213_ = _e1987;
-                                                                        phi_2214_ = _e1983;
+                                                                        phi_2223_ = _e2026;
+                                                                        phi_2224_ = _e2022;
+                                                                        phi_2225_ = _e1974;
+                                                                        phi_2226_ = _e1970;
                                                                     }
-                                                                    let _e2069 = phi_2211_;
-                                                                    let _e2071 = phi_2212_;
-                                                                    let _e2073 = phi_2213_;
-                                                                    let _e2075 = phi_2214_;
-                                                                    let _e2078 = ((_e2075 * _e2069) - (_e2073 * _e2071));
-                                                                    if _e2067 {
-                                                                        phi_2222_ = -(_e2078);
+                                                                    let _e2056 = phi_2223_;
+                                                                    let _e2058 = phi_2224_;
+                                                                    let _e2060 = phi_2225_;
+                                                                    let _e2062 = phi_2226_;
+                                                                    let _e2065 = ((_e2062 * _e2056) - (_e2060 * _e2058));
+                                                                    if _e2054 {
+                                                                        phi_2234_ = -(_e2065);
                                                                     } else {
-                                                                        phi_2222_ = _e2078;
+                                                                        phi_2234_ = _e2065;
                                                                     }
-                                                                    let _e2081 = phi_2222_;
-                                                                    if (_e1983 < _e2009) {
-                                                                        phi_2233_ = true;
+                                                                    let _e2068 = phi_2234_;
+                                                                    if (_e1970 < _e1996) {
+                                                                        phi_2245_ = true;
                                                                     } else {
-                                                                        if (_e1983 == _e2009) {
-                                                                            phi_2232_ = (_e1987 < _e2013);
+                                                                        if (_e1970 == _e1996) {
+                                                                            phi_2244_ = (_e1974 < _e2000);
                                                                         } else {
-                                                                            phi_2232_ = false;
+                                                                            phi_2244_ = false;
                                                                         }
-                                                                        let _e2086 = phi_2232_;
-                                                                        phi_2233_ = _e2086;
+                                                                        let _e2073 = phi_2244_;
+                                                                        phi_2245_ = _e2073;
                                                                     }
-                                                                    let _e2088 = phi_2233_;
-                                                                    if _e2088 {
-                                                                        phi_2237_ = _e2013;
-                                                                        phi_2238_ = _e2009;
-                                                                        phi_2239_ = _e1987;
-                                                                        phi_2240_ = _e1983;
+                                                                    let _e2075 = phi_2245_;
+                                                                    if _e2075 {
+                                                                        phi_2249_ = _e2000;
+                                                                        phi_2250_ = _e1996;
+                                                                        phi_2251_ = _e1974;
+                                                                        phi_2252_ = _e1970;
                                                                     } else {
-                                                                        phi_2237_ = _e1987;
-                                                                        phi_2238_ = _e1983;
-                                                                        phi_2239_ = _e2013;
-                                                                        phi_2240_ = _e2009;
+                                                                        phi_2249_ = _e1974;
+                                                                        phi_2250_ = _e1970;
+                                                                        phi_2251_ = _e2000;
+                                                                        phi_2252_ = _e1996;
                                                                     }
-                                                                    let _e2090 = phi_2237_;
-                                                                    let _e2092 = phi_2238_;
-                                                                    let _e2094 = phi_2239_;
-                                                                    let _e2096 = phi_2240_;
-                                                                    let _e2099 = ((_e2096 * _e2090) - (_e2094 * _e2092));
-                                                                    if _e2088 {
-                                                                        phi_2248_ = -(_e2099);
+                                                                    let _e2077 = phi_2249_;
+                                                                    let _e2079 = phi_2250_;
+                                                                    let _e2081 = phi_2251_;
+                                                                    let _e2083 = phi_2252_;
+                                                                    let _e2086 = ((_e2083 * _e2077) - (_e2081 * _e2079));
+                                                                    if _e2075 {
+                                                                        phi_2260_ = -(_e2086);
                                                                     } else {
-                                                                        phi_2248_ = _e2099;
+                                                                        phi_2260_ = _e2086;
                                                                     }
-                                                                    let _e2102 = phi_2248_;
-                                                                    if (_e2060 >= 0f) {
-                                                                        if (_e2081 >= 0f) {
-                                                                            if (_e2102 >= 0f) {
-                                                                                phi_2263_ = ((_e2060 + _e2081) + _e2102);
-                                                                                phi_2264_ = false;
+                                                                    let _e2089 = phi_2260_;
+                                                                    if (_e2047 >= 0f) {
+                                                                        if (_e2068 >= 0f) {
+                                                                            if (_e2089 >= 0f) {
+                                                                                phi_2275_ = ((_e2047 + _e2068) + _e2089);
+                                                                                phi_2276_ = false;
                                                                             } else {
-                                                                                phi_2263_ = f32();
-                                                                                phi_2264_ = true;
+                                                                                phi_2275_ = f32();
+                                                                                phi_2276_ = true;
                                                                             }
-                                                                            let _e2109 = phi_2263_;
-                                                                            let _e2111 = phi_2264_;
-                                                                            phi_2265_ = _e2109;
-                                                                            phi_2266_ = _e2111;
+                                                                            let _e2096 = phi_2275_;
+                                                                            let _e2098 = phi_2276_;
+                                                                            phi_2277_ = _e2096;
+                                                                            phi_2278_ = _e2098;
                                                                         } else {
-                                                                            phi_2265_ = f32();
-                                                                            phi_2266_ = true;
+                                                                            phi_2277_ = f32();
+                                                                            phi_2278_ = true;
                                                                         }
-                                                                        let _e2113 = phi_2265_;
-                                                                        let _e2115 = phi_2266_;
-                                                                        phi_2267_ = _e2113;
-                                                                        phi_2268_ = _e2115;
+                                                                        let _e2100 = phi_2277_;
+                                                                        let _e2102 = phi_2278_;
+                                                                        phi_2279_ = _e2100;
+                                                                        phi_2280_ = _e2102;
                                                                     } else {
-                                                                        phi_2267_ = f32();
-                                                                        phi_2268_ = true;
+                                                                        phi_2279_ = f32();
+                                                                        phi_2280_ = true;
                                                                     }
-                                                                    let _e2117 = phi_2267_;
-                                                                    let _e2119 = phi_2268_;
-                                                                    if _e2119 {
-                                                                        if (_e2060 <= 0f) {
-                                                                            if (_e2081 <= 0f) {
-                                                                                let _e2122 = (_e2102 <= 0f);
-                                                                                if _e2122 {
+                                                                    let _e2104 = phi_2279_;
+                                                                    let _e2106 = phi_2280_;
+                                                                    if _e2106 {
+                                                                        if (_e2047 <= 0f) {
+                                                                            if (_e2068 <= 0f) {
+                                                                                let _e2109 = (_e2089 <= 0f);
+                                                                                if _e2109 {
                                                                                 }
-                                                                                phi_2286_ = ((_e2060 + _e2081) + _e2102);
-                                                                                phi_2287_ = false;
-                                                                                phi_2288_ = _e2122;
+                                                                                phi_2298_ = ((_e2047 + _e2068) + _e2089);
+                                                                                phi_2299_ = false;
+                                                                                phi_2300_ = _e2109;
                                                                             } else {
-                                                                                phi_2286_ = f32();
-                                                                                phi_2287_ = true;
-                                                                                phi_2288_ = false;
+                                                                                phi_2298_ = f32();
+                                                                                phi_2299_ = true;
+                                                                                phi_2300_ = false;
                                                                             }
-                                                                            let _e2126 = phi_2286_;
-                                                                            let _e2128 = phi_2287_;
-                                                                            let _e2130 = phi_2288_;
-                                                                            phi_2289_ = _e2126;
-                                                                            phi_2290_ = _e2128;
-                                                                            phi_2291_ = _e2130;
+                                                                            let _e2113 = phi_2298_;
+                                                                            let _e2115 = phi_2299_;
+                                                                            let _e2117 = phi_2300_;
+                                                                            phi_2301_ = _e2113;
+                                                                            phi_2302_ = _e2115;
+                                                                            phi_2303_ = _e2117;
                                                                         } else {
-                                                                            phi_2289_ = f32();
-                                                                            phi_2290_ = true;
-                                                                            phi_2291_ = false;
+                                                                            phi_2301_ = f32();
+                                                                            phi_2302_ = true;
+                                                                            phi_2303_ = false;
                                                                         }
-                                                                        let _e2132 = phi_2289_;
-                                                                        let _e2134 = phi_2290_;
-                                                                        let _e2136 = phi_2291_;
-                                                                        if _e2134 {
-                                                                            phi_2295_ = false;
+                                                                        let _e2119 = phi_2301_;
+                                                                        let _e2121 = phi_2302_;
+                                                                        let _e2123 = phi_2303_;
+                                                                        if _e2121 {
+                                                                            phi_2307_ = false;
                                                                         } else {
-                                                                            phi_2295_ = _e2136;
+                                                                            phi_2307_ = _e2123;
                                                                         }
-                                                                        let _e2138 = phi_2295_;
-                                                                        phi_2296_ = _e2132;
-                                                                        phi_2297_ = _e2138;
+                                                                        let _e2125 = phi_2307_;
+                                                                        phi_2308_ = _e2119;
+                                                                        phi_2309_ = _e2125;
                                                                     } else {
-                                                                        phi_2296_ = _e2117;
-                                                                        phi_2297_ = true;
+                                                                        phi_2308_ = _e2104;
+                                                                        phi_2309_ = true;
                                                                     }
-                                                                    let _e2140 = phi_2296_;
-                                                                    let _e2142 = phi_2297_;
-                                                                    if _e2142 {
-                                                                        let _e2143 = (_e2140 == 0f);
-                                                                        if _e2143 {
-                                                                            phi_2613_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2614_ = false;
+                                                                    let _e2127 = phi_2308_;
+                                                                    let _e2129 = phi_2309_;
+                                                                    if _e2129 {
+                                                                        let _e2130 = (_e2127 == 0f);
+                                                                        if _e2130 {
+                                                                            phi_2625_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2626_ = false;
                                                                         } else {
-                                                                            let _e2145 = triangles.member[(0u + _e1956)].v0_;
-                                                                            let _e2147 = (_e2145.x - _e1055);
-                                                                            let _e2149 = (_e2145.y - _e1068);
-                                                                            let _e2151 = (_e2145.z - _e1081);
-                                                                            if (_e1341 == 0u) {
-                                                                                phi_2326_ = vec3<f32>(_e2149, _e2151, _e2147);
+                                                                            let _e2132 = triangles.member[(0u + _e1943)].v0_;
+                                                                            let _e2134 = (_e2132.x - _e1046);
+                                                                            let _e2136 = (_e2132.y - _e1059);
+                                                                            let _e2138 = (_e2132.z - _e1072);
+                                                                            if (_e1328 == 0u) {
+                                                                                phi_2338_ = vec3<f32>(_e2136, _e2138, _e2134);
                                                                             } else {
-                                                                                if (_e1341 == 1u) {
-                                                                                    phi_2325_ = vec3<f32>(_e2151, _e2147, _e2149);
+                                                                                if (_e1328 == 1u) {
+                                                                                    phi_2337_ = vec3<f32>(_e2138, _e2134, _e2136);
                                                                                 } else {
-                                                                                    phi_2325_ = (_e2145 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                                    phi_2337_ = (_e2132 - vec3<f32>(_e1046, _e1059, _e1072));
                                                                                 }
-                                                                                let _e2159 = phi_2325_;
-                                                                                phi_2326_ = _e2159;
+                                                                                let _e2146 = phi_2337_;
+                                                                                phi_2338_ = _e2146;
                                                                             }
-                                                                            let _e2161 = phi_2326_;
-                                                                            let _e2163 = triangles.member[(0u + _e1956)].v1_;
-                                                                            let _e2165 = triangles.member[(0u + _e1956)].v0_;
-                                                                            let _e2168 = (_e2163.x - _e2165.x);
-                                                                            let _e2171 = (_e2163.y - _e2165.y);
-                                                                            let _e2174 = (_e2163.z - _e2165.z);
-                                                                            if (_e1341 == 0u) {
-                                                                                phi_2352_ = vec3<f32>(_e2171, _e2174, _e2168);
+                                                                            let _e2148 = phi_2338_;
+                                                                            let _e2150 = triangles.member[(0u + _e1943)].v1_;
+                                                                            let _e2152 = triangles.member[(0u + _e1943)].v0_;
+                                                                            let _e2155 = (_e2150.x - _e2152.x);
+                                                                            let _e2158 = (_e2150.y - _e2152.y);
+                                                                            let _e2161 = (_e2150.z - _e2152.z);
+                                                                            if (_e1328 == 0u) {
+                                                                                phi_2364_ = vec3<f32>(_e2158, _e2161, _e2155);
                                                                             } else {
-                                                                                if (_e1341 == 1u) {
-                                                                                    phi_2351_ = vec3<f32>(_e2174, _e2168, _e2171);
+                                                                                if (_e1328 == 1u) {
+                                                                                    phi_2363_ = vec3<f32>(_e2161, _e2155, _e2158);
                                                                                 } else {
-                                                                                    phi_2351_ = (_e2163 - _e2165);
+                                                                                    phi_2363_ = (_e2150 - _e2152);
                                                                                 }
-                                                                                let _e2181 = phi_2351_;
-                                                                                phi_2352_ = _e2181;
+                                                                                let _e2168 = phi_2363_;
+                                                                                phi_2364_ = _e2168;
                                                                             }
-                                                                            let _e2183 = phi_2352_;
-                                                                            let _e2185 = triangles.member[(0u + _e1956)].v2_;
-                                                                            let _e2187 = triangles.member[(0u + _e1956)].v0_;
-                                                                            let _e2190 = (_e2185.x - _e2187.x);
-                                                                            let _e2193 = (_e2185.y - _e2187.y);
-                                                                            let _e2196 = (_e2185.z - _e2187.z);
-                                                                            if (_e1341 == 0u) {
-                                                                                phi_2378_ = vec3<f32>(_e2193, _e2196, _e2190);
+                                                                            let _e2170 = phi_2364_;
+                                                                            let _e2172 = triangles.member[(0u + _e1943)].v2_;
+                                                                            let _e2174 = triangles.member[(0u + _e1943)].v0_;
+                                                                            let _e2177 = (_e2172.x - _e2174.x);
+                                                                            let _e2180 = (_e2172.y - _e2174.y);
+                                                                            let _e2183 = (_e2172.z - _e2174.z);
+                                                                            if (_e1328 == 0u) {
+                                                                                phi_2390_ = vec3<f32>(_e2180, _e2183, _e2177);
                                                                             } else {
-                                                                                if (_e1341 == 1u) {
-                                                                                    phi_2377_ = vec3<f32>(_e2196, _e2190, _e2193);
+                                                                                if (_e1328 == 1u) {
+                                                                                    phi_2389_ = vec3<f32>(_e2183, _e2177, _e2180);
                                                                                 } else {
-                                                                                    phi_2377_ = (_e2185 - _e2187);
+                                                                                    phi_2389_ = (_e2172 - _e2174);
                                                                                 }
-                                                                                let _e2203 = phi_2377_;
-                                                                                phi_2378_ = _e2203;
+                                                                                let _e2190 = phi_2389_;
+                                                                                phi_2390_ = _e2190;
                                                                             }
-                                                                            let _e2205 = phi_2378_;
-                                                                            let _e2212 = ((_e2183.y * _e2205.z) - (_e2183.z * _e2205.y));
-                                                                            let _e2219 = ((_e2183.z * _e2205.x) - (_e2183.x * _e2205.z));
-                                                                            let _e2226 = ((_e2183.x * _e2205.y) - (_e2183.y * _e2205.x));
-                                                                            let _e2240 = (((1f / _e1349.z) * (((_e2212 * _e2161.x) + (_e2219 * _e2161.y)) + (_e2226 * _e2161.z))) / (((_e2212 * _e1352) + (_e2219 * _e1355)) + _e2226));
-                                                                            if (_e2240 > _e145.tmin) {
-                                                                                if (_e2240 < _e145.tmax) {
-                                                                                    let _e2244 = triangles.member[(0u + _e1956)].v0_;
-                                                                                    let _e2246 = triangles.member[(0u + _e1956)].v1_;
-                                                                                    if (_e2244.x < _e2246.x) {
-                                                                                        phi_2434_ = _e2244.x;
+                                                                            let _e2192 = phi_2390_;
+                                                                            let _e2199 = ((_e2170.y * _e2192.z) - (_e2170.z * _e2192.y));
+                                                                            let _e2206 = ((_e2170.z * _e2192.x) - (_e2170.x * _e2192.z));
+                                                                            let _e2213 = ((_e2170.x * _e2192.y) - (_e2170.y * _e2192.x));
+                                                                            let _e2227 = (((1f / _e1336.z) * (((_e2199 * _e2148.x) + (_e2206 * _e2148.y)) + (_e2213 * _e2148.z))) / (((_e2199 * _e1339) + (_e2206 * _e1342)) + _e2213));
+                                                                            if (_e2227 > _e145.tmin) {
+                                                                                if (_e2227 < _e145.tmax) {
+                                                                                    let _e2231 = triangles.member[(0u + _e1943)].v0_;
+                                                                                    let _e2233 = triangles.member[(0u + _e1943)].v1_;
+                                                                                    if (_e2231.x < _e2233.x) {
+                                                                                        phi_2446_ = _e2231.x;
                                                                                     } else {
-                                                                                        phi_2434_ = _e2246.x;
+                                                                                        phi_2446_ = _e2233.x;
                                                                                     }
-                                                                                    let _e2253 = phi_2434_;
-                                                                                    if (_e2244.y < _e2246.y) {
-                                                                                        phi_2443_ = _e2244.y;
+                                                                                    let _e2240 = phi_2446_;
+                                                                                    if (_e2231.y < _e2233.y) {
+                                                                                        phi_2455_ = _e2231.y;
                                                                                     } else {
-                                                                                        phi_2443_ = _e2246.y;
+                                                                                        phi_2455_ = _e2233.y;
                                                                                     }
-                                                                                    let _e2260 = phi_2443_;
-                                                                                    if (_e2244.z < _e2246.z) {
-                                                                                        phi_2452_ = _e2244.z;
+                                                                                    let _e2247 = phi_2455_;
+                                                                                    if (_e2231.z < _e2233.z) {
+                                                                                        phi_2464_ = _e2231.z;
                                                                                     } else {
-                                                                                        phi_2452_ = _e2246.z;
+                                                                                        phi_2464_ = _e2233.z;
                                                                                     }
-                                                                                    let _e2267 = phi_2452_;
-                                                                                    let _e2269 = triangles.member[(0u + _e1956)].v2_;
-                                                                                    if (_e2253 < _e2269.x) {
-                                                                                        phi_2461_ = _e2253;
+                                                                                    let _e2254 = phi_2464_;
+                                                                                    let _e2256 = triangles.member[(0u + _e1943)].v2_;
+                                                                                    if (_e2240 < _e2256.x) {
+                                                                                        phi_2473_ = _e2240;
                                                                                     } else {
-                                                                                        phi_2461_ = _e2269.x;
+                                                                                        phi_2473_ = _e2256.x;
                                                                                     }
-                                                                                    let _e2274 = phi_2461_;
-                                                                                    if (_e2260 < _e2269.y) {
-                                                                                        phi_2468_ = _e2260;
+                                                                                    let _e2261 = phi_2473_;
+                                                                                    if (_e2247 < _e2256.y) {
+                                                                                        phi_2480_ = _e2247;
                                                                                     } else {
-                                                                                        phi_2468_ = _e2269.y;
+                                                                                        phi_2480_ = _e2256.y;
                                                                                     }
-                                                                                    let _e2279 = phi_2468_;
-                                                                                    if (_e2267 < _e2269.z) {
-                                                                                        phi_2475_ = _e2267;
+                                                                                    let _e2266 = phi_2480_;
+                                                                                    if (_e2254 < _e2256.z) {
+                                                                                        phi_2487_ = _e2254;
                                                                                     } else {
-                                                                                        phi_2475_ = _e2269.z;
+                                                                                        phi_2487_ = _e2256.z;
                                                                                     }
-                                                                                    let _e2284 = phi_2475_;
-                                                                                    let _e2286 = triangles.member[(0u + _e1956)].v0_;
-                                                                                    let _e2288 = triangles.member[(0u + _e1956)].v1_;
-                                                                                    if (_e2286.x > _e2288.x) {
-                                                                                        phi_2488_ = _e2286.x;
+                                                                                    let _e2271 = phi_2487_;
+                                                                                    let _e2273 = triangles.member[(0u + _e1943)].v0_;
+                                                                                    let _e2275 = triangles.member[(0u + _e1943)].v1_;
+                                                                                    if (_e2273.x > _e2275.x) {
+                                                                                        phi_2500_ = _e2273.x;
                                                                                     } else {
-                                                                                        phi_2488_ = _e2288.x;
+                                                                                        phi_2500_ = _e2275.x;
                                                                                     }
-                                                                                    let _e2295 = phi_2488_;
-                                                                                    if (_e2286.y > _e2288.y) {
-                                                                                        phi_2497_ = _e2286.y;
+                                                                                    let _e2282 = phi_2500_;
+                                                                                    if (_e2273.y > _e2275.y) {
+                                                                                        phi_2509_ = _e2273.y;
                                                                                     } else {
-                                                                                        phi_2497_ = _e2288.y;
+                                                                                        phi_2509_ = _e2275.y;
                                                                                     }
-                                                                                    let _e2302 = phi_2497_;
-                                                                                    if (_e2286.z > _e2288.z) {
-                                                                                        phi_2506_ = _e2286.z;
+                                                                                    let _e2289 = phi_2509_;
+                                                                                    if (_e2273.z > _e2275.z) {
+                                                                                        phi_2518_ = _e2273.z;
                                                                                     } else {
-                                                                                        phi_2506_ = _e2288.z;
+                                                                                        phi_2518_ = _e2275.z;
                                                                                     }
-                                                                                    let _e2309 = phi_2506_;
-                                                                                    let _e2311 = triangles.member[(0u + _e1956)].v2_;
-                                                                                    if (_e2295 > _e2311.x) {
-                                                                                        phi_2515_ = _e2295;
+                                                                                    let _e2296 = phi_2518_;
+                                                                                    let _e2298 = triangles.member[(0u + _e1943)].v2_;
+                                                                                    if (_e2282 > _e2298.x) {
+                                                                                        phi_2527_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2515_ = _e2311.x;
+                                                                                        phi_2527_ = _e2298.x;
                                                                                     }
-                                                                                    let _e2316 = phi_2515_;
-                                                                                    if (_e2302 > _e2311.y) {
-                                                                                        phi_2522_ = _e2302;
+                                                                                    let _e2303 = phi_2527_;
+                                                                                    if (_e2289 > _e2298.y) {
+                                                                                        phi_2534_ = _e2289;
                                                                                     } else {
-                                                                                        phi_2522_ = _e2311.y;
+                                                                                        phi_2534_ = _e2298.y;
                                                                                     }
-                                                                                    let _e2321 = phi_2522_;
-                                                                                    if (_e2309 > _e2311.z) {
-                                                                                        phi_2529_ = _e2309;
+                                                                                    let _e2308 = phi_2534_;
+                                                                                    if (_e2296 > _e2298.z) {
+                                                                                        phi_2541_ = _e2296;
                                                                                     } else {
-                                                                                        phi_2529_ = _e2311.z;
+                                                                                        phi_2541_ = _e2298.z;
                                                                                     }
-                                                                                    let _e2326 = phi_2529_;
-                                                                                    let _e2330 = ((_e2274 - _e1055) * _e1270);
-                                                                                    let _e2331 = ((_e2279 - _e1068) * _e1280);
-                                                                                    let _e2332 = ((_e2284 - _e1081) * _e1290);
-                                                                                    let _e2336 = ((_e2316 - _e1055) * _e1270);
-                                                                                    let _e2337 = ((_e2321 - _e1068) * _e1280);
-                                                                                    let _e2338 = ((_e2326 - _e1081) * _e1290);
-                                                                                    if (_e2330 < _e2336) {
-                                                                                        phi_2546_ = _e2330;
+                                                                                    let _e2313 = phi_2541_;
+                                                                                    let _e2317 = ((_e2261 - _e1046) * _e1253);
+                                                                                    let _e2318 = ((_e2266 - _e1059) * _e1263);
+                                                                                    let _e2319 = ((_e2271 - _e1072) * _e1273);
+                                                                                    let _e2323 = ((_e2303 - _e1046) * _e1253);
+                                                                                    let _e2324 = ((_e2308 - _e1059) * _e1263);
+                                                                                    let _e2325 = ((_e2313 - _e1072) * _e1273);
+                                                                                    if (_e2317 < _e2323) {
+                                                                                        phi_2558_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2546_ = _e2336;
+                                                                                        phi_2558_ = _e2323;
                                                                                     }
-                                                                                    let _e2341 = phi_2546_;
-                                                                                    if (_e2331 < _e2337) {
-                                                                                        phi_2551_ = _e2331;
+                                                                                    let _e2328 = phi_2558_;
+                                                                                    if (_e2318 < _e2324) {
+                                                                                        phi_2563_ = _e2318;
                                                                                     } else {
-                                                                                        phi_2551_ = _e2337;
+                                                                                        phi_2563_ = _e2324;
                                                                                     }
-                                                                                    let _e2344 = phi_2551_;
-                                                                                    if (_e2332 < _e2338) {
-                                                                                        phi_2556_ = _e2332;
+                                                                                    let _e2331 = phi_2563_;
+                                                                                    if (_e2319 < _e2325) {
+                                                                                        phi_2568_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2556_ = _e2338;
+                                                                                        phi_2568_ = _e2325;
                                                                                     }
-                                                                                    let _e2347 = phi_2556_;
-                                                                                    if (_e2330 > _e2336) {
-                                                                                        phi_2564_ = _e2330;
+                                                                                    let _e2334 = phi_2568_;
+                                                                                    if (_e2317 > _e2323) {
+                                                                                        phi_2576_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2564_ = _e2336;
+                                                                                        phi_2576_ = _e2323;
                                                                                     }
-                                                                                    let _e2353 = phi_2564_;
-                                                                                    if (_e2331 > _e2337) {
-                                                                                        phi_2569_ = _e2331;
+                                                                                    let _e2340 = phi_2576_;
+                                                                                    if (_e2318 > _e2324) {
+                                                                                        phi_2581_ = _e2318;
                                                                                     } else {
-                                                                                        phi_2569_ = _e2337;
+                                                                                        phi_2581_ = _e2324;
                                                                                     }
-                                                                                    let _e2356 = phi_2569_;
-                                                                                    if (_e2332 > _e2338) {
-                                                                                        phi_2574_ = _e2332;
+                                                                                    let _e2343 = phi_2581_;
+                                                                                    if (_e2319 > _e2325) {
+                                                                                        phi_2586_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2574_ = _e2338;
+                                                                                        phi_2586_ = _e2325;
                                                                                     }
-                                                                                    let _e2359 = phi_2574_;
-                                                                                    let _e2363 = core_intrinsics_maximum_number_nsz_f32_((_e2341 - _e1325), (_e2344 - _e1326));
-                                                                                    let _e2364 = core_intrinsics_maximum_number_nsz_f32_(_e2363, (_e2347 - _e1327));
-                                                                                    let _e2365 = core_intrinsics_minimum_number_nsz_f32_((_e2353 + _e1325), (_e2356 + _e1326));
-                                                                                    let _e2366 = core_intrinsics_minimum_number_nsz_f32_(_e2365, (_e2359 + _e1327));
-                                                                                    if (_e2364 > _e1030) {
-                                                                                        phi_2586_ = _e2364;
+                                                                                    let _e2346 = phi_2586_;
+                                                                                    let _e2350 = core_intrinsics_maximum_number_nsz_f32_((_e2328 - _e1312), (_e2331 - _e1313));
+                                                                                    let _e2351 = core_intrinsics_maximum_number_nsz_f32_(_e2350, (_e2334 - _e1314));
+                                                                                    let _e2352 = core_intrinsics_minimum_number_nsz_f32_((_e2340 + _e1312), (_e2343 + _e1313));
+                                                                                    let _e2353 = core_intrinsics_minimum_number_nsz_f32_(_e2352, (_e2346 + _e1314));
+                                                                                    if (_e2351 > _e1021) {
+                                                                                        phi_2598_ = _e2351;
                                                                                     } else {
-                                                                                        phi_2586_ = _e1030;
+                                                                                        phi_2598_ = _e1021;
                                                                                     }
-                                                                                    let _e2369 = phi_2586_;
-                                                                                    if (_e2366 < _e1032) {
-                                                                                        phi_2591_ = _e2366;
+                                                                                    let _e2356 = phi_2598_;
+                                                                                    if (_e2353 < _e1023) {
+                                                                                        phi_2603_ = _e2353;
                                                                                     } else {
-                                                                                        phi_2591_ = _e1032;
+                                                                                        phi_2603_ = _e1023;
                                                                                     }
-                                                                                    let _e2372 = phi_2591_;
-                                                                                    if (_e2240 < _e2369) {
-                                                                                        phi_2596_ = _e2369;
+                                                                                    let _e2359 = phi_2603_;
+                                                                                    if (_e2227 < _e2356) {
+                                                                                        phi_2608_ = _e2356;
                                                                                     } else {
-                                                                                        phi_2596_ = _e2240;
+                                                                                        phi_2608_ = _e2227;
                                                                                     }
-                                                                                    let _e2375 = phi_2596_;
-                                                                                    if (_e2375 > _e2372) {
-                                                                                        phi_2601_ = _e2372;
+                                                                                    let _e2362 = phi_2608_;
+                                                                                    if (_e2362 > _e2359) {
+                                                                                        phi_2613_ = _e2359;
                                                                                     } else {
-                                                                                        phi_2601_ = _e2375;
+                                                                                        phi_2613_ = _e2362;
                                                                                     }
-                                                                                    let _e2378 = phi_2601_;
-                                                                                    phi_2606_ = lt_bvh_triangle_Intersection(_e2378, (_e2081 / _e2140), (_e2102 / _e2140), (_e2369 <= _e2372));
-                                                                                    phi_2607_ = false;
+                                                                                    let _e2365 = phi_2613_;
+                                                                                    phi_2618_ = lt_bvh_triangle_Intersection(_e2365, (_e2068 / _e2127), (_e2089 / _e2127), (_e2356 <= _e2359));
+                                                                                    phi_2619_ = false;
                                                                                 } else {
-                                                                                    phi_2606_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2607_ = true;
+                                                                                    phi_2618_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2619_ = true;
                                                                                 }
-                                                                                let _e2384 = phi_2606_;
-                                                                                let _e2386 = phi_2607_;
-                                                                                phi_2608_ = _e2384;
-                                                                                phi_2609_ = _e2386;
+                                                                                let _e2371 = phi_2618_;
+                                                                                let _e2373 = phi_2619_;
+                                                                                phi_2620_ = _e2371;
+                                                                                phi_2621_ = _e2373;
                                                                             } else {
-                                                                                phi_2608_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2609_ = true;
+                                                                                phi_2620_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2621_ = true;
                                                                             }
-                                                                            let _e2388 = phi_2608_;
-                                                                            let _e2390 = phi_2609_;
-                                                                            if _e2390 {
+                                                                            let _e2375 = phi_2620_;
+                                                                            let _e2377 = phi_2621_;
+                                                                            if _e2377 {
                                                                             }
-                                                                            phi_2613_ = _e2388;
-                                                                            phi_2614_ = _e2390;
+                                                                            phi_2625_ = _e2375;
+                                                                            phi_2626_ = _e2377;
                                                                         }
-                                                                        let _e2392 = phi_2613_;
-                                                                        let _e2394 = phi_2614_;
-                                                                        phi_2615_ = _e2392;
-                                                                        phi_2616_ = _e2143;
-                                                                        phi_2617_ = _e2394;
+                                                                        let _e2379 = phi_2625_;
+                                                                        let _e2381 = phi_2626_;
+                                                                        phi_2627_ = _e2379;
+                                                                        phi_2628_ = _e2130;
+                                                                        phi_2629_ = _e2381;
                                                                     } else {
-                                                                        phi_2615_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2616_ = true;
-                                                                        phi_2617_ = false;
+                                                                        phi_2627_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2628_ = true;
+                                                                        phi_2629_ = false;
                                                                     }
-                                                                    let _e2396 = phi_2615_;
-                                                                    let _e2398 = phi_2616_;
-                                                                    let _e2400 = phi_2617_;
-                                                                    if _e2398 {
-                                                                        phi_2621_ = true;
+                                                                    let _e2383 = phi_2627_;
+                                                                    let _e2385 = phi_2628_;
+                                                                    let _e2387 = phi_2629_;
+                                                                    if _e2385 {
+                                                                        phi_2633_ = true;
                                                                     } else {
-                                                                        phi_2621_ = _e2400;
+                                                                        phi_2633_ = _e2387;
                                                                     }
-                                                                    let _e2402 = phi_2621_;
-                                                                    if _e2402 {
-                                                                        phi_2625_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2389 = phi_2633_;
+                                                                    if _e2389 {
+                                                                        phi_2637_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2625_ = _e2396;
+                                                                        phi_2637_ = _e2383;
                                                                     }
-                                                                    let _e2404 = phi_2625_;
-                                                                    if _e2404.is_hit {
-                                                                        if (_e2404.t > _e145.tmin) {
-                                                                            if (_e2404.t < _e1945.t) {
-                                                                                phi_2673_ = true;
+                                                                    let _e2391 = phi_2637_;
+                                                                    if _e2391.is_hit {
+                                                                        if (_e2391.t > _e145.tmin) {
+                                                                            if (_e2391.t < _e1932.t) {
+                                                                                phi_2685_ = true;
                                                                             } else {
-                                                                                if (_e2404.t == _e1945.t) {
-                                                                                    if (_e1945.triangle != 4294967295u) {
-                                                                                        if (_e1956 < _e1945.triangle) {
-                                                                                            phi_2664_ = true;
+                                                                                if (_e2391.t == _e1932.t) {
+                                                                                    if (_e1932.triangle != 4294967295u) {
+                                                                                        if (_e1943 < _e1932.triangle) {
+                                                                                            phi_2676_ = true;
                                                                                         } else {
-                                                                                            if (_e1956 == _e1945.triangle) {
-                                                                                                phi_2663_ = (_e971 < _e1945.instance);
+                                                                                            if (_e1943 == _e1932.triangle) {
+                                                                                                phi_2675_ = (_e962 < _e1932.instance);
                                                                                             } else {
-                                                                                                phi_2663_ = false;
+                                                                                                phi_2675_ = false;
                                                                                             }
-                                                                                            let _e2422 = phi_2663_;
-                                                                                            phi_2664_ = _e2422;
+                                                                                            let _e2409 = phi_2675_;
+                                                                                            phi_2676_ = _e2409;
                                                                                         }
-                                                                                        let _e2424 = phi_2664_;
-                                                                                        phi_2665_ = _e2424;
-                                                                                        phi_2666_ = false;
+                                                                                        let _e2411 = phi_2676_;
+                                                                                        phi_2677_ = _e2411;
+                                                                                        phi_2678_ = false;
                                                                                     } else {
-                                                                                        phi_2665_ = bool();
-                                                                                        phi_2666_ = true;
+                                                                                        phi_2677_ = bool();
+                                                                                        phi_2678_ = true;
                                                                                     }
-                                                                                    let _e2426 = phi_2665_;
-                                                                                    let _e2428 = phi_2666_;
-                                                                                    phi_2667_ = _e2426;
-                                                                                    phi_2668_ = _e2428;
+                                                                                    let _e2413 = phi_2677_;
+                                                                                    let _e2415 = phi_2678_;
+                                                                                    phi_2679_ = _e2413;
+                                                                                    phi_2680_ = _e2415;
                                                                                 } else {
-                                                                                    phi_2667_ = bool();
-                                                                                    phi_2668_ = true;
+                                                                                    phi_2679_ = bool();
+                                                                                    phi_2680_ = true;
                                                                                 }
-                                                                                let _e2430 = phi_2667_;
-                                                                                let _e2432 = phi_2668_;
-                                                                                if _e2432 {
-                                                                                    phi_2672_ = false;
+                                                                                let _e2417 = phi_2679_;
+                                                                                let _e2419 = phi_2680_;
+                                                                                if _e2419 {
+                                                                                    phi_2684_ = false;
                                                                                 } else {
-                                                                                    phi_2672_ = _e2430;
+                                                                                    phi_2684_ = _e2417;
                                                                                 }
-                                                                                let _e2434 = phi_2672_;
-                                                                                phi_2673_ = _e2434;
+                                                                                let _e2421 = phi_2684_;
+                                                                                phi_2685_ = _e2421;
                                                                             }
-                                                                            let _e2436 = phi_2673_;
-                                                                            if _e2436 {
-                                                                                let _e2438 = triangles.member[(0u + _e1956)].i0_;
-                                                                                if ((_e2438 & 2147483648u) == 0u) {
-                                                                                    phi_2687_ = true;
+                                                                            let _e2423 = phi_2685_;
+                                                                            if _e2423 {
+                                                                                let _e2425 = triangles.member[(0u + _e1943)].i0_;
+                                                                                if ((_e2425 & 2147483648u) == 0u) {
+                                                                                    phi_2699_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2687_ = true;
+                                                                                    phi_2699_ = true;
                                                                                 }
-                                                                                let _e2442 = phi_2687_;
-                                                                                if _e2442 {
-                                                                                    phi_2695_ = lt_bvh_Hit(_e2404.t, _e2404.u, _e2404.v, _e1956, _e971);
+                                                                                let _e2429 = phi_2699_;
+                                                                                if _e2429 {
+                                                                                    phi_2707_ = lt_bvh_Hit(_e2391.t, _e2391.u, _e2391.v, _e1943, _e962);
                                                                                 } else {
-                                                                                    phi_2695_ = _e1945;
+                                                                                    phi_2707_ = _e1932;
                                                                                 }
-                                                                                let _e2448 = phi_2695_;
-                                                                                phi_2696_ = _e2448;
+                                                                                let _e2435 = phi_2707_;
+                                                                                phi_2708_ = _e2435;
                                                                             } else {
-                                                                                phi_2696_ = _e1945;
+                                                                                phi_2708_ = _e1932;
                                                                             }
-                                                                            let _e2450 = phi_2696_;
-                                                                            phi_2697_ = _e2450;
+                                                                            let _e2437 = phi_2708_;
+                                                                            phi_2709_ = _e2437;
                                                                         } else {
-                                                                            phi_2697_ = _e1945;
+                                                                            phi_2709_ = _e1932;
                                                                         }
-                                                                        let _e2452 = phi_2697_;
-                                                                        phi_2698_ = _e2452;
+                                                                        let _e2439 = phi_2709_;
+                                                                        phi_2710_ = _e2439;
                                                                     } else {
-                                                                        phi_2698_ = _e1945;
+                                                                        phi_2710_ = _e1932;
                                                                     }
-                                                                    let _e2454 = phi_2698_;
-                                                                    phi_2055_ = _e2454;
-                                                                    phi_2058_ = (_e1947 & (_e1947 - 1u));
-                                                                    phi_2699_ = true;
+                                                                    let _e2441 = phi_2710_;
+                                                                    phi_2067_ = _e2441;
+                                                                    phi_2070_ = (_e1934 & (_e1934 - 1u));
+                                                                    phi_2711_ = true;
                                                                 }
-                                                                let _e2456 = phi_2055_;
-                                                                let _e2458 = phi_2058_;
-                                                                let _e2460 = phi_2699_;
+                                                                let _e2443 = phi_2067_;
+                                                                let _e2445 = phi_2070_;
+                                                                let _e2447 = phi_2711_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2054_ = _e2456;
-                                                                    phi_2057_ = _e2458;
-                                                                    break if !(_e2460);
+                                                                    phi_2066_ = _e2443;
+                                                                    phi_2069_ = _e2445;
+                                                                    break if !(_e2447);
                                                                 }
                                                             }
-                                                            let _e2463 = local.group_mask;
-                                                            if ((_e2463 & 4278190080u) == 0u) {
-                                                                let _e2467 = local.len;
-                                                                if (_e2467 == 0u) {
-                                                                    phi_2738_ = false;
+                                                            let _e2450 = local.group_mask;
+                                                            if ((_e2450 & 4278190080u) == 0u) {
+                                                                let _e2454 = local.len;
+                                                                if (_e2454 == 0u) {
+                                                                    phi_2750_ = false;
                                                                 } else {
-                                                                    let _e2471 = local.len;
-                                                                    local.len = (_e2471 - 1u);
-                                                                    let _e2474 = local.len;
-                                                                    if (_e2474 < 32u) {
+                                                                    let _e2458 = local.len;
+                                                                    local.len = (_e2458 - 1u);
+                                                                    let _e2461 = local.len;
+                                                                    if (_e2461 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2479 = local.first[(0u + _e2474)];
-                                                                    local.group = _e2479;
-                                                                    let _e2482 = local.len;
-                                                                    if (_e2482 < 32u) {
+                                                                    let _e2466 = local.first[(0u + _e2461)];
+                                                                    local.group = _e2466;
+                                                                    let _e2469 = local.len;
+                                                                    if (_e2469 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2487 = local.mask[(0u + _e2482)];
-                                                                    local.group_mask = _e2487;
-                                                                    phi_2738_ = true;
+                                                                    let _e2474 = local.mask[(0u + _e2469)];
+                                                                    local.group_mask = _e2474;
+                                                                    phi_2750_ = true;
                                                                 }
-                                                                let _e2490 = phi_2738_;
-                                                                phi_2739_ = _e2490;
+                                                                let _e2477 = phi_2750_;
+                                                                phi_2751_ = _e2477;
                                                             } else {
-                                                                phi_2739_ = true;
+                                                                phi_2751_ = true;
                                                             }
-                                                            let _e2492 = phi_2739_;
-                                                            if _e2492 {
-                                                                let _e2494 = local.group_mask;
-                                                                let _e2500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2494)), 32u, (_e2494 == 0u)));
-                                                                let _e2504 = local.group_mask;
-                                                                let _e2518 = local.group_mask;
-                                                                local.group_mask = (_e2518 & ~((1u << bitcast<u32>((_e2500 & 31u)))));
-                                                                let _e2521 = local.group;
-                                                                phi_2770_ = (_e2521 + countOneBits(((_e2504 & ~((4294967295u << bitcast<u32>((((_e2500 - 24u) ^ _e1368) & 31u))))) & 255u)));
+                                                            let _e2479 = phi_2751_;
+                                                            if _e2479 {
+                                                                let _e2481 = local.group_mask;
+                                                                let _e2487 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2481)), 32u, (_e2481 == 0u)));
+                                                                let _e2491 = local.group_mask;
+                                                                let _e2505 = local.group_mask;
+                                                                local.group_mask = (_e2505 & ~((1u << bitcast<u32>((_e2487 & 31u)))));
+                                                                let _e2508 = local.group;
+                                                                phi_2782_ = (_e2508 + countOneBits(((_e2491 & ~((4294967295u << bitcast<u32>((((_e2487 - 24u) ^ _e1355) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_2770_ = 4294967295u;
+                                                                phi_2782_ = 4294967295u;
                                                             }
-                                                            let _e2524 = phi_2770_;
-                                                            let _e3510 = local_8;
-                                                            phi_1722_ = _e3510;
-                                                            phi_1725_ = _e2524;
+                                                            let _e2511 = phi_2782_;
+                                                            let _e3493 = local_8;
+                                                            phi_1734_ = _e3493;
+                                                            phi_1737_ = _e2511;
                                                         } else {
-                                                            phi_1722_ = lt_bvh_Hit();
-                                                            phi_1725_ = u32();
+                                                            phi_1734_ = lt_bvh_Hit();
+                                                            phi_1737_ = u32();
                                                         }
-                                                        let _e2526 = phi_1722_;
-                                                        let _e2528 = phi_1725_;
+                                                        let _e2513 = phi_1734_;
+                                                        let _e2515 = phi_1737_;
                                                         continue;
                                                         continuing {
-                                                            phi_1721_ = _e2526;
-                                                            phi_1724_ = _e2528;
-                                                            break if !(_e1509);
+                                                            phi_1733_ = _e2513;
+                                                            phi_1736_ = _e2515;
+                                                            break if !(_e1496);
                                                         }
                                                     }
-                                                    let _e3514 = local_9;
-                                                    phi_2771_ = _e3514;
+                                                    let _e3497 = local_9;
+                                                    phi_2783_ = _e3497;
                                                 }
-                                                let _e2531 = phi_2771_;
-                                                phi_2772_ = _e2531;
-                                                phi_2773_ = _e1194;
+                                                let _e2518 = phi_2783_;
+                                                phi_2784_ = _e2518;
+                                                phi_2785_ = _e1177;
                                             } else {
-                                                phi_2772_ = lt_bvh_Hit();
-                                                phi_2773_ = true;
+                                                phi_2784_ = lt_bvh_Hit();
+                                                phi_2785_ = true;
                                             }
-                                            let _e2533 = phi_2772_;
-                                            let _e2535 = phi_2773_;
-                                            if _e2535 {
-                                                phi_2777_ = _e963;
+                                            let _e2520 = phi_2784_;
+                                            let _e2522 = phi_2785_;
+                                            if _e2522 {
+                                                phi_2789_ = _e954;
                                             } else {
-                                                phi_2777_ = _e2533;
+                                                phi_2789_ = _e2520;
                                             }
-                                            let _e2537 = phi_2777_;
-                                            phi_2778_ = _e2537;
+                                            let _e2524 = phi_2789_;
+                                            phi_2790_ = _e2524;
                                         } else {
-                                            phi_2778_ = _e963;
+                                            phi_2790_ = _e954;
                                         }
-                                        let _e2539 = phi_2778_;
-                                        phi_2779_ = _e2539;
+                                        let _e2526 = phi_2790_;
+                                        phi_2791_ = _e2526;
                                     } else {
-                                        phi_2779_ = _e963;
+                                        phi_2791_ = _e954;
                                     }
-                                    let _e2541 = phi_2779_;
-                                    phi_2780_ = _e2541;
+                                    let _e2528 = phi_2791_;
+                                    phi_2792_ = _e2528;
                                 } else {
-                                    phi_2780_ = _e963;
+                                    phi_2792_ = _e954;
                                 }
-                                let _e2543 = phi_2780_;
-                                phi_1096_ = (_e961 & (_e961 - 1u));
-                                phi_1099_ = _e2543;
-                                phi_2781_ = true;
+                                let _e2530 = phi_2792_;
+                                phi_1101_ = (_e952 & (_e952 - 1u));
+                                phi_1104_ = _e2530;
+                                phi_2793_ = true;
                             }
-                            let _e2545 = phi_1096_;
-                            let _e2547 = phi_1099_;
-                            let _e2549 = phi_2781_;
+                            let _e2532 = phi_1101_;
+                            let _e2534 = phi_1104_;
+                            let _e2536 = phi_2793_;
                             continue;
                             continuing {
-                                phi_1095_ = _e2545;
-                                phi_1098_ = _e2547;
-                                break if !(_e2549);
+                                phi_1100_ = _e2532;
+                                phi_1103_ = _e2534;
+                                break if !(_e2536);
                             }
                         }
-                        let _e2552 = local_1.group_mask;
-                        if ((_e2552 & 4278190080u) == 0u) {
-                            let _e2556 = local_1.len;
-                            if (_e2556 == 0u) {
-                                phi_2820_ = false;
+                        let _e2539 = local_1.group_mask;
+                        if ((_e2539 & 4278190080u) == 0u) {
+                            let _e2543 = local_1.len;
+                            if (_e2543 == 0u) {
+                                phi_2832_ = false;
                             } else {
-                                let _e2560 = local_1.len;
-                                local_1.len = (_e2560 - 1u);
-                                let _e2563 = local_1.len;
-                                if (_e2563 < 32u) {
+                                let _e2547 = local_1.len;
+                                local_1.len = (_e2547 - 1u);
+                                let _e2550 = local_1.len;
+                                if (_e2550 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2568 = local_1.first[(0u + _e2563)];
-                                local_1.group = _e2568;
-                                let _e2571 = local_1.len;
-                                if (_e2571 < 32u) {
+                                let _e2555 = local_1.first[(0u + _e2550)];
+                                local_1.group = _e2555;
+                                let _e2558 = local_1.len;
+                                if (_e2558 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2576 = local_1.mask[(0u + _e2571)];
-                                local_1.group_mask = _e2576;
-                                phi_2820_ = true;
+                                let _e2563 = local_1.mask[(0u + _e2558)];
+                                local_1.group_mask = _e2563;
+                                phi_2832_ = true;
                             }
-                            let _e2579 = phi_2820_;
-                            phi_2821_ = _e2579;
+                            let _e2566 = phi_2832_;
+                            phi_2833_ = _e2566;
                         } else {
-                            phi_2821_ = true;
+                            phi_2833_ = true;
                         }
-                        let _e2581 = phi_2821_;
-                        if _e2581 {
-                            let _e2583 = local_1.group_mask;
-                            let _e2589 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2583)), 32u, (_e2583 == 0u)));
-                            let _e2593 = local_1.group_mask;
-                            let _e2607 = local_1.group_mask;
-                            local_1.group_mask = (_e2607 & ~((1u << bitcast<u32>((_e2589 & 31u)))));
-                            let _e2610 = local_1.group;
-                            phi_2852_ = (_e2610 + countOneBits(((_e2593 & ~((4294967295u << bitcast<u32>((((_e2589 - 24u) ^ _e380) & 31u))))) & 255u)));
+                        let _e2568 = phi_2833_;
+                        if _e2568 {
+                            let _e2570 = local_1.group_mask;
+                            let _e2576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2570)), 32u, (_e2570 == 0u)));
+                            let _e2580 = local_1.group_mask;
+                            let _e2594 = local_1.group_mask;
+                            local_1.group_mask = (_e2594 & ~((1u << bitcast<u32>((_e2576 & 31u)))));
+                            let _e2597 = local_1.group;
+                            phi_2864_ = (_e2597 + countOneBits(((_e2580 & ~((4294967295u << bitcast<u32>((((_e2576 - 24u) ^ _e371) & 31u))))) & 255u)));
                         } else {
-                            phi_2852_ = 4294967295u;
+                            phi_2864_ = 4294967295u;
                         }
-                        let _e2613 = phi_2852_;
-                        phi_759_ = _e2613;
-                        let _e3530 = local_10;
-                        phi_762_ = _e3530;
+                        let _e2600 = phi_2864_;
+                        phi_764_ = _e2600;
+                        let _e3513 = local_10;
+                        phi_767_ = _e3513;
                     } else {
-                        phi_759_ = u32();
-                        phi_762_ = lt_bvh_Hit();
+                        phi_764_ = u32();
+                        phi_767_ = lt_bvh_Hit();
                     }
-                    let _e2615 = phi_759_;
-                    let _e2617 = phi_762_;
+                    let _e2602 = phi_764_;
+                    let _e2604 = phi_767_;
                     continue;
                     continuing {
-                        phi_758_ = _e2615;
-                        phi_761_ = _e2617;
-                        break if !(_e521);
+                        phi_763_ = _e2602;
+                        phi_766_ = _e2604;
+                        break if !(_e512);
                     }
                 }
-                let _e3533 = local_11;
-                phi_2853_ = _e3533;
+                let _e3516 = local_11;
+                phi_2865_ = _e3516;
             }
-            let _e2620 = phi_2853_;
-            phi_2854_ = _e2620;
-            phi_2855_ = _e217;
+            let _e2607 = phi_2865_;
+            phi_2866_ = _e2607;
+            phi_2867_ = _e209;
         } else {
-            phi_2854_ = lt_bvh_Hit();
-            phi_2855_ = true;
+            phi_2866_ = lt_bvh_Hit();
+            phi_2867_ = true;
         }
-        let _e2622 = phi_2854_;
-        let _e2624 = phi_2855_;
-        if _e2624 {
-            phi_2859_ = _e147;
+        let _e2609 = phi_2866_;
+        let _e2611 = phi_2867_;
+        if _e2611 {
+            phi_2871_ = _e147;
         } else {
-            phi_2859_ = _e2622;
+            phi_2871_ = _e2609;
         }
-        let _e2626 = phi_2859_;
-        if (_e2626.triangle != 4294967295u) {
-            let _e2632 = ((1f - _e2626.u) - _e2626.v);
-            if (_e2626.triangle < _e70) {
+        let _e2613 = phi_2871_;
+        if (_e2613.triangle != 4294967295u) {
+            let _e2619 = ((1f - _e2613.u) - _e2613.v);
+            if (_e2613.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2638 = triangles.member[(0u + _e2626.triangle)];
-            if (_e2626.instance < _e82) {
+            let _e2625 = triangles.member[(0u + _e2613.triangle)];
+            if (_e2613.instance < _e82) {
             } else {
                 return;
             }
-            let _e2649 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
-            let _e2660 = ((((_e2649.x * _e2638.v0_.x) + (_e2649.y * _e2638.v0_.y)) + (_e2649.z * _e2638.v0_.z)) + (_e2649.w * 1f));
-            let _e2662 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
-            let _e2673 = ((((_e2662.x * _e2638.v0_.x) + (_e2662.y * _e2638.v0_.y)) + (_e2662.z * _e2638.v0_.z)) + (_e2662.w * 1f));
-            let _e2675 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
-            let _e2686 = ((((_e2675.x * _e2638.v0_.x) + (_e2675.y * _e2638.v0_.y)) + (_e2675.z * _e2638.v0_.z)) + (_e2675.w * 1f));
-            let _e2693 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
-            let _e2704 = ((((_e2693.x * _e2638.v1_.x) + (_e2693.y * _e2638.v1_.y)) + (_e2693.z * _e2638.v1_.z)) + (_e2693.w * 1f));
-            let _e2706 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
-            let _e2717 = ((((_e2706.x * _e2638.v1_.x) + (_e2706.y * _e2638.v1_.y)) + (_e2706.z * _e2638.v1_.z)) + (_e2706.w * 1f));
-            let _e2719 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
-            let _e2730 = ((((_e2719.x * _e2638.v1_.x) + (_e2719.y * _e2638.v1_.y)) + (_e2719.z * _e2638.v1_.z)) + (_e2719.w * 1f));
-            let _e2737 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
-            let _e2748 = ((((_e2737.x * _e2638.v2_.x) + (_e2737.y * _e2638.v2_.y)) + (_e2737.z * _e2638.v2_.z)) + (_e2737.w * 1f));
-            let _e2750 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
-            let _e2761 = ((((_e2750.x * _e2638.v2_.x) + (_e2750.y * _e2638.v2_.y)) + (_e2750.z * _e2638.v2_.z)) + (_e2750.w * 1f));
-            let _e2763 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
-            let _e2774 = ((((_e2763.x * _e2638.v2_.x) + (_e2763.y * _e2638.v2_.y)) + (_e2763.z * _e2638.v2_.z)) + (_e2763.w * 1f));
-            let _e2787 = (((_e2660 * _e2632) + (_e2704 * _e2626.u)) + (_e2748 * _e2626.v));
-            let _e2788 = (((_e2673 * _e2632) + (_e2717 * _e2626.u)) + (_e2761 * _e2626.v));
-            let _e2789 = (((_e2686 * _e2632) + (_e2730 * _e2626.u)) + (_e2774 * _e2626.v));
-            let _e2791 = abs(_e2660);
-            let _e2792 = abs(_e2673);
-            let _e2793 = abs(_e2686);
-            let _e2794 = abs(_e2704);
-            let _e2795 = abs(_e2717);
-            let _e2796 = abs(_e2730);
-            if (_e2791 > _e2794) {
-                phi_3047_ = _e2791;
+            let _e2636 = instances.member[(0u + _e2613.instance)].object_to_world[0u];
+            let _e2647 = ((((_e2636.x * _e2625.v0_.x) + (_e2636.y * _e2625.v0_.y)) + (_e2636.z * _e2625.v0_.z)) + (_e2636.w * 1f));
+            let _e2649 = instances.member[(0u + _e2613.instance)].object_to_world[1u];
+            let _e2660 = ((((_e2649.x * _e2625.v0_.x) + (_e2649.y * _e2625.v0_.y)) + (_e2649.z * _e2625.v0_.z)) + (_e2649.w * 1f));
+            let _e2662 = instances.member[(0u + _e2613.instance)].object_to_world[2u];
+            let _e2673 = ((((_e2662.x * _e2625.v0_.x) + (_e2662.y * _e2625.v0_.y)) + (_e2662.z * _e2625.v0_.z)) + (_e2662.w * 1f));
+            let _e2680 = instances.member[(0u + _e2613.instance)].object_to_world[0u];
+            let _e2691 = ((((_e2680.x * _e2625.v1_.x) + (_e2680.y * _e2625.v1_.y)) + (_e2680.z * _e2625.v1_.z)) + (_e2680.w * 1f));
+            let _e2693 = instances.member[(0u + _e2613.instance)].object_to_world[1u];
+            let _e2704 = ((((_e2693.x * _e2625.v1_.x) + (_e2693.y * _e2625.v1_.y)) + (_e2693.z * _e2625.v1_.z)) + (_e2693.w * 1f));
+            let _e2706 = instances.member[(0u + _e2613.instance)].object_to_world[2u];
+            let _e2717 = ((((_e2706.x * _e2625.v1_.x) + (_e2706.y * _e2625.v1_.y)) + (_e2706.z * _e2625.v1_.z)) + (_e2706.w * 1f));
+            let _e2724 = instances.member[(0u + _e2613.instance)].object_to_world[0u];
+            let _e2735 = ((((_e2724.x * _e2625.v2_.x) + (_e2724.y * _e2625.v2_.y)) + (_e2724.z * _e2625.v2_.z)) + (_e2724.w * 1f));
+            let _e2737 = instances.member[(0u + _e2613.instance)].object_to_world[1u];
+            let _e2748 = ((((_e2737.x * _e2625.v2_.x) + (_e2737.y * _e2625.v2_.y)) + (_e2737.z * _e2625.v2_.z)) + (_e2737.w * 1f));
+            let _e2750 = instances.member[(0u + _e2613.instance)].object_to_world[2u];
+            let _e2761 = ((((_e2750.x * _e2625.v2_.x) + (_e2750.y * _e2625.v2_.y)) + (_e2750.z * _e2625.v2_.z)) + (_e2750.w * 1f));
+            let _e2774 = (((_e2647 * _e2619) + (_e2691 * _e2613.u)) + (_e2735 * _e2613.v));
+            let _e2775 = (((_e2660 * _e2619) + (_e2704 * _e2613.u)) + (_e2748 * _e2613.v));
+            let _e2776 = (((_e2673 * _e2619) + (_e2717 * _e2613.u)) + (_e2761 * _e2613.v));
+            let _e2778 = abs(_e2647);
+            let _e2779 = abs(_e2660);
+            let _e2780 = abs(_e2673);
+            let _e2781 = abs(_e2691);
+            let _e2782 = abs(_e2704);
+            let _e2783 = abs(_e2717);
+            if (_e2778 > _e2781) {
+                phi_3059_ = _e2778;
             } else {
-                phi_3047_ = _e2794;
+                phi_3059_ = _e2781;
             }
-            let _e2799 = phi_3047_;
+            let _e2786 = phi_3059_;
+            if (_e2779 > _e2782) {
+                phi_3064_ = _e2779;
+            } else {
+                phi_3064_ = _e2782;
+            }
+            let _e2789 = phi_3064_;
+            if (_e2780 > _e2783) {
+                phi_3069_ = _e2780;
+            } else {
+                phi_3069_ = _e2783;
+            }
+            let _e2792 = phi_3069_;
+            let _e2793 = abs(_e2735);
+            let _e2794 = abs(_e2748);
+            let _e2795 = abs(_e2761);
+            if (_e2786 > _e2793) {
+                phi_3077_ = _e2786;
+            } else {
+                phi_3077_ = _e2793;
+            }
+            let _e2798 = phi_3077_;
+            if (_e2789 > _e2794) {
+                phi_3082_ = _e2789;
+            } else {
+                phi_3082_ = _e2794;
+            }
+            let _e2801 = phi_3082_;
             if (_e2792 > _e2795) {
-                phi_3052_ = _e2792;
+                phi_3087_ = _e2792;
             } else {
-                phi_3052_ = _e2795;
+                phi_3087_ = _e2795;
             }
-            let _e2802 = phi_3052_;
-            if (_e2793 > _e2796) {
-                phi_3057_ = _e2793;
+            let _e2804 = phi_3087_;
+            let _e2805 = (_e2691 - _e2647);
+            let _e2806 = (_e2704 - _e2660);
+            let _e2807 = (_e2717 - _e2673);
+            let _e2808 = (_e2735 - _e2647);
+            let _e2809 = (_e2748 - _e2660);
+            let _e2810 = (_e2761 - _e2673);
+            let _e2814 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2806), abs(_e2807));
+            let _e2815 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2805), _e2814);
+            let _e2816 = (_e2805 / _e2815);
+            let _e2817 = (_e2806 / _e2815);
+            let _e2818 = (_e2807 / _e2815);
+            let _e2822 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2809), abs(_e2810));
+            let _e2823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2808), _e2822);
+            let _e2824 = (_e2808 / _e2823);
+            let _e2825 = (_e2809 / _e2823);
+            let _e2826 = (_e2810 / _e2823);
+            let _e2829 = ((_e2817 * _e2826) - (_e2825 * _e2818));
+            let _e2832 = ((_e2818 * _e2824) - (_e2826 * _e2816));
+            let _e2835 = ((_e2816 * _e2825) - (_e2824 * _e2817));
+            let _e2837 = p.member.eye;
+            let _e2850 = (1f / sqrt((((_e2829 * _e2829) + (_e2832 * _e2832)) + (_e2835 * _e2835))));
+            let _e2851 = (_e2829 * _e2850);
+            let _e2852 = (_e2832 * _e2850);
+            let _e2853 = (_e2835 * _e2850);
+            if ((((_e2851 * (_e2837.x - _e2774)) + (_e2852 * (_e2837.y - _e2775))) + (_e2853 * (_e2837.z - _e2776))) < 0f) {
+                phi_3151_ = vec3<f32>(-(_e2851), -(_e2852), -(_e2853));
             } else {
-                phi_3057_ = _e2796;
+                phi_3151_ = vec3<f32>(_e2851, _e2852, _e2853);
             }
-            let _e2805 = phi_3057_;
-            let _e2806 = abs(_e2748);
-            let _e2807 = abs(_e2761);
-            let _e2808 = abs(_e2774);
-            if (_e2799 > _e2806) {
-                phi_3065_ = _e2799;
-            } else {
-                phi_3065_ = _e2806;
-            }
-            let _e2811 = phi_3065_;
-            if (_e2802 > _e2807) {
-                phi_3070_ = _e2802;
-            } else {
-                phi_3070_ = _e2807;
-            }
-            let _e2814 = phi_3070_;
-            if (_e2805 > _e2808) {
-                phi_3075_ = _e2805;
-            } else {
-                phi_3075_ = _e2808;
-            }
-            let _e2817 = phi_3075_;
-            let _e2818 = (_e2704 - _e2660);
-            let _e2819 = (_e2717 - _e2673);
-            let _e2820 = (_e2730 - _e2686);
-            let _e2821 = (_e2748 - _e2660);
-            let _e2822 = (_e2761 - _e2673);
-            let _e2823 = (_e2774 - _e2686);
-            let _e2827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2819), abs(_e2820));
-            let _e2828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2818), _e2827);
-            let _e2829 = (_e2818 / _e2828);
-            let _e2830 = (_e2819 / _e2828);
-            let _e2831 = (_e2820 / _e2828);
-            let _e2835 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2822), abs(_e2823));
-            let _e2836 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2821), _e2835);
-            let _e2837 = (_e2821 / _e2836);
-            let _e2838 = (_e2822 / _e2836);
-            let _e2839 = (_e2823 / _e2836);
-            let _e2842 = ((_e2830 * _e2839) - (_e2838 * _e2831));
-            let _e2845 = ((_e2831 * _e2837) - (_e2839 * _e2829));
-            let _e2848 = ((_e2829 * _e2838) - (_e2837 * _e2830));
-            let _e2850 = p.member.eye;
-            let _e2863 = (1f / sqrt((((_e2842 * _e2842) + (_e2845 * _e2845)) + (_e2848 * _e2848))));
-            let _e2864 = (_e2842 * _e2863);
-            let _e2865 = (_e2845 * _e2863);
-            let _e2866 = (_e2848 * _e2863);
-            if ((((_e2864 * (_e2850.x - _e2787)) + (_e2865 * (_e2850.y - _e2788))) + (_e2866 * (_e2850.z - _e2789))) < 0f) {
-                phi_3139_ = vec3<f32>(-(_e2864), -(_e2865), -(_e2866));
-            } else {
-                phi_3139_ = vec3<f32>(_e2864, _e2865, _e2866);
-            }
-            let _e2879 = phi_3139_;
-            if (_e2626.triangle < _e70) {
+            let _e2866 = phi_3151_;
+            if (_e2613.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2884 = triangles.member[(0u + _e2626.triangle)];
-            let _e2886 = (_e2884.i0_ & 2147483647u);
-            if (_e2886 < _e73) {
+            let _e2871 = triangles.member[(0u + _e2613.triangle)];
+            let _e2873 = (_e2871.i0_ & 2147483647u);
+            if (_e2873 < _e73) {
             } else {
                 return;
             }
-            let _e2892 = vertices.member[(0u + _e2886)];
-            if (_e2884.i1_ < _e73) {
+            let _e2879 = vertices.member[(0u + _e2873)];
+            if (_e2871.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e2896 = vertices.member[(0u + _e2884.i1_)];
-            if (_e2884.i2_ < _e73) {
+            let _e2883 = vertices.member[(0u + _e2871.i1_)];
+            if (_e2871.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e2900 = vertices.member[(0u + _e2884.i2_)];
-            let _e2901 = array<abi_Vertex, 3>(_e2892, _e2896, _e2900);
-            if (_e2901[0].material < arrayLength((&materials.member))) {
+            let _e2887 = vertices.member[(0u + _e2871.i2_)];
+            let _e2888 = array<abi_Vertex, 3>(_e2879, _e2883, _e2887);
+            if (_e2888[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2907 = materials.member[(0u + _e2901[0].material)];
-            let _e2924 = (1f / 255f);
-            let _e2943 = (1f / 255f);
-            let _e2965 = (1f / 255f);
-            let _e2978 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2632, _e2626.u, _e2626.v));
-            let _e2980 = ((_e2907.base_color.x * ((((f32((_e2901[0].color & 255u)) * _e2924) * _e2632) + ((f32((_e2901[1].color & 255u)) * _e2943) * _e2626.u)) + ((f32((_e2901[2].color & 255u)) * _e2965) * _e2626.v))) * _e2978.x);
-            let _e2982 = ((_e2907.base_color.y * ((((f32(((_e2901[0].color >> bitcast<u32>(8i)) & 255u)) * _e2924) * _e2632) + ((f32(((_e2901[1].color >> bitcast<u32>(8i)) & 255u)) * _e2943) * _e2626.u)) + ((f32(((_e2901[2].color >> bitcast<u32>(8i)) & 255u)) * _e2965) * _e2626.v))) * _e2978.y);
-            let _e2984 = ((_e2907.base_color.z * ((((f32(((_e2901[0].color >> bitcast<u32>(16i)) & 255u)) * _e2924) * _e2632) + ((f32(((_e2901[1].color >> bitcast<u32>(16i)) & 255u)) * _e2943) * _e2626.u)) + ((f32(((_e2901[2].color >> bitcast<u32>(16i)) & 255u)) * _e2965) * _e2626.v))) * _e2978.z);
-            let _e2985 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2814, _e2817);
-            let _e2986 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2811, _e2985);
-            if ((_e2907.flags & 2u) == 0u) {
-                phi_3260_ = 0u;
+            let _e2894 = materials.member[(0u + _e2888[0].material)];
+            let _e2911 = (1f / 255f);
+            let _e2930 = (1f / 255f);
+            let _e2952 = (1f / 255f);
+            let _e2965 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2619, _e2613.u, _e2613.v));
+            let _e2967 = ((_e2894.base_color.x * ((((f32((_e2888[0].color & 255u)) * _e2911) * _e2619) + ((f32((_e2888[1].color & 255u)) * _e2930) * _e2613.u)) + ((f32((_e2888[2].color & 255u)) * _e2952) * _e2613.v))) * _e2965.x);
+            let _e2969 = ((_e2894.base_color.y * ((((f32(((_e2888[0].color >> bitcast<u32>(8i)) & 255u)) * _e2911) * _e2619) + ((f32(((_e2888[1].color >> bitcast<u32>(8i)) & 255u)) * _e2930) * _e2613.u)) + ((f32(((_e2888[2].color >> bitcast<u32>(8i)) & 255u)) * _e2952) * _e2613.v))) * _e2965.y);
+            let _e2971 = ((_e2894.base_color.z * ((((f32(((_e2888[0].color >> bitcast<u32>(16i)) & 255u)) * _e2911) * _e2619) + ((f32(((_e2888[1].color >> bitcast<u32>(16i)) & 255u)) * _e2930) * _e2613.u)) + ((f32(((_e2888[2].color >> bitcast<u32>(16i)) & 255u)) * _e2952) * _e2613.v))) * _e2965.z);
+            let _e2972 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2801, _e2804);
+            let _e2973 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2798, _e2972);
+            if ((_e2894.flags & 2u) == 0u) {
+                phi_3272_ = 0u;
             } else {
-                phi_3260_ = 1u;
+                phi_3272_ = 1u;
             }
-            let _e2991 = phi_3260_;
-            if (_e2901[0].normal == 2147516416u) {
-                phi_3490_ = _e2879;
+            let _e2978 = phi_3272_;
+            if (_e2888[0].normal == 2147516416u) {
+                phi_3502_ = _e2866;
             } else {
-                let _e3004 = (f32((bitcast<i32>((_e2901[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3010 = (f32((bitcast<i32>(_e2901[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3014 = ((1f - abs(_e3004)) - abs(_e3010));
-                if (_e3014 < 0f) {
-                    phi_3287_ = -(_e3014);
+                let _e2991 = (f32((bitcast<i32>((_e2888[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2997 = (f32((bitcast<i32>(_e2888[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3001 = ((1f - abs(_e2991)) - abs(_e2997));
+                if (_e3001 < 0f) {
+                    phi_3299_ = -(_e3001);
                 } else {
-                    phi_3287_ = 0f;
+                    phi_3299_ = 0f;
                 }
-                let _e3018 = phi_3287_;
-                if (_e3004 < 0f) {
-                    phi_3294_ = (_e3004 + _e3018);
+                let _e3005 = phi_3299_;
+                if (_e2991 < 0f) {
+                    phi_3306_ = (_e2991 + _e3005);
                 } else {
-                    phi_3294_ = (_e3004 - _e3018);
+                    phi_3306_ = (_e2991 - _e3005);
                 }
-                let _e3023 = phi_3294_;
-                if (_e3010 < 0f) {
-                    phi_3301_ = (_e3010 + _e3018);
+                let _e3010 = phi_3306_;
+                if (_e2997 < 0f) {
+                    phi_3313_ = (_e2997 + _e3005);
                 } else {
-                    phi_3301_ = (_e3010 - _e3018);
+                    phi_3313_ = (_e2997 - _e3005);
                 }
-                let _e3028 = phi_3301_;
-                let _e3035 = (1f / sqrt((((_e3023 * _e3023) + (_e3028 * _e3028)) + (_e3014 * _e3014))));
-                let _e3051 = (f32((bitcast<i32>((_e2901[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3057 = (f32((bitcast<i32>(_e2901[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3061 = ((1f - abs(_e3051)) - abs(_e3057));
-                if (_e3061 < 0f) {
-                    phi_3336_ = -(_e3061);
+                let _e3015 = phi_3313_;
+                let _e3022 = (1f / sqrt((((_e3010 * _e3010) + (_e3015 * _e3015)) + (_e3001 * _e3001))));
+                let _e3038 = (f32((bitcast<i32>((_e2888[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3044 = (f32((bitcast<i32>(_e2888[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3048 = ((1f - abs(_e3038)) - abs(_e3044));
+                if (_e3048 < 0f) {
+                    phi_3348_ = -(_e3048);
                 } else {
-                    phi_3336_ = 0f;
+                    phi_3348_ = 0f;
                 }
-                let _e3065 = phi_3336_;
-                if (_e3051 < 0f) {
-                    phi_3343_ = (_e3051 + _e3065);
+                let _e3052 = phi_3348_;
+                if (_e3038 < 0f) {
+                    phi_3355_ = (_e3038 + _e3052);
                 } else {
-                    phi_3343_ = (_e3051 - _e3065);
+                    phi_3355_ = (_e3038 - _e3052);
                 }
-                let _e3070 = phi_3343_;
-                if (_e3057 < 0f) {
-                    phi_3350_ = (_e3057 + _e3065);
+                let _e3057 = phi_3355_;
+                if (_e3044 < 0f) {
+                    phi_3362_ = (_e3044 + _e3052);
                 } else {
-                    phi_3350_ = (_e3057 - _e3065);
+                    phi_3362_ = (_e3044 - _e3052);
                 }
-                let _e3075 = phi_3350_;
-                let _e3082 = (1f / sqrt((((_e3070 * _e3070) + (_e3075 * _e3075)) + (_e3061 * _e3061))));
-                let _e3101 = (f32((bitcast<i32>((_e2901[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3107 = (f32((bitcast<i32>(_e2901[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3111 = ((1f - abs(_e3101)) - abs(_e3107));
-                if (_e3111 < 0f) {
-                    phi_3388_ = -(_e3111);
+                let _e3062 = phi_3362_;
+                let _e3069 = (1f / sqrt((((_e3057 * _e3057) + (_e3062 * _e3062)) + (_e3048 * _e3048))));
+                let _e3088 = (f32((bitcast<i32>((_e2888[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3094 = (f32((bitcast<i32>(_e2888[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3098 = ((1f - abs(_e3088)) - abs(_e3094));
+                if (_e3098 < 0f) {
+                    phi_3400_ = -(_e3098);
                 } else {
-                    phi_3388_ = 0f;
+                    phi_3400_ = 0f;
                 }
-                let _e3115 = phi_3388_;
-                if (_e3101 < 0f) {
-                    phi_3395_ = (_e3101 + _e3115);
+                let _e3102 = phi_3400_;
+                if (_e3088 < 0f) {
+                    phi_3407_ = (_e3088 + _e3102);
                 } else {
-                    phi_3395_ = (_e3101 - _e3115);
+                    phi_3407_ = (_e3088 - _e3102);
                 }
-                let _e3120 = phi_3395_;
-                if (_e3107 < 0f) {
-                    phi_3402_ = (_e3107 + _e3115);
+                let _e3107 = phi_3407_;
+                if (_e3094 < 0f) {
+                    phi_3414_ = (_e3094 + _e3102);
                 } else {
-                    phi_3402_ = (_e3107 - _e3115);
+                    phi_3414_ = (_e3094 - _e3102);
                 }
-                let _e3125 = phi_3402_;
-                let _e3132 = (1f / sqrt((((_e3120 * _e3120) + (_e3125 * _e3125)) + (_e3111 * _e3111))));
-                let _e3139 = ((((_e3023 * _e3035) * _e2632) + ((_e3070 * _e3082) * _e2626.u)) + ((_e3120 * _e3132) * _e2626.v));
-                let _e3140 = ((((_e3028 * _e3035) * _e2632) + ((_e3075 * _e3082) * _e2626.u)) + ((_e3125 * _e3132) * _e2626.v));
-                let _e3141 = ((((_e3014 * _e3035) * _e2632) + ((_e3061 * _e3082) * _e2626.u)) + ((_e3111 * _e3132) * _e2626.v));
-                if (_e2626.instance < _e82) {
+                let _e3112 = phi_3414_;
+                let _e3119 = (1f / sqrt((((_e3107 * _e3107) + (_e3112 * _e3112)) + (_e3098 * _e3098))));
+                let _e3126 = ((((_e3010 * _e3022) * _e2619) + ((_e3057 * _e3069) * _e2613.u)) + ((_e3107 * _e3119) * _e2613.v));
+                let _e3127 = ((((_e3015 * _e3022) * _e2619) + ((_e3062 * _e3069) * _e2613.u)) + ((_e3112 * _e3119) * _e2613.v));
+                let _e3128 = ((((_e3001 * _e3022) * _e2619) + ((_e3048 * _e3069) * _e2613.u)) + ((_e3098 * _e3119) * _e2613.v));
+                if (_e2613.instance < _e82) {
                 } else {
                     return;
                 }
-                let _e3148 = instances.member[(0u + _e2626.instance)].world_to_object[0u];
-                let _e3157 = instances.member[(0u + _e2626.instance)].world_to_object[1u];
-                let _e3169 = instances.member[(0u + _e2626.instance)].world_to_object[2u];
-                let _e3176 = (((_e3148.x * _e3139) + (_e3157.x * _e3140)) + (_e3169.x * _e3141));
-                let _e3177 = (((_e3148.y * _e3139) + (_e3157.y * _e3140)) + (_e3169.y * _e3141));
-                let _e3178 = (((_e3148.z * _e3139) + (_e3157.z * _e3140)) + (_e3169.z * _e3141));
-                let _e3184 = sqrt((((_e3176 * _e3176) + (_e3177 * _e3177)) + (_e3178 * _e3178)));
-                if (_e3184 > 0f) {
-                    let _e3186 = (_e3176 / _e3184);
-                    let _e3187 = (_e3177 / _e3184);
-                    let _e3188 = (_e3178 / _e3184);
-                    if ((((_e3186 * _e2879.x) + (_e3187 * _e2879.y)) + (_e3188 * _e2879.z)) < 0f) {
-                        phi_3488_ = vec3<f32>(-(_e3186), -(_e3187), -(_e3188));
+                let _e3135 = instances.member[(0u + _e2613.instance)].world_to_object[0u];
+                let _e3144 = instances.member[(0u + _e2613.instance)].world_to_object[1u];
+                let _e3156 = instances.member[(0u + _e2613.instance)].world_to_object[2u];
+                let _e3163 = (((_e3135.x * _e3126) + (_e3144.x * _e3127)) + (_e3156.x * _e3128));
+                let _e3164 = (((_e3135.y * _e3126) + (_e3144.y * _e3127)) + (_e3156.y * _e3128));
+                let _e3165 = (((_e3135.z * _e3126) + (_e3144.z * _e3127)) + (_e3156.z * _e3128));
+                let _e3171 = sqrt((((_e3163 * _e3163) + (_e3164 * _e3164)) + (_e3165 * _e3165)));
+                if (_e3171 > 0f) {
+                    let _e3173 = (_e3163 / _e3171);
+                    let _e3174 = (_e3164 / _e3171);
+                    let _e3175 = (_e3165 / _e3171);
+                    if ((((_e3173 * _e2866.x) + (_e3174 * _e2866.y)) + (_e3175 * _e2866.z)) < 0f) {
+                        phi_3500_ = vec3<f32>(-(_e3173), -(_e3174), -(_e3175));
                     } else {
-                        phi_3488_ = vec3<f32>(_e3186, _e3187, _e3188);
+                        phi_3500_ = vec3<f32>(_e3173, _e3174, _e3175);
                     }
-                    let _e3204 = phi_3488_;
-                    phi_3489_ = _e3204;
+                    let _e3191 = phi_3500_;
+                    phi_3501_ = _e3191;
                 } else {
-                    phi_3489_ = _e2879;
+                    phi_3501_ = _e2866;
                 }
-                let _e3206 = phi_3489_;
-                phi_3490_ = _e3206;
+                let _e3193 = phi_3501_;
+                phi_3502_ = _e3193;
             }
-            let _e3208 = phi_3490_;
-            if (_e2980 > 0f) {
-                if (_e2980 < 1f) {
-                    phi_3499_ = _e2980;
+            let _e3195 = phi_3502_;
+            if (_e2967 > 0f) {
+                if (_e2967 < 1f) {
+                    phi_3511_ = _e2967;
                 } else {
-                    phi_3499_ = 1f;
+                    phi_3511_ = 1f;
                 }
-                let _e3212 = phi_3499_;
-                phi_3500_ = _e3212;
+                let _e3199 = phi_3511_;
+                phi_3512_ = _e3199;
             } else {
-                phi_3500_ = 0f;
+                phi_3512_ = 0f;
             }
-            let _e3214 = phi_3500_;
-            if (_e2982 > 0f) {
-                if (_e2982 < 1f) {
-                    phi_3510_ = _e2982;
+            let _e3201 = phi_3512_;
+            if (_e2969 > 0f) {
+                if (_e2969 < 1f) {
+                    phi_3522_ = _e2969;
                 } else {
-                    phi_3510_ = 1f;
+                    phi_3522_ = 1f;
                 }
-                let _e3219 = phi_3510_;
-                phi_3511_ = _e3219;
+                let _e3206 = phi_3522_;
+                phi_3523_ = _e3206;
             } else {
-                phi_3511_ = 0f;
+                phi_3523_ = 0f;
             }
-            let _e3221 = phi_3511_;
-            if (_e2984 > 0f) {
-                if (_e2984 < 1f) {
-                    phi_3521_ = _e2984;
+            let _e3208 = phi_3523_;
+            if (_e2971 > 0f) {
+                if (_e2971 < 1f) {
+                    phi_3533_ = _e2971;
                 } else {
-                    phi_3521_ = 1f;
+                    phi_3533_ = 1f;
                 }
-                let _e3226 = phi_3521_;
-                phi_3522_ = _e3226;
+                let _e3213 = phi_3533_;
+                phi_3534_ = _e3213;
             } else {
-                phi_3522_ = 0f;
+                phi_3534_ = 0f;
             }
-            let _e3228 = phi_3522_;
-            let _e3231 = ((sqrt(_e3214) * 255f) + 0.5f);
-            let _e3240 = ((sqrt(_e3221) * 255f) + 0.5f);
-            let _e3252 = ((sqrt(_e3228) * 255f) + 0.5f);
-            phi_3557_ = abi_Sample(vec3<f32>(_e2787, _e2788, _e2789), _e2986, _e2879, _e2991, _e3208, ((select(select(u32(_e3231), 0u, (_e3231 < bitcast<f32>(0u))), 4294967295u, (_e3231 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3240), 0u, (_e3240 < bitcast<f32>(0u))), 4294967295u, (_e3240 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3252), 0u, (_e3252 < bitcast<f32>(0u))), 4294967295u, (_e3252 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3215 = phi_3534_;
+            let _e3218 = ((sqrt(_e3201) * 255f) + 0.5f);
+            let _e3227 = ((sqrt(_e3208) * 255f) + 0.5f);
+            let _e3239 = ((sqrt(_e3215) * 255f) + 0.5f);
+            phi_3569_ = abi_Sample(vec3<f32>(_e2774, _e2775, _e2776), _e2973, _e2866, _e2978, _e3195, ((select(select(u32(_e3218), 0u, (_e3218 < bitcast<f32>(0u))), 4294967295u, (_e3218 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3227), 0u, (_e3227 < bitcast<f32>(0u))), 4294967295u, (_e3227 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3239), 0u, (_e3239 < bitcast<f32>(0u))), 4294967295u, (_e3239 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3557_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3569_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3266 = phi_3557_;
-        if (_e88.first_primitive < arrayLength((&samples.member))) {
+        let _e3253 = phi_3569_;
+        if (_e88.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e88.first_primitive)] = _e3266;
+        samples.member[(0u + _e88.shift)] = _e3253;
     }
     return;
 }

@@ -24,9 +24,9 @@ struct type_9 {
     member: array<abi_Sample>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct type_22 {
@@ -95,8 +95,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -143,19 +143,19 @@ var<storage> before: type_22;
 @group(0) @binding(7) 
 var<storage, read_write> past: type_22;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_193_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_193_: lt_mask_LightPlace;
     var phi_194_: bool;
-    var phi_195_: lt_bvh_traverse_Tree;
+    var phi_195_: lt_mask_LightPlace;
     var phi_196_: bool;
-    var phi_201_: lt_bvh_traverse_Tree;
+    var phi_201_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_193_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_193_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_194_ = false;
         } else {
-            phi_193_ = lt_bvh_traverse_Tree();
+            phi_193_ = lt_mask_LightPlace();
             phi_194_ = true;
         }
         let _e75 = phi_193_;
@@ -163,18 +163,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_195_ = _e75;
         phi_196_ = _e77;
     } else {
-        phi_195_ = lt_bvh_traverse_Tree();
+        phi_195_ = lt_mask_LightPlace();
         phi_196_ = true;
     }
     let _e79 = phi_195_;
     let _e81 = phi_196_;
     if _e81 {
-        phi_201_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_201_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_201_ = _e79;
     }
     let _e86 = phi_201_;
-    return lt_bvh_traverse_Tree(_e86.root, _e86.first_primitive);
+    return lt_mask_LightPlace(_e86.word, _e86.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -251,209 +251,207 @@ fn _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_392_: bool;
-    var phi_393_: bool;
-    var phi_394_: bool;
-    var phi_398_: bool;
-    var phi_399_: bool;
-    var phi_400_: bool;
-    var phi_401_: bool;
-    var phi_402_: bool;
-    var phi_403_: bool;
-    var phi_404_: bool;
-    var phi_405_: bool;
-    var phi_406_: bool;
-    var phi_407_: bool;
+    var phi_368_: bool;
+    var phi_369_: bool;
+    var phi_370_: bool;
+    var phi_371_: bool;
+    var phi_375_: bool;
+    var phi_388_: bool;
+    var phi_389_: bool;
+    var phi_390_: bool;
+    var phi_391_: bool;
+    var phi_395_: bool;
     var phi_408_: bool;
     var phi_409_: bool;
     var phi_410_: bool;
-    var phi_411_: bool;
-    var phi_412_: bool;
-    var phi_413_: bool;
     var phi_414_: bool;
     var phi_415_: bool;
-    var phi_419_: bool;
-    var phi_423_: bool;
+    var phi_416_: bool;
+    var phi_417_: bool;
+    var phi_418_: bool;
+    var phi_422_: bool;
     var phi_498_: f32;
     var phi_505_: f32;
     var phi_513_: f32;
     var phi_520_: f32;
     var phi_528_: f32;
     var phi_535_: f32;
-    var phi_560_: f32;
-    var phi_565_: f32;
-    var phi_570_: f32;
-    var phi_603_: bool;
-    var phi_604_: bool;
-    var phi_612_: u32;
-    var phi_613_: u32;
-    var phi_631_: vec3<f32>;
-    var phi_632_: vec3<f32>;
-    var phi_646_: u32;
-    var phi_651_: u32;
-    var phi_656_: u32;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_802_: u32;
-    var phi_804_: lt_bvh_Hit;
-    var phi_807_: u32;
-    var phi_892_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_919_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_946_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_952_: u32;
-    var phi_955_: u32;
-    var phi_969_: u32;
-    var phi_979_: u32;
-    var phi_989_: u32;
-    var phi_1007_: u32;
-    var phi_1017_: u32;
-    var phi_1027_: u32;
-    var phi_1063_: u32;
-    var phi_1076_: u32;
-    var phi_1081_: u32;
-    var phi_1082_: u32;
-    var phi_1083_: u32;
-    var phi_953_: u32;
+    var phi_558_: f32;
+    var phi_563_: f32;
+    var phi_568_: f32;
+    var phi_573_: f32;
+    var phi_578_: f32;
+    var phi_609_: bool;
+    var phi_610_: bool;
+    var phi_618_: u32;
+    var phi_619_: u32;
+    var phi_636_: vec3<f32>;
+    var phi_637_: vec3<f32>;
+    var phi_650_: u32;
+    var phi_655_: u32;
+    var phi_660_: u32;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_806_: u32;
+    var phi_808_: lt_bvh_Hit;
+    var phi_811_: u32;
+    var phi_896_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_923_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_950_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_956_: u32;
+    var phi_959_: u32;
+    var phi_973_: u32;
+    var phi_983_: u32;
+    var phi_993_: u32;
+    var phi_1011_: u32;
+    var phi_1021_: u32;
+    var phi_1031_: u32;
+    var phi_1067_: u32;
+    var phi_1080_: u32;
+    var phi_1085_: u32;
+    var phi_1086_: u32;
+    var phi_1087_: u32;
+    var phi_957_: u32;
+    var phi_960_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1141_: lt_bvh_Hit;
-    var phi_1144_: u32;
-    var phi_1190_: vec3<f32>;
-    var phi_1191_: vec3<f32>;
-    var phi_1222_: vec3<f32>;
-    var phi_1223_: vec3<f32>;
-    var phi_1254_: vec3<f32>;
-    var phi_1255_: vec3<f32>;
-    var phi_1273_: bool;
-    var phi_1274_: bool;
-    var phi_1278_: f32;
-    var phi_1279_: f32;
-    var phi_1280_: f32;
-    var phi_1281_: f32;
-    var phi_1289_: f32;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1304_: f32;
-    var phi_1305_: f32;
-    var phi_1306_: f32;
-    var phi_1307_: f32;
-    var phi_1315_: f32;
-    var phi_1325_: bool;
-    var phi_1326_: bool;
-    var phi_1330_: f32;
-    var phi_1331_: f32;
-    var phi_1332_: f32;
-    var phi_1333_: f32;
-    var phi_1341_: f32;
-    var phi_1356_: f32;
-    var phi_1357_: bool;
-    var phi_1358_: f32;
-    var phi_1359_: bool;
+    var phi_1145_: lt_bvh_Hit;
+    var phi_1148_: u32;
+    var phi_1194_: vec3<f32>;
+    var phi_1195_: vec3<f32>;
+    var phi_1226_: vec3<f32>;
+    var phi_1227_: vec3<f32>;
+    var phi_1258_: vec3<f32>;
+    var phi_1259_: vec3<f32>;
+    var phi_1277_: bool;
+    var phi_1278_: bool;
+    var phi_1282_: f32;
+    var phi_1283_: f32;
+    var phi_1284_: f32;
+    var phi_1285_: f32;
+    var phi_1293_: f32;
+    var phi_1303_: bool;
+    var phi_1304_: bool;
+    var phi_1308_: f32;
+    var phi_1309_: f32;
+    var phi_1310_: f32;
+    var phi_1311_: f32;
+    var phi_1319_: f32;
+    var phi_1329_: bool;
+    var phi_1330_: bool;
+    var phi_1334_: f32;
+    var phi_1335_: f32;
+    var phi_1336_: f32;
+    var phi_1337_: f32;
+    var phi_1345_: f32;
     var phi_1360_: f32;
     var phi_1361_: bool;
-    var phi_1379_: f32;
-    var phi_1380_: bool;
-    var phi_1381_: bool;
-    var phi_1382_: f32;
-    var phi_1383_: bool;
+    var phi_1362_: f32;
+    var phi_1363_: bool;
+    var phi_1364_: f32;
+    var phi_1365_: bool;
+    var phi_1383_: f32;
     var phi_1384_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: f32;
+    var phi_1387_: bool;
     var phi_1388_: bool;
-    var phi_1389_: f32;
-    var phi_1390_: bool;
-    var phi_1420_: vec3<f32>;
-    var phi_1421_: vec3<f32>;
-    var phi_1446_: vec3<f32>;
-    var phi_1447_: vec3<f32>;
-    var phi_1472_: vec3<f32>;
-    var phi_1473_: vec3<f32>;
-    var phi_1531_: f32;
-    var phi_1540_: f32;
-    var phi_1549_: f32;
-    var phi_1558_: f32;
-    var phi_1565_: f32;
-    var phi_1572_: f32;
-    var phi_1585_: f32;
-    var phi_1594_: f32;
-    var phi_1603_: f32;
-    var phi_1612_: f32;
-    var phi_1619_: f32;
-    var phi_1626_: f32;
-    var phi_1649_: f32;
-    var phi_1654_: f32;
-    var phi_1659_: f32;
-    var phi_1667_: f32;
-    var phi_1672_: f32;
-    var phi_1677_: f32;
-    var phi_1689_: f32;
-    var phi_1694_: f32;
-    var phi_1699_: f32;
-    var phi_1704_: f32;
-    var phi_1709_: lt_bvh_triangle_Intersection;
-    var phi_1710_: bool;
-    var phi_1711_: lt_bvh_triangle_Intersection;
-    var phi_1712_: bool;
-    var phi_1716_: lt_bvh_triangle_Intersection;
-    var phi_1717_: bool;
-    var phi_1718_: lt_bvh_triangle_Intersection;
-    var phi_1719_: bool;
-    var phi_1720_: bool;
+    var phi_1392_: bool;
+    var phi_1393_: f32;
+    var phi_1394_: bool;
+    var phi_1424_: vec3<f32>;
+    var phi_1425_: vec3<f32>;
+    var phi_1450_: vec3<f32>;
+    var phi_1451_: vec3<f32>;
+    var phi_1476_: vec3<f32>;
+    var phi_1477_: vec3<f32>;
+    var phi_1535_: f32;
+    var phi_1544_: f32;
+    var phi_1553_: f32;
+    var phi_1562_: f32;
+    var phi_1569_: f32;
+    var phi_1576_: f32;
+    var phi_1589_: f32;
+    var phi_1598_: f32;
+    var phi_1607_: f32;
+    var phi_1616_: f32;
+    var phi_1623_: f32;
+    var phi_1630_: f32;
+    var phi_1653_: f32;
+    var phi_1658_: f32;
+    var phi_1663_: f32;
+    var phi_1671_: f32;
+    var phi_1676_: f32;
+    var phi_1681_: f32;
+    var phi_1693_: f32;
+    var phi_1698_: f32;
+    var phi_1703_: f32;
+    var phi_1708_: f32;
+    var phi_1713_: lt_bvh_triangle_Intersection;
+    var phi_1714_: bool;
+    var phi_1715_: lt_bvh_triangle_Intersection;
+    var phi_1716_: bool;
+    var phi_1720_: lt_bvh_triangle_Intersection;
+    var phi_1721_: bool;
+    var phi_1722_: lt_bvh_triangle_Intersection;
+    var phi_1723_: bool;
     var phi_1724_: bool;
-    var phi_1728_: lt_bvh_triangle_Intersection;
-    var phi_1767_: bool;
-    var phi_1768_: bool;
-    var phi_1769_: bool;
-    var phi_1770_: bool;
+    var phi_1728_: bool;
+    var phi_1732_: lt_bvh_triangle_Intersection;
     var phi_1771_: bool;
     var phi_1772_: bool;
+    var phi_1773_: bool;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
     var phi_1776_: bool;
-    var phi_1777_: bool;
-    var phi_1791_: bool;
-    var phi_1799_: lt_bvh_Hit;
-    var phi_1800_: lt_bvh_Hit;
-    var phi_1801_: lt_bvh_Hit;
-    var phi_1802_: lt_bvh_Hit;
-    var phi_1142_: lt_bvh_Hit;
-    var phi_1145_: u32;
-    var phi_1803_: bool;
-    var phi_1842_: bool;
-    var phi_1843_: bool;
-    var phi_1874_: u32;
-    var phi_805_: lt_bvh_Hit;
-    var phi_808_: u32;
-    var phi_1875_: lt_bvh_Hit;
-    var phi_1876_: lt_bvh_Hit;
-    var phi_1877_: bool;
-    var phi_1881_: lt_bvh_Hit;
-    var phi_1946_: f32;
-    var phi_1951_: f32;
-    var phi_1956_: f32;
-    var phi_1967_: f32;
-    var phi_1972_: f32;
-    var phi_1977_: f32;
-    var phi_2053_: vec3<f32>;
-    var phi_2174_: u32;
-    var phi_2201_: f32;
-    var phi_2208_: f32;
-    var phi_2215_: f32;
-    var phi_2250_: f32;
-    var phi_2257_: f32;
-    var phi_2264_: f32;
-    var phi_2302_: f32;
-    var phi_2309_: f32;
-    var phi_2316_: f32;
-    var phi_2375_: vec3<f32>;
-    var phi_2376_: vec3<f32>;
-    var phi_2377_: vec3<f32>;
-    var phi_2386_: f32;
-    var phi_2387_: f32;
-    var phi_2397_: f32;
-    var phi_2398_: f32;
-    var phi_2408_: f32;
-    var phi_2409_: f32;
-    var phi_2444_: abi_Sample;
-    var phi_2535_: vec3<f32>;
+    var phi_1780_: bool;
+    var phi_1781_: bool;
+    var phi_1795_: bool;
+    var phi_1803_: lt_bvh_Hit;
+    var phi_1804_: lt_bvh_Hit;
+    var phi_1805_: lt_bvh_Hit;
+    var phi_1806_: lt_bvh_Hit;
+    var phi_1146_: lt_bvh_Hit;
+    var phi_1149_: u32;
+    var phi_1807_: bool;
+    var phi_1846_: bool;
+    var phi_1847_: bool;
+    var phi_1878_: u32;
+    var phi_809_: lt_bvh_Hit;
+    var phi_812_: u32;
+    var phi_1879_: lt_bvh_Hit;
+    var phi_1880_: lt_bvh_Hit;
+    var phi_1881_: bool;
+    var phi_1885_: lt_bvh_Hit;
+    var phi_1950_: f32;
+    var phi_1955_: f32;
+    var phi_1960_: f32;
+    var phi_1971_: f32;
+    var phi_1976_: f32;
+    var phi_1981_: f32;
+    var phi_2057_: vec3<f32>;
+    var phi_2178_: u32;
+    var phi_2205_: f32;
+    var phi_2212_: f32;
+    var phi_2219_: f32;
+    var phi_2254_: f32;
+    var phi_2261_: f32;
+    var phi_2268_: f32;
+    var phi_2306_: f32;
+    var phi_2313_: f32;
+    var phi_2320_: f32;
+    var phi_2379_: vec3<f32>;
+    var phi_2380_: vec3<f32>;
+    var phi_2381_: vec3<f32>;
+    var phi_2390_: f32;
+    var phi_2391_: f32;
+    var phi_2401_: f32;
+    var phi_2402_: f32;
+    var phi_2412_: f32;
+    var phi_2413_: f32;
+    var phi_2448_: abi_Sample;
+    var phi_2539_: vec3<f32>;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
@@ -465,7 +463,7 @@ fn function_() {
     let _e88 = p.member.size[0u];
     let _e90 = p.member.size[1u];
     let _e91 = lt_shaders_entry_pixel_index(_e63, _e88, _e90);
-    if (bitcast<i32>(_e91.root) != 0i) {
+    if (bitcast<i32>(_e91.word) != 0i) {
         let _e99 = p.member.eye;
         let _e104 = p.member.size[0u];
         let _e108 = ((((f32(_e63.x) + 0.5f) / f32(_e104)) * 2f) - 1f);
@@ -476,1464 +474,1465 @@ fn function_() {
         let _e135 = p.member.up;
         let _e146 = _lt_bvh_ray_Ray_new(_e99, vec3<f32>(((_e119.x + (_e121.x * _e108)) + (_e135.x * _e117)), ((_e119.y + (_e121.y * _e108)) + (_e135.y * _e117)), ((_e119.z + (_e121.z * _e108)) + (_e135.z * _e117))));
         let _e148 = lt_bvh_Hit(_e146.tmax, 0f, 0f, 4294967295u, 4294967295u);
-        let _e158 = abs(_e146.direction.x);
-        let _e160 = abs(_e146.direction.y);
-        let _e162 = abs(_e146.direction.z);
+        let _e151 = abs(_e146.direction.x);
+        let _e153 = abs(_e146.direction.y);
+        let _e155 = abs(_e146.direction.z);
         if (abs(_e146.origin.x) < 1000000000000000f) {
             if (abs(_e146.origin.y) < 1000000000000000f) {
-                if (abs(_e146.origin.z) < 1000000000000000f) {
-                    if (_e158 < 1000000000000000f) {
-                        if (_e160 < 1000000000000000f) {
-                            if (_e162 < 1000000000000000f) {
-                                if (_e158 > 0f) {
-                                    phi_393_ = bool();
-                                    phi_394_ = true;
-                                } else {
-                                    let _e170 = (_e160 > 0f);
-                                    if _e170 {
-                                        phi_392_ = bool();
-                                    } else {
-                                        phi_392_ = (_e162 > 0f);
-                                    }
-                                    let _e173 = phi_392_;
-                                    phi_393_ = _e173;
-                                    phi_394_ = _e170;
-                                }
-                                let _e175 = phi_393_;
-                                let _e177 = phi_394_;
-                                if _e177 {
-                                    phi_398_ = true;
-                                } else {
-                                    phi_398_ = _e175;
-                                }
-                                let _e179 = phi_398_;
-                                phi_399_ = _e179;
-                                phi_400_ = false;
-                            } else {
-                                phi_399_ = bool();
-                                phi_400_ = true;
-                            }
-                            let _e181 = phi_399_;
-                            let _e183 = phi_400_;
-                            phi_401_ = _e181;
-                            phi_402_ = false;
-                            phi_403_ = _e183;
-                        } else {
-                            phi_401_ = bool();
-                            phi_402_ = true;
-                            phi_403_ = false;
-                        }
-                        let _e185 = phi_401_;
-                        let _e187 = phi_402_;
-                        let _e189 = phi_403_;
-                        phi_404_ = _e185;
-                        phi_405_ = _e187;
-                        phi_406_ = _e189;
-                    } else {
-                        phi_404_ = bool();
-                        phi_405_ = true;
-                        phi_406_ = false;
-                    }
-                    let _e191 = phi_404_;
-                    let _e193 = phi_405_;
-                    let _e195 = phi_406_;
-                    phi_407_ = _e191;
-                    phi_408_ = _e193;
-                    phi_409_ = _e195;
-                } else {
-                    phi_407_ = bool();
-                    phi_408_ = true;
-                    phi_409_ = false;
-                }
-                let _e197 = phi_407_;
-                let _e199 = phi_408_;
-                let _e201 = phi_409_;
-                phi_410_ = _e197;
-                phi_411_ = _e199;
-                phi_412_ = _e201;
+                phi_368_ = (abs(_e146.origin.z) < 1000000000000000f);
+                phi_369_ = false;
             } else {
-                phi_410_ = bool();
-                phi_411_ = true;
-                phi_412_ = false;
+                phi_368_ = bool();
+                phi_369_ = true;
             }
-            let _e203 = phi_410_;
-            let _e205 = phi_411_;
-            let _e207 = phi_412_;
-            phi_413_ = _e203;
-            phi_414_ = _e205;
-            phi_415_ = _e207;
+            let _e167 = phi_368_;
+            let _e169 = phi_369_;
+            phi_370_ = _e167;
+            phi_371_ = _e169;
         } else {
-            phi_413_ = bool();
-            phi_414_ = true;
-            phi_415_ = false;
+            phi_370_ = bool();
+            phi_371_ = true;
         }
-        let _e209 = phi_413_;
-        let _e211 = phi_414_;
-        let _e213 = phi_415_;
-        if _e211 {
-            phi_419_ = true;
+        let _e171 = phi_370_;
+        let _e173 = phi_371_;
+        if _e173 {
+            phi_375_ = false;
         } else {
-            phi_419_ = _e213;
+            phi_375_ = _e171;
         }
-        let _e215 = phi_419_;
-        if _e215 {
-            phi_423_ = false;
+        let _e175 = phi_375_;
+        if _e175 {
+            if (_e151 < 1000000000000000f) {
+                if (_e153 < 1000000000000000f) {
+                    phi_388_ = (_e155 < 1000000000000000f);
+                    phi_389_ = false;
+                } else {
+                    phi_388_ = bool();
+                    phi_389_ = true;
+                }
+                let _e180 = phi_388_;
+                let _e182 = phi_389_;
+                phi_390_ = _e180;
+                phi_391_ = _e182;
+            } else {
+                phi_390_ = bool();
+                phi_391_ = true;
+            }
+            let _e184 = phi_390_;
+            let _e186 = phi_391_;
+            if _e186 {
+                phi_395_ = false;
+            } else {
+                phi_395_ = _e184;
+            }
+            let _e188 = phi_395_;
+            if _e188 {
+                if (_e151 > 0f) {
+                    phi_409_ = bool();
+                    phi_410_ = true;
+                } else {
+                    let _e190 = (_e153 > 0f);
+                    if _e190 {
+                        phi_408_ = bool();
+                    } else {
+                        phi_408_ = (_e155 > 0f);
+                    }
+                    let _e193 = phi_408_;
+                    phi_409_ = _e193;
+                    phi_410_ = _e190;
+                }
+                let _e195 = phi_409_;
+                let _e197 = phi_410_;
+                if _e197 {
+                    phi_414_ = true;
+                } else {
+                    phi_414_ = _e195;
+                }
+                let _e199 = phi_414_;
+                phi_415_ = _e199;
+                phi_416_ = false;
+            } else {
+                phi_415_ = bool();
+                phi_416_ = true;
+            }
+            let _e201 = phi_415_;
+            let _e203 = phi_416_;
+            phi_417_ = _e201;
+            phi_418_ = _e203;
         } else {
-            phi_423_ = _e209;
+            phi_417_ = bool();
+            phi_418_ = true;
         }
-        let _e217 = phi_423_;
-        if _e217 {
-            let _e218 = (0u >= _e67);
-            if _e218 {
-                phi_1875_ = lt_bvh_Hit();
+        let _e205 = phi_417_;
+        let _e207 = phi_418_;
+        if _e207 {
+            phi_422_ = false;
+        } else {
+            phi_422_ = _e205;
+        }
+        let _e209 = phi_422_;
+        if _e209 {
+            let _e210 = (0u >= _e67);
+            if _e210 {
+                phi_1879_ = lt_bvh_Hit();
             } else {
                 if (0u < _e67) {
                 } else {
                     return;
                 }
-                let _e224 = nodes.member[(0u + 0u)].frame[0u];
-                let _e228 = nodes.member[(0u + 0u)].frame[1u];
-                let _e232 = nodes.member[(0u + 0u)].frame[2u];
-                let _e236 = nodes.member[(0u + 0u)].frame[0u];
-                let _e240 = nodes.member[(0u + 0u)].frame[1u];
-                let _e244 = nodes.member[(0u + 0u)].frame[2u];
-                let _e248 = nodes.member[(0u + 0u)].frame[3u];
-                let _e286 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146.direction.x), abs(_e146.direction.y));
-                let _e287 = core_intrinsics_maximum_number_nsz_f32_(_e286, abs(_e146.direction.z));
-                let _e288 = (_e287 * 0.0000000000009094947f);
-                if (abs(_e146.direction.x) < _e288) {
-                    phi_498_ = _e288;
+                let _e216 = nodes.member[(0u + 0u)].frame[0u];
+                let _e220 = nodes.member[(0u + 0u)].frame[1u];
+                let _e224 = nodes.member[(0u + 0u)].frame[2u];
+                let _e228 = nodes.member[(0u + 0u)].frame[0u];
+                let _e232 = nodes.member[(0u + 0u)].frame[1u];
+                let _e236 = nodes.member[(0u + 0u)].frame[2u];
+                let _e240 = nodes.member[(0u + 0u)].frame[3u];
+                let _e279 = core_intrinsics_maximum_number_nsz_f32_(abs(_e146.direction.x), abs(_e146.direction.y));
+                let _e280 = core_intrinsics_maximum_number_nsz_f32_(_e279, abs(_e146.direction.z));
+                let _e281 = (_e280 * 0.0000000000009094947f);
+                if (abs(_e146.direction.x) < _e281) {
+                    phi_498_ = _e281;
                 } else {
                     phi_498_ = abs(_e146.direction.x);
                 }
-                let _e295 = phi_498_;
+                let _e287 = phi_498_;
                 if (_e146.direction.x < 0f) {
-                    phi_505_ = (-1f / _e295);
+                    phi_505_ = (-1f / _e287);
                 } else {
-                    phi_505_ = (1f / _e295);
+                    phi_505_ = (1f / _e287);
                 }
-                let _e300 = phi_505_;
-                if (abs(_e146.direction.y) < _e288) {
-                    phi_513_ = _e288;
+                let _e292 = phi_505_;
+                if (abs(_e146.direction.y) < _e281) {
+                    phi_513_ = _e281;
                 } else {
                     phi_513_ = abs(_e146.direction.y);
                 }
-                let _e307 = phi_513_;
+                let _e298 = phi_513_;
                 if (_e146.direction.y < 0f) {
-                    phi_520_ = (-1f / _e307);
+                    phi_520_ = (-1f / _e298);
                 } else {
-                    phi_520_ = (1f / _e307);
+                    phi_520_ = (1f / _e298);
                 }
-                let _e312 = phi_520_;
-                if (abs(_e146.direction.z) < _e288) {
-                    phi_528_ = _e288;
+                let _e303 = phi_520_;
+                if (abs(_e146.direction.z) < _e281) {
+                    phi_528_ = _e281;
                 } else {
                     phi_528_ = abs(_e146.direction.z);
                 }
-                let _e319 = phi_528_;
+                let _e309 = phi_528_;
                 if (_e146.direction.z < 0f) {
-                    phi_535_ = (-1f / _e319);
+                    phi_535_ = (-1f / _e309);
                 } else {
-                    phi_535_ = (1f / _e319);
+                    phi_535_ = (1f / _e309);
                 }
-                let _e324 = phi_535_;
-                let _e332 = abs((bitcast<f32>(_e224) - _e146.origin.x));
-                let _e333 = abs((bitcast<f32>(_e228) - _e146.origin.y));
-                let _e334 = abs((bitcast<f32>(_e232) - _e146.origin.z));
-                let _e342 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e248 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.x));
-                let _e343 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e248 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.y));
-                let _e344 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e248 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.z));
-                if (_e332 > _e342) {
-                    phi_560_ = _e332;
+                let _e314 = phi_535_;
+                let _e321 = abs((bitcast<f32>(_e216) - _e146.origin.x));
+                let _e322 = abs((bitcast<f32>(_e220) - _e146.origin.y));
+                let _e323 = abs((bitcast<f32>(_e224) - _e146.origin.z));
+                let _e330 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e240 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.x));
+                let _e331 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e240 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.y));
+                let _e332 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e240 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.z));
+                if (_e321 > _e330) {
+                    phi_558_ = _e321;
                 } else {
-                    phi_560_ = _e342;
+                    phi_558_ = _e330;
                 }
-                let _e347 = phi_560_;
-                if (_e333 > _e343) {
-                    phi_565_ = _e333;
+                let _e335 = phi_558_;
+                if (_e322 > _e331) {
+                    phi_563_ = _e322;
                 } else {
-                    phi_565_ = _e343;
+                    phi_563_ = _e331;
                 }
-                let _e350 = phi_565_;
-                if (_e334 > _e344) {
-                    phi_570_ = _e334;
+                let _e338 = phi_563_;
+                if (_e323 > _e332) {
+                    phi_568_ = _e323;
                 } else {
-                    phi_570_ = _e344;
+                    phi_568_ = _e332;
                 }
-                let _e353 = phi_570_;
-                let _e354 = core_intrinsics_maximum_number_nsz_f32_(_e347, _e350);
-                let _e355 = core_intrinsics_maximum_number_nsz_f32_(_e354, _e353);
-                let _e360 = (_e355 * 0.0000019073486f);
-                let _e361 = (abs(_e300) * _e360);
-                let _e362 = (abs(_e312) * _e360);
-                let _e363 = (abs(_e324) * _e360);
-                let _e367 = (_e355 * 0.0000009536743f);
-                let _e368 = (abs(_e300) * _e367);
-                let _e369 = (abs(_e312) * _e367);
-                let _e370 = (abs(_e324) * _e367);
-                let _e373 = abs(_e146.direction.x);
-                let _e375 = abs(_e146.direction.y);
-                let _e377 = abs(_e146.direction.z);
-                if (_e373 >= _e375) {
-                    if (_e373 >= _e377) {
-                        phi_603_ = false;
+                let _e341 = phi_568_;
+                if (_e335 > _e338) {
+                    phi_573_ = _e335;
+                } else {
+                    phi_573_ = _e338;
+                }
+                let _e344 = phi_573_;
+                if (_e344 > _e341) {
+                    phi_578_ = _e344;
+                } else {
+                    phi_578_ = _e341;
+                }
+                let _e347 = phi_578_;
+                let _e351 = (_e347 * 0.0000019073486f);
+                let _e352 = (abs(_e292) * _e351);
+                let _e353 = (abs(_e303) * _e351);
+                let _e354 = (abs(_e314) * _e351);
+                let _e358 = (_e347 * 0.0000009536743f);
+                let _e359 = (abs(_e292) * _e358);
+                let _e360 = (abs(_e303) * _e358);
+                let _e361 = (abs(_e314) * _e358);
+                let _e365 = abs(_e146.direction.x);
+                let _e367 = abs(_e146.direction.y);
+                let _e369 = abs(_e146.direction.z);
+                if (_e365 >= _e367) {
+                    if (_e365 >= _e369) {
+                        phi_609_ = false;
                     } else {
-                        phi_603_ = true;
+                        phi_609_ = true;
                     }
-                    let _e381 = phi_603_;
-                    phi_604_ = _e381;
+                    let _e373 = phi_609_;
+                    phi_610_ = _e373;
                 } else {
-                    phi_604_ = true;
+                    phi_610_ = true;
                 }
-                let _e383 = phi_604_;
-                if _e383 {
-                    if (_e375 >= _e377) {
-                        phi_612_ = 1u;
+                let _e375 = phi_610_;
+                if _e375 {
+                    if (_e367 >= _e369) {
+                        phi_618_ = 1u;
                     } else {
-                        phi_612_ = 2u;
+                        phi_618_ = 2u;
                     }
-                    let _e386 = phi_612_;
-                    phi_613_ = _e386;
+                    let _e378 = phi_618_;
+                    phi_619_ = _e378;
                 } else {
-                    phi_613_ = 0u;
+                    phi_619_ = 0u;
                 }
-                let _e388 = phi_613_;
-                if (_e388 == 0u) {
-                    phi_632_ = vec3<f32>(_e146.direction.y, _e146.direction.z, _e146.direction.x);
+                let _e380 = phi_619_;
+                if (_e380 == 0u) {
+                    phi_637_ = vec3<f32>(_e146.direction.y, _e146.direction.z, _e146.direction.x);
                 } else {
-                    if (_e388 == 1u) {
-                        phi_631_ = vec3<f32>(_e146.direction.z, _e146.direction.x, _e146.direction.y);
+                    if (_e380 == 1u) {
+                        phi_636_ = vec3<f32>(_e146.direction.z, _e146.direction.x, _e146.direction.y);
                     } else {
-                        phi_631_ = _e146.direction;
+                        phi_636_ = _e146.direction;
                     }
-                    let _e401 = phi_631_;
-                    phi_632_ = _e401;
+                    let _e392 = phi_636_;
+                    phi_637_ = _e392;
                 }
-                let _e403 = phi_632_;
-                let _e407 = (_e403.x / _e403.z);
-                let _e410 = (_e403.y / _e403.z);
-                if (_e300 < 0f) {
-                    phi_646_ = 0u;
+                let _e394 = phi_637_;
+                let _e397 = (_e394.x / _e394.z);
+                let _e400 = (_e394.y / _e394.z);
+                if (_e292 < 0f) {
+                    phi_650_ = 0u;
                 } else {
-                    phi_646_ = 1u;
+                    phi_650_ = 1u;
                 }
-                let _e415 = phi_646_;
-                if (_e312 < 0f) {
-                    phi_651_ = 0u;
+                let _e405 = phi_650_;
+                if (_e303 < 0f) {
+                    phi_655_ = 0u;
                 } else {
-                    phi_651_ = 2u;
+                    phi_655_ = 2u;
                 }
-                let _e418 = phi_651_;
-                if (_e324 < 0f) {
-                    phi_656_ = 0u;
+                let _e408 = phi_655_;
+                if (_e314 < 0f) {
+                    phi_660_ = 0u;
                 } else {
-                    phi_656_ = 4u;
+                    phi_660_ = 4u;
                 }
-                let _e421 = phi_656_;
-                let _e423 = ((_e415 | _e418) | _e421);
-                let _e424 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e424.first[0], _e424.first[1], _e424.first[2], _e424.first[3], _e424.first[4], _e424.first[5], _e424.first[6], _e424.first[7], _e424.first[8], _e424.first[9], _e424.first[10], _e424.first[11], _e424.first[12], _e424.first[13], _e424.first[14], _e424.first[15], _e424.first[16], _e424.first[17], _e424.first[18], _e424.first[19], _e424.first[20], _e424.first[21], _e424.first[22], _e424.first[23], _e424.first[24], _e424.first[25], _e424.first[26], _e424.first[27], _e424.first[28], _e424.first[29], _e424.first[30], _e424.first[31]), array<u32, 32>(_e424.mask[0], _e424.mask[1], _e424.mask[2], _e424.mask[3], _e424.mask[4], _e424.mask[5], _e424.mask[6], _e424.mask[7], _e424.mask[8], _e424.mask[9], _e424.mask[10], _e424.mask[11], _e424.mask[12], _e424.mask[13], _e424.mask[14], _e424.mask[15], _e424.mask[16], _e424.mask[17], _e424.mask[18], _e424.mask[19], _e424.mask[20], _e424.mask[21], _e424.mask[22], _e424.mask[23], _e424.mask[24], _e424.mask[25], _e424.mask[26], _e424.mask[27], _e424.mask[28], _e424.mask[29], _e424.mask[30], _e424.mask[31]), _e424.len, _e424.group, _e424.group_mask);
-                let _e498 = local.group_mask;
-                if ((_e498 & 4278190080u) == 0u) {
-                    let _e502 = local.len;
-                    if (_e502 == 0u) {
-                        phi_770_ = false;
+                let _e411 = phi_660_;
+                let _e413 = ((_e405 | _e408) | _e411);
+                let _e414 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e414.first[0], _e414.first[1], _e414.first[2], _e414.first[3], _e414.first[4], _e414.first[5], _e414.first[6], _e414.first[7], _e414.first[8], _e414.first[9], _e414.first[10], _e414.first[11], _e414.first[12], _e414.first[13], _e414.first[14], _e414.first[15], _e414.first[16], _e414.first[17], _e414.first[18], _e414.first[19], _e414.first[20], _e414.first[21], _e414.first[22], _e414.first[23], _e414.first[24], _e414.first[25], _e414.first[26], _e414.first[27], _e414.first[28], _e414.first[29], _e414.first[30], _e414.first[31]), array<u32, 32>(_e414.mask[0], _e414.mask[1], _e414.mask[2], _e414.mask[3], _e414.mask[4], _e414.mask[5], _e414.mask[6], _e414.mask[7], _e414.mask[8], _e414.mask[9], _e414.mask[10], _e414.mask[11], _e414.mask[12], _e414.mask[13], _e414.mask[14], _e414.mask[15], _e414.mask[16], _e414.mask[17], _e414.mask[18], _e414.mask[19], _e414.mask[20], _e414.mask[21], _e414.mask[22], _e414.mask[23], _e414.mask[24], _e414.mask[25], _e414.mask[26], _e414.mask[27], _e414.mask[28], _e414.mask[29], _e414.mask[30], _e414.mask[31]), _e414.len, _e414.group, _e414.group_mask);
+                let _e488 = local.group_mask;
+                if ((_e488 & 4278190080u) == 0u) {
+                    let _e492 = local.len;
+                    if (_e492 == 0u) {
+                        phi_774_ = false;
                     } else {
-                        let _e506 = local.len;
-                        local.len = (_e506 - 1u);
-                        let _e509 = local.len;
-                        if (_e509 < 32u) {
+                        let _e496 = local.len;
+                        local.len = (_e496 - 1u);
+                        let _e499 = local.len;
+                        if (_e499 < 32u) {
                         } else {
                             return;
                         }
-                        let _e514 = local.first[(0u + _e509)];
-                        local.group = _e514;
-                        let _e517 = local.len;
-                        if (_e517 < 32u) {
+                        let _e504 = local.first[(0u + _e499)];
+                        local.group = _e504;
+                        let _e507 = local.len;
+                        if (_e507 < 32u) {
                         } else {
                             return;
                         }
-                        let _e522 = local.mask[(0u + _e517)];
-                        local.group_mask = _e522;
-                        phi_770_ = true;
+                        let _e512 = local.mask[(0u + _e507)];
+                        local.group_mask = _e512;
+                        phi_774_ = true;
                     }
-                    let _e525 = phi_770_;
-                    phi_771_ = _e525;
+                    let _e515 = phi_774_;
+                    phi_775_ = _e515;
                 } else {
-                    phi_771_ = true;
+                    phi_775_ = true;
                 }
-                let _e527 = phi_771_;
-                if _e527 {
+                let _e517 = phi_775_;
+                if _e517 {
+                    let _e519 = local.group_mask;
+                    let _e525 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e519)), 32u, (_e519 == 0u)));
                     let _e529 = local.group_mask;
-                    let _e535 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e529)), 32u, (_e529 == 0u)));
-                    let _e539 = local.group_mask;
-                    let _e553 = local.group_mask;
-                    local.group_mask = (_e553 & ~((1u << bitcast<u32>((_e535 & 31u)))));
-                    let _e556 = local.group;
-                    phi_802_ = (_e556 + countOneBits(((_e539 & ~((4294967295u << bitcast<u32>((((_e535 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e543 = local.group_mask;
+                    local.group_mask = (_e543 & ~((1u << bitcast<u32>((_e525 & 31u)))));
+                    let _e546 = local.group;
+                    phi_806_ = (_e546 + countOneBits(((_e529 & ~((4294967295u << bitcast<u32>((((_e525 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_802_ = 4294967295u;
+                    phi_806_ = 4294967295u;
                 }
-                let _e559 = phi_802_;
-                phi_804_ = _e148;
-                phi_807_ = _e559;
+                let _e549 = phi_806_;
+                phi_808_ = _e148;
+                phi_811_ = _e549;
                 loop {
-                    let _e561 = phi_804_;
-                    let _e563 = phi_807_;
-                    local_5 = _e561;
-                    let _e564 = (_e563 != 4294967295u);
-                    if _e564 {
-                        if (_e563 < _e67) {
+                    let _e551 = phi_808_;
+                    let _e553 = phi_811_;
+                    local_5 = _e551;
+                    let _e554 = (_e553 != 4294967295u);
+                    if _e554 {
+                        if (_e553 < _e67) {
                         } else {
                             return;
                         }
-                        let _e572 = nodes.member[(0u + _e563)].frame[3u];
-                        let _e597 = (bitcast<f32>((((_e572 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e300);
-                        let _e598 = (bitcast<f32>((((_e572 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e312);
-                        let _e599 = (bitcast<f32>((((_e572 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e602 = nodes.member[(0u + _e563)].frame[0u];
-                        let _e606 = nodes.member[(0u + _e563)].frame[1u];
-                        let _e610 = nodes.member[(0u + _e563)].frame[2u];
-                        let _e618 = ((bitcast<f32>(_e602) - _e146.origin.x) * _e300);
-                        let _e619 = ((bitcast<f32>(_e606) - _e146.origin.y) * _e312);
-                        let _e620 = ((bitcast<f32>(_e610) - _e146.origin.z) * _e324);
-                        let _e628 = nodes.member[(0u + _e563)].x;
-                        if (_e300 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e628.x, _e645.unnamed_1.first_primitive));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e628.y));
+                        let _e562 = nodes.member[(0u + _e553)].frame[3u];
+                        let _e587 = (bitcast<f32>((((_e562 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
+                        let _e588 = (bitcast<f32>((((_e562 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
+                        let _e589 = (bitcast<f32>((((_e562 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e592 = nodes.member[(0u + _e553)].frame[0u];
+                        let _e596 = nodes.member[(0u + _e553)].frame[1u];
+                        let _e600 = nodes.member[(0u + _e553)].frame[2u];
+                        let _e608 = ((bitcast<f32>(_e592) - _e146.origin.x) * _e292);
+                        let _e609 = ((bitcast<f32>(_e596) - _e146.origin.y) * _e303);
+                        let _e610 = ((bitcast<f32>(_e600) - _e146.origin.z) * _e314);
+                        let _e618 = nodes.member[(0u + _e553)].x;
+                        if (_e292 < 0f) {
+                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.unnamed.word, _e618.w), _e629.unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_mask_LightPlace(_e618.x, _e635.unnamed_1.shift));
+                            phi_896_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_mask_LightPlace(_e641.unnamed_1.word, _e618.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e628.z, _e673.unnamed_1.first_primitive));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e628.w));
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.unnamed.word, _e618.y), _e657.unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e618.z, _e663.unnamed_1.shift));
+                            phi_896_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e669.unnamed_1.word, _e618.w));
                         }
-                        let _e687 = phi_892_;
-                        let _e697 = nodes.member[(0u + _e563)].y;
-                        if (_e312 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e697.x, _e714.unnamed_1.first_primitive));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e697.y));
+                        let _e677 = phi_896_;
+                        let _e687 = nodes.member[(0u + _e553)].y;
+                        if (_e303 < 0f) {
+                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.unnamed.word, _e687.w), _e698.unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e687.x, _e704.unnamed_1.shift));
+                            phi_923_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e687.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e697.z, _e742.unnamed_1.first_primitive));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e697.w));
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e687.y), _e726.unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e687.z, _e732.unnamed_1.shift));
+                            phi_923_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e687.w));
                         }
-                        let _e756 = phi_919_;
-                        let _e766 = nodes.member[(0u + _e563)].z;
-                        if (_e324 < 0f) {
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e777.unnamed.root, _e766.w), _e777.unnamed_1);
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e766.x, _e783.unnamed_1.first_primitive));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_bvh_traverse_Tree(_e789.unnamed_1.root, _e766.y));
+                        let _e746 = phi_923_;
+                        let _e756 = nodes.member[(0u + _e553)].z;
+                        if (_e314 < 0f) {
+                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.unnamed.word, _e756.w), _e767.unnamed_1);
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e756.x, _e773.unnamed_1.shift));
+                            phi_950_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e756.y));
                         } else {
-                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.unnamed.root, _e766.y), _e805.unnamed_1);
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_bvh_traverse_Tree(_e766.z, _e811.unnamed_1.first_primitive));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_bvh_traverse_Tree(_e817.unnamed_1.root, _e766.w));
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e756.y), _e795.unnamed_1);
+                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e756.z, _e801.unnamed_1.shift));
+                            phi_950_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e756.w));
                         }
-                        let _e825 = phi_946_;
-                        phi_952_ = 0u;
-                        phi_955_ = 0u;
+                        let _e815 = phi_950_;
+                        phi_956_ = 0u;
+                        phi_959_ = 0u;
                         loop {
-                            let _e835 = phi_952_;
-                            let _e837 = phi_955_;
-                            local_1 = _e837;
-                            local_2 = _e837;
-                            local_3 = _e837;
-                            let _e838 = (_e835 < 8u);
-                            if _e838 {
-                                let _e840 = (_e835 >> bitcast<u32>(2i));
-                                let _e841 = (_e835 & 3u);
-                                if (_e840 == 0u) {
-                                    phi_969_ = _e687.unnamed.root;
+                            let _e825 = phi_956_;
+                            let _e827 = phi_959_;
+                            local_1 = _e827;
+                            local_2 = _e827;
+                            local_3 = _e827;
+                            let _e828 = (_e825 < 8u);
+                            if _e828 {
+                                let _e830 = (_e825 >> bitcast<u32>(2i));
+                                let _e831 = (_e825 & 3u);
+                                if (_e830 == 0u) {
+                                    phi_973_ = _e677.unnamed.word;
                                 } else {
-                                    phi_969_ = _e687.unnamed.first_primitive;
+                                    phi_973_ = _e677.unnamed.shift;
                                 }
-                                let _e844 = phi_969_;
-                                if (_e840 == 0u) {
-                                    phi_979_ = _e756.unnamed.root;
+                                let _e834 = phi_973_;
+                                if (_e830 == 0u) {
+                                    phi_983_ = _e746.unnamed.word;
                                 } else {
-                                    phi_979_ = _e756.unnamed.first_primitive;
+                                    phi_983_ = _e746.unnamed.shift;
                                 }
-                                let _e853 = phi_979_;
-                                if (_e840 == 0u) {
-                                    phi_989_ = _e825.unnamed.root;
+                                let _e843 = phi_983_;
+                                if (_e830 == 0u) {
+                                    phi_993_ = _e815.unnamed.word;
                                 } else {
-                                    phi_989_ = _e825.unnamed.first_primitive;
+                                    phi_993_ = _e815.unnamed.shift;
                                 }
-                                let _e862 = phi_989_;
-                                let _e875 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 - _e361)), ((f32(((_e853 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e362)));
-                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)));
-                                if (_e840 == 0u) {
-                                    phi_1007_ = _e687.unnamed_1.root;
+                                let _e852 = phi_993_;
+                                let _e865 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e834 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e587) + (_e608 - _e352)), ((f32(((_e843 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e588) + (_e609 - _e353)));
+                                let _e866 = core_intrinsics_maximum_number_nsz_f32_(_e865, ((f32(((_e852 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e589) + (_e610 - _e354)));
+                                if (_e830 == 0u) {
+                                    phi_1011_ = _e677.unnamed_1.word;
                                 } else {
-                                    phi_1007_ = _e687.unnamed_1.first_primitive;
+                                    phi_1011_ = _e677.unnamed_1.shift;
                                 }
-                                let _e879 = phi_1007_;
-                                if (_e840 == 0u) {
-                                    phi_1017_ = _e756.unnamed_1.root;
+                                let _e869 = phi_1011_;
+                                if (_e830 == 0u) {
+                                    phi_1021_ = _e746.unnamed_1.word;
                                 } else {
-                                    phi_1017_ = _e756.unnamed_1.first_primitive;
+                                    phi_1021_ = _e746.unnamed_1.shift;
                                 }
-                                let _e888 = phi_1017_;
-                                if (_e840 == 0u) {
-                                    phi_1027_ = _e825.unnamed_1.root;
+                                let _e878 = phi_1021_;
+                                if (_e830 == 0u) {
+                                    phi_1031_ = _e815.unnamed_1.word;
                                 } else {
-                                    phi_1027_ = _e825.unnamed_1.first_primitive;
+                                    phi_1031_ = _e815.unnamed_1.shift;
                                 }
-                                let _e897 = phi_1027_;
-                                let _e910 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 + _e361)), ((f32(((_e888 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e362)));
-                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)));
-                                if (_e876 <= _e911) {
-                                    if (_e876 <= _e561.t) {
-                                        if (_e911 >= _e146.tmin) {
-                                            if (_e840 == 0u) {
-                                                let _e918 = nodes.member[(0u + _e563)].links[2u];
-                                                phi_1063_ = _e918;
+                                let _e887 = phi_1031_;
+                                let _e900 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e869 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e587) + (_e608 + _e352)), ((f32(((_e878 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e588) + (_e609 + _e353)));
+                                let _e901 = core_intrinsics_minimum_number_nsz_f32_(_e900, ((f32(((_e887 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u)) * _e589) + (_e610 + _e354)));
+                                if (_e866 <= _e901) {
+                                    if (_e866 <= _e551.t) {
+                                        if (_e901 >= _e146.tmin) {
+                                            if (_e830 == 0u) {
+                                                let _e908 = nodes.member[(0u + _e553)].links[2u];
+                                                phi_1067_ = _e908;
                                             } else {
-                                                let _e921 = nodes.member[(0u + _e563)].links[3u];
-                                                phi_1063_ = _e921;
+                                                let _e911 = nodes.member[(0u + _e553)].links[3u];
+                                                phi_1067_ = _e911;
                                             }
-                                            let _e923 = phi_1063_;
-                                            let _e928 = ((_e923 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u);
-                                            let _e929 = (_e928 & 31u);
-                                            if (_e929 >= 24u) {
-                                                phi_1076_ = (24u + ((_e929 - 24u) ^ _e423));
+                                            let _e913 = phi_1067_;
+                                            let _e918 = ((_e913 >> bitcast<u32>(((_e831 * 8u) & 31u))) & 255u);
+                                            let _e919 = (_e918 & 31u);
+                                            if (_e919 >= 24u) {
+                                                phi_1080_ = (24u + ((_e919 - 24u) ^ _e413));
                                             } else {
-                                                phi_1076_ = _e929;
+                                                phi_1080_ = _e919;
                                             }
-                                            let _e935 = phi_1076_;
-                                            phi_1081_ = (_e837 | ((_e928 >> bitcast<u32>(5i)) << bitcast<u32>((_e935 & 31u))));
+                                            let _e925 = phi_1080_;
+                                            phi_1085_ = (_e827 | ((_e918 >> bitcast<u32>(5i)) << bitcast<u32>((_e925 & 31u))));
                                         } else {
-                                            phi_1081_ = _e837;
+                                            phi_1085_ = _e827;
                                         }
-                                        let _e943 = phi_1081_;
-                                        phi_1082_ = _e943;
+                                        let _e933 = phi_1085_;
+                                        phi_1086_ = _e933;
                                     } else {
-                                        phi_1082_ = _e837;
+                                        phi_1086_ = _e827;
                                     }
-                                    let _e945 = phi_1082_;
-                                    phi_1083_ = _e945;
+                                    let _e935 = phi_1086_;
+                                    phi_1087_ = _e935;
                                 } else {
-                                    phi_1083_ = _e837;
+                                    phi_1087_ = _e827;
                                 }
-                                let _e947 = phi_1083_;
-                                phi_953_ = (_e835 + 1u);
-                                phi_956_ = _e947;
+                                let _e937 = phi_1087_;
+                                phi_957_ = (_e825 + 1u);
+                                phi_960_ = _e937;
                             } else {
-                                phi_953_ = u32();
-                                phi_956_ = u32();
+                                phi_957_ = u32();
+                                phi_960_ = u32();
                             }
-                            let _e950 = phi_953_;
-                            let _e952 = phi_956_;
+                            let _e940 = phi_957_;
+                            let _e942 = phi_960_;
                             continue;
                             continuing {
-                                phi_952_ = _e950;
-                                phi_955_ = _e952;
-                                break if !(_e838);
+                                phi_956_ = _e940;
+                                phi_959_ = _e942;
+                                break if !(_e828);
                             }
                         }
-                        let _e956 = nodes.member[(0u + _e563)].links[0u];
-                        let _e960 = nodes.member[(0u + _e563)].frame[3u];
-                        let _e964 = local_1;
-                        if ((_e964 & 4278190080u) == 0u) {
+                        let _e946 = nodes.member[(0u + _e553)].links[0u];
+                        let _e950 = nodes.member[(0u + _e553)].frame[3u];
+                        let _e954 = local_1;
+                        if ((_e954 & 4278190080u) == 0u) {
                         } else {
-                            let _e968 = local.group_mask;
-                            if ((_e968 & 4278190080u) == 0u) {
+                            let _e958 = local.group_mask;
+                            if ((_e958 & 4278190080u) == 0u) {
                             } else {
-                                let _e972 = local.len;
-                                if (_e972 < 32u) {
-                                    let _e975 = local.group;
-                                    let _e977 = local.len;
-                                    if (_e977 < 32u) {
+                                let _e962 = local.len;
+                                if (_e962 < 32u) {
+                                    let _e965 = local.group;
+                                    let _e967 = local.len;
+                                    if (_e967 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e977)] = _e975;
-                                    let _e983 = local.group_mask;
-                                    let _e985 = local.len;
-                                    if (_e985 < 32u) {
+                                    local.first[(0u + _e967)] = _e965;
+                                    let _e973 = local.group_mask;
+                                    let _e975 = local.len;
+                                    if (_e975 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e985)] = _e983;
-                                    let _e992 = local.len;
-                                    local.len = (_e992 + 1u);
+                                    local.mask[(0u + _e975)] = _e973;
+                                    let _e982 = local.len;
+                                    local.len = (_e982 + 1u);
                                 }
                             }
-                            local.group = (0u + _e956);
-                            let _e996 = local_2;
-                            local.group_mask = ((_e996 & 4278190080u) | (_e960 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e946);
+                            let _e986 = local_2;
+                            local.group_mask = ((_e986 & 4278190080u) | (_e950 >> bitcast<u32>(24i)));
                         }
-                        let _e1001 = local_3;
-                        phi_1141_ = _e561;
-                        phi_1144_ = (_e1001 & 16777215u);
+                        let _e991 = local_3;
+                        phi_1145_ = _e551;
+                        phi_1148_ = (_e991 & 16777215u);
                         loop {
-                            let _e1004 = phi_1141_;
-                            let _e1006 = phi_1144_;
-                            local_4 = _e1004;
-                            if (_e1006 == 0u) {
-                                phi_1142_ = lt_bvh_Hit();
-                                phi_1145_ = u32();
-                                phi_1803_ = false;
+                            let _e994 = phi_1145_;
+                            let _e996 = phi_1148_;
+                            local_4 = _e994;
+                            if (_e996 == 0u) {
+                                phi_1146_ = lt_bvh_Hit();
+                                phi_1149_ = u32();
+                                phi_1807_ = false;
                             } else {
-                                let _e1010 = nodes.member[(0u + _e563)].links[1u];
-                                let _e1015 = ((0u + _e1010) + select(firstTrailingBit(_e1006), 32u, (_e1006 == 0u)));
-                                if (_e1015 < _e70) {
+                                let _e1000 = nodes.member[(0u + _e553)].links[1u];
+                                let _e1005 = ((0u + _e1000) + select(firstTrailingBit(_e996), 32u, (_e996 == 0u)));
+                                if (_e1005 < _e70) {
                                 } else {
                                     return;
                                 }
-                                let _e1022 = triangles.member[(0u + _e1015)].v0_;
-                                let _e1025 = (_e1022.x - _e146.origin.x);
-                                let _e1028 = (_e1022.y - _e146.origin.y);
-                                let _e1031 = (_e1022.z - _e146.origin.z);
-                                if (_e388 == 0u) {
-                                    phi_1191_ = vec3<f32>(_e1028, _e1031, _e1025);
+                                let _e1012 = triangles.member[(0u + _e1005)].v0_;
+                                let _e1015 = (_e1012.x - _e146.origin.x);
+                                let _e1018 = (_e1012.y - _e146.origin.y);
+                                let _e1021 = (_e1012.z - _e146.origin.z);
+                                if (_e380 == 0u) {
+                                    phi_1195_ = vec3<f32>(_e1018, _e1021, _e1015);
                                 } else {
-                                    if (_e388 == 1u) {
-                                        phi_1190_ = vec3<f32>(_e1031, _e1025, _e1028);
+                                    if (_e380 == 1u) {
+                                        phi_1194_ = vec3<f32>(_e1021, _e1015, _e1018);
                                     } else {
-                                        phi_1190_ = (_e1022 - _e146.origin);
+                                        phi_1194_ = (_e1012 - _e146.origin);
                                     }
-                                    let _e1038 = phi_1190_;
-                                    phi_1191_ = _e1038;
+                                    let _e1028 = phi_1194_;
+                                    phi_1195_ = _e1028;
                                 }
-                                let _e1040 = phi_1191_;
-                                let _e1044 = (_e1040.x - (_e407 * _e1040.z));
-                                let _e1048 = (_e1040.y - (_e410 * _e1040.z));
-                                let _e1050 = triangles.member[(0u + _e1015)].v1_;
-                                let _e1053 = (_e1050.x - _e146.origin.x);
-                                let _e1056 = (_e1050.y - _e146.origin.y);
-                                let _e1059 = (_e1050.z - _e146.origin.z);
-                                if (_e388 == 0u) {
-                                    phi_1223_ = vec3<f32>(_e1056, _e1059, _e1053);
+                                let _e1030 = phi_1195_;
+                                let _e1034 = (_e1030.x - (_e397 * _e1030.z));
+                                let _e1038 = (_e1030.y - (_e400 * _e1030.z));
+                                let _e1040 = triangles.member[(0u + _e1005)].v1_;
+                                let _e1043 = (_e1040.x - _e146.origin.x);
+                                let _e1046 = (_e1040.y - _e146.origin.y);
+                                let _e1049 = (_e1040.z - _e146.origin.z);
+                                if (_e380 == 0u) {
+                                    phi_1227_ = vec3<f32>(_e1046, _e1049, _e1043);
                                 } else {
-                                    if (_e388 == 1u) {
-                                        phi_1222_ = vec3<f32>(_e1059, _e1053, _e1056);
+                                    if (_e380 == 1u) {
+                                        phi_1226_ = vec3<f32>(_e1049, _e1043, _e1046);
                                     } else {
-                                        phi_1222_ = (_e1050 - _e146.origin);
+                                        phi_1226_ = (_e1040 - _e146.origin);
                                     }
-                                    let _e1066 = phi_1222_;
-                                    phi_1223_ = _e1066;
+                                    let _e1056 = phi_1226_;
+                                    phi_1227_ = _e1056;
                                 }
-                                let _e1068 = phi_1223_;
-                                let _e1072 = (_e1068.x - (_e407 * _e1068.z));
-                                let _e1076 = (_e1068.y - (_e410 * _e1068.z));
-                                let _e1078 = triangles.member[(0u + _e1015)].v2_;
-                                let _e1081 = (_e1078.x - _e146.origin.x);
-                                let _e1084 = (_e1078.y - _e146.origin.y);
-                                let _e1087 = (_e1078.z - _e146.origin.z);
-                                if (_e388 == 0u) {
-                                    phi_1255_ = vec3<f32>(_e1084, _e1087, _e1081);
+                                let _e1058 = phi_1227_;
+                                let _e1062 = (_e1058.x - (_e397 * _e1058.z));
+                                let _e1066 = (_e1058.y - (_e400 * _e1058.z));
+                                let _e1068 = triangles.member[(0u + _e1005)].v2_;
+                                let _e1071 = (_e1068.x - _e146.origin.x);
+                                let _e1074 = (_e1068.y - _e146.origin.y);
+                                let _e1077 = (_e1068.z - _e146.origin.z);
+                                if (_e380 == 0u) {
+                                    phi_1259_ = vec3<f32>(_e1074, _e1077, _e1071);
                                 } else {
-                                    if (_e388 == 1u) {
-                                        phi_1254_ = vec3<f32>(_e1087, _e1081, _e1084);
+                                    if (_e380 == 1u) {
+                                        phi_1258_ = vec3<f32>(_e1077, _e1071, _e1074);
                                     } else {
-                                        phi_1254_ = (_e1078 - _e146.origin);
+                                        phi_1258_ = (_e1068 - _e146.origin);
                                     }
-                                    let _e1094 = phi_1254_;
-                                    phi_1255_ = _e1094;
+                                    let _e1084 = phi_1258_;
+                                    phi_1259_ = _e1084;
                                 }
-                                let _e1096 = phi_1255_;
-                                let _e1100 = (_e1096.x - (_e407 * _e1096.z));
-                                let _e1104 = (_e1096.y - (_e410 * _e1096.z));
-                                if (_e1072 < _e1100) {
-                                    phi_1274_ = true;
+                                let _e1086 = phi_1259_;
+                                let _e1090 = (_e1086.x - (_e397 * _e1086.z));
+                                let _e1094 = (_e1086.y - (_e400 * _e1086.z));
+                                if (_e1062 < _e1090) {
+                                    phi_1278_ = true;
                                 } else {
-                                    if (_e1072 == _e1100) {
-                                        phi_1273_ = (_e1076 < _e1104);
+                                    if (_e1062 == _e1090) {
+                                        phi_1277_ = (_e1066 < _e1094);
                                     } else {
-                                        phi_1273_ = false;
+                                        phi_1277_ = false;
                                     }
-                                    let _e1109 = phi_1273_;
-                                    phi_1274_ = _e1109;
+                                    let _e1099 = phi_1277_;
+                                    phi_1278_ = _e1099;
                                 }
-                                let _e1111 = phi_1274_;
-                                if _e1111 {
-                                    phi_1278_ = _e1104;
-                                    phi_1279_ = _e1100;
-                                    phi_1280_ = _e1076;
-                                    phi_1281_ = _e1072;
+                                let _e1101 = phi_1278_;
+                                if _e1101 {
+                                    phi_1282_ = _e1094;
+                                    phi_1283_ = _e1090;
+                                    phi_1284_ = _e1066;
+                                    phi_1285_ = _e1062;
                                 } else {
-                                    phi_1278_ = _e1076;
-                                    phi_1279_ = _e1072;
-                                    phi_1280_ = _e1104;
-                                    phi_1281_ = _e1100;
+                                    phi_1282_ = _e1066;
+                                    phi_1283_ = _e1062;
+                                    phi_1284_ = _e1094;
+                                    phi_1285_ = _e1090;
                                 }
-                                let _e1113 = phi_1278_;
-                                let _e1115 = phi_1279_;
-                                let _e1117 = phi_1280_;
-                                let _e1119 = phi_1281_;
-                                let _e1122 = ((_e1119 * _e1113) - (_e1117 * _e1115));
-                                if _e1111 {
-                                    phi_1289_ = -(_e1122);
+                                let _e1103 = phi_1282_;
+                                let _e1105 = phi_1283_;
+                                let _e1107 = phi_1284_;
+                                let _e1109 = phi_1285_;
+                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
+                                if _e1101 {
+                                    phi_1293_ = -(_e1112);
                                 } else {
-                                    phi_1289_ = _e1122;
+                                    phi_1293_ = _e1112;
                                 }
-                                let _e1125 = phi_1289_;
-                                if (_e1100 < _e1044) {
-                                    phi_1300_ = true;
+                                let _e1115 = phi_1293_;
+                                if (_e1090 < _e1034) {
+                                    phi_1304_ = true;
                                 } else {
-                                    if (_e1100 == _e1044) {
-                                        phi_1299_ = (_e1104 < _e1048);
+                                    if (_e1090 == _e1034) {
+                                        phi_1303_ = (_e1094 < _e1038);
                                     } else {
-                                        phi_1299_ = false;
+                                        phi_1303_ = false;
                                     }
-                                    let _e1130 = phi_1299_;
-                                    phi_1300_ = _e1130;
+                                    let _e1120 = phi_1303_;
+                                    phi_1304_ = _e1120;
                                 }
-                                let _e1132 = phi_1300_;
-                                if _e1132 {
-                                    phi_1304_ = _e1048;
-                                    phi_1305_ = _e1044;
-                                    phi_1306_ = _e1104;
-                                    phi_1307_ = _e1100;
+                                let _e1122 = phi_1304_;
+                                if _e1122 {
+                                    phi_1308_ = _e1038;
+                                    phi_1309_ = _e1034;
+                                    phi_1310_ = _e1094;
+                                    phi_1311_ = _e1090;
                                 } else {
-                                    phi_1304_ = _e1104;
-                                    phi_1305_ = _e1100;
-                                    phi_1306_ = _e1048;
-                                    phi_1307_ = _e1044;
+                                    phi_1308_ = _e1094;
+                                    phi_1309_ = _e1090;
+                                    phi_1310_ = _e1038;
+                                    phi_1311_ = _e1034;
                                 }
-                                let _e1134 = phi_1304_;
-                                let _e1136 = phi_1305_;
-                                let _e1138 = phi_1306_;
-                                let _e1140 = phi_1307_;
-                                let _e1143 = ((_e1140 * _e1134) - (_e1138 * _e1136));
-                                if _e1132 {
-                                    phi_1315_ = -(_e1143);
+                                let _e1124 = phi_1308_;
+                                let _e1126 = phi_1309_;
+                                let _e1128 = phi_1310_;
+                                let _e1130 = phi_1311_;
+                                let _e1133 = ((_e1130 * _e1124) - (_e1128 * _e1126));
+                                if _e1122 {
+                                    phi_1319_ = -(_e1133);
                                 } else {
-                                    phi_1315_ = _e1143;
+                                    phi_1319_ = _e1133;
                                 }
-                                let _e1146 = phi_1315_;
-                                if (_e1044 < _e1072) {
-                                    phi_1326_ = true;
+                                let _e1136 = phi_1319_;
+                                if (_e1034 < _e1062) {
+                                    phi_1330_ = true;
                                 } else {
-                                    if (_e1044 == _e1072) {
-                                        phi_1325_ = (_e1048 < _e1076);
+                                    if (_e1034 == _e1062) {
+                                        phi_1329_ = (_e1038 < _e1066);
                                     } else {
-                                        phi_1325_ = false;
+                                        phi_1329_ = false;
                                     }
-                                    let _e1151 = phi_1325_;
-                                    phi_1326_ = _e1151;
+                                    let _e1141 = phi_1329_;
+                                    phi_1330_ = _e1141;
                                 }
-                                let _e1153 = phi_1326_;
-                                if _e1153 {
-                                    phi_1330_ = _e1076;
-                                    phi_1331_ = _e1072;
-                                    phi_1332_ = _e1048;
-                                    phi_1333_ = _e1044;
+                                let _e1143 = phi_1330_;
+                                if _e1143 {
+                                    phi_1334_ = _e1066;
+                                    phi_1335_ = _e1062;
+                                    phi_1336_ = _e1038;
+                                    phi_1337_ = _e1034;
                                 } else {
-                                    phi_1330_ = _e1048;
-                                    phi_1331_ = _e1044;
-                                    phi_1332_ = _e1076;
-                                    phi_1333_ = _e1072;
+                                    phi_1334_ = _e1038;
+                                    phi_1335_ = _e1034;
+                                    phi_1336_ = _e1066;
+                                    phi_1337_ = _e1062;
                                 }
-                                let _e1155 = phi_1330_;
-                                let _e1157 = phi_1331_;
-                                let _e1159 = phi_1332_;
-                                let _e1161 = phi_1333_;
-                                let _e1164 = ((_e1161 * _e1155) - (_e1159 * _e1157));
-                                if _e1153 {
-                                    phi_1341_ = -(_e1164);
+                                let _e1145 = phi_1334_;
+                                let _e1147 = phi_1335_;
+                                let _e1149 = phi_1336_;
+                                let _e1151 = phi_1337_;
+                                let _e1154 = ((_e1151 * _e1145) - (_e1149 * _e1147));
+                                if _e1143 {
+                                    phi_1345_ = -(_e1154);
                                 } else {
-                                    phi_1341_ = _e1164;
+                                    phi_1345_ = _e1154;
                                 }
-                                let _e1167 = phi_1341_;
-                                if (_e1125 >= 0f) {
-                                    if (_e1146 >= 0f) {
-                                        if (_e1167 >= 0f) {
-                                            phi_1356_ = ((_e1125 + _e1146) + _e1167);
-                                            phi_1357_ = false;
+                                let _e1157 = phi_1345_;
+                                if (_e1115 >= 0f) {
+                                    if (_e1136 >= 0f) {
+                                        if (_e1157 >= 0f) {
+                                            phi_1360_ = ((_e1115 + _e1136) + _e1157);
+                                            phi_1361_ = false;
                                         } else {
-                                            phi_1356_ = f32();
-                                            phi_1357_ = true;
+                                            phi_1360_ = f32();
+                                            phi_1361_ = true;
                                         }
-                                        let _e1174 = phi_1356_;
-                                        let _e1176 = phi_1357_;
-                                        phi_1358_ = _e1174;
-                                        phi_1359_ = _e1176;
+                                        let _e1164 = phi_1360_;
+                                        let _e1166 = phi_1361_;
+                                        phi_1362_ = _e1164;
+                                        phi_1363_ = _e1166;
                                     } else {
-                                        phi_1358_ = f32();
-                                        phi_1359_ = true;
+                                        phi_1362_ = f32();
+                                        phi_1363_ = true;
                                     }
-                                    let _e1178 = phi_1358_;
-                                    let _e1180 = phi_1359_;
-                                    phi_1360_ = _e1178;
-                                    phi_1361_ = _e1180;
+                                    let _e1168 = phi_1362_;
+                                    let _e1170 = phi_1363_;
+                                    phi_1364_ = _e1168;
+                                    phi_1365_ = _e1170;
                                 } else {
-                                    phi_1360_ = f32();
-                                    phi_1361_ = true;
+                                    phi_1364_ = f32();
+                                    phi_1365_ = true;
                                 }
-                                let _e1182 = phi_1360_;
-                                let _e1184 = phi_1361_;
-                                if _e1184 {
-                                    if (_e1125 <= 0f) {
-                                        if (_e1146 <= 0f) {
-                                            let _e1187 = (_e1167 <= 0f);
-                                            if _e1187 {
+                                let _e1172 = phi_1364_;
+                                let _e1174 = phi_1365_;
+                                if _e1174 {
+                                    if (_e1115 <= 0f) {
+                                        if (_e1136 <= 0f) {
+                                            let _e1177 = (_e1157 <= 0f);
+                                            if _e1177 {
                                             }
-                                            phi_1379_ = ((_e1125 + _e1146) + _e1167);
-                                            phi_1380_ = false;
-                                            phi_1381_ = _e1187;
+                                            phi_1383_ = ((_e1115 + _e1136) + _e1157);
+                                            phi_1384_ = false;
+                                            phi_1385_ = _e1177;
                                         } else {
-                                            phi_1379_ = f32();
-                                            phi_1380_ = true;
-                                            phi_1381_ = false;
+                                            phi_1383_ = f32();
+                                            phi_1384_ = true;
+                                            phi_1385_ = false;
                                         }
-                                        let _e1191 = phi_1379_;
-                                        let _e1193 = phi_1380_;
-                                        let _e1195 = phi_1381_;
-                                        phi_1382_ = _e1191;
-                                        phi_1383_ = _e1193;
-                                        phi_1384_ = _e1195;
+                                        let _e1181 = phi_1383_;
+                                        let _e1183 = phi_1384_;
+                                        let _e1185 = phi_1385_;
+                                        phi_1386_ = _e1181;
+                                        phi_1387_ = _e1183;
+                                        phi_1388_ = _e1185;
                                     } else {
-                                        phi_1382_ = f32();
-                                        phi_1383_ = true;
-                                        phi_1384_ = false;
-                                    }
-                                    let _e1197 = phi_1382_;
-                                    let _e1199 = phi_1383_;
-                                    let _e1201 = phi_1384_;
-                                    if _e1199 {
+                                        phi_1386_ = f32();
+                                        phi_1387_ = true;
                                         phi_1388_ = false;
-                                    } else {
-                                        phi_1388_ = _e1201;
                                     }
-                                    let _e1203 = phi_1388_;
-                                    phi_1389_ = _e1197;
-                                    phi_1390_ = _e1203;
-                                } else {
-                                    phi_1389_ = _e1182;
-                                    phi_1390_ = true;
-                                }
-                                let _e1205 = phi_1389_;
-                                let _e1207 = phi_1390_;
-                                if _e1207 {
-                                    let _e1208 = (_e1205 == 0f);
-                                    if _e1208 {
-                                        phi_1716_ = lt_bvh_triangle_Intersection();
-                                        phi_1717_ = false;
+                                    let _e1187 = phi_1386_;
+                                    let _e1189 = phi_1387_;
+                                    let _e1191 = phi_1388_;
+                                    if _e1189 {
+                                        phi_1392_ = false;
                                     } else {
-                                        let _e1210 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1213 = (_e1210.x - _e146.origin.x);
-                                        let _e1216 = (_e1210.y - _e146.origin.y);
-                                        let _e1219 = (_e1210.z - _e146.origin.z);
-                                        if (_e388 == 0u) {
-                                            phi_1421_ = vec3<f32>(_e1216, _e1219, _e1213);
-                                        } else {
-                                            if (_e388 == 1u) {
-                                                phi_1420_ = vec3<f32>(_e1219, _e1213, _e1216);
-                                            } else {
-                                                phi_1420_ = (_e1210 - _e146.origin);
-                                            }
-                                            let _e1226 = phi_1420_;
-                                            phi_1421_ = _e1226;
-                                        }
-                                        let _e1228 = phi_1421_;
-                                        let _e1230 = triangles.member[(0u + _e1015)].v1_;
-                                        let _e1232 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1235 = (_e1230.x - _e1232.x);
-                                        let _e1238 = (_e1230.y - _e1232.y);
-                                        let _e1241 = (_e1230.z - _e1232.z);
-                                        if (_e388 == 0u) {
-                                            phi_1447_ = vec3<f32>(_e1238, _e1241, _e1235);
-                                        } else {
-                                            if (_e388 == 1u) {
-                                                phi_1446_ = vec3<f32>(_e1241, _e1235, _e1238);
-                                            } else {
-                                                phi_1446_ = (_e1230 - _e1232);
-                                            }
-                                            let _e1248 = phi_1446_;
-                                            phi_1447_ = _e1248;
-                                        }
-                                        let _e1250 = phi_1447_;
-                                        let _e1252 = triangles.member[(0u + _e1015)].v2_;
-                                        let _e1254 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1257 = (_e1252.x - _e1254.x);
-                                        let _e1260 = (_e1252.y - _e1254.y);
-                                        let _e1263 = (_e1252.z - _e1254.z);
-                                        if (_e388 == 0u) {
-                                            phi_1473_ = vec3<f32>(_e1260, _e1263, _e1257);
-                                        } else {
-                                            if (_e388 == 1u) {
-                                                phi_1472_ = vec3<f32>(_e1263, _e1257, _e1260);
-                                            } else {
-                                                phi_1472_ = (_e1252 - _e1254);
-                                            }
-                                            let _e1270 = phi_1472_;
-                                            phi_1473_ = _e1270;
-                                        }
-                                        let _e1272 = phi_1473_;
-                                        let _e1279 = ((_e1250.y * _e1272.z) - (_e1250.z * _e1272.y));
-                                        let _e1286 = ((_e1250.z * _e1272.x) - (_e1250.x * _e1272.z));
-                                        let _e1293 = ((_e1250.x * _e1272.y) - (_e1250.y * _e1272.x));
-                                        let _e1307 = (((1f / _e403.z) * (((_e1279 * _e1228.x) + (_e1286 * _e1228.y)) + (_e1293 * _e1228.z))) / (((_e1279 * _e407) + (_e1286 * _e410)) + _e1293));
-                                        if (_e1307 > _e146.tmin) {
-                                            if (_e1307 < _e146.tmax) {
-                                                let _e1313 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1315 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1313.x < _e1315.x) {
-                                                    phi_1531_ = _e1313.x;
-                                                } else {
-                                                    phi_1531_ = _e1315.x;
-                                                }
-                                                let _e1322 = phi_1531_;
-                                                if (_e1313.y < _e1315.y) {
-                                                    phi_1540_ = _e1313.y;
-                                                } else {
-                                                    phi_1540_ = _e1315.y;
-                                                }
-                                                let _e1329 = phi_1540_;
-                                                if (_e1313.z < _e1315.z) {
-                                                    phi_1549_ = _e1313.z;
-                                                } else {
-                                                    phi_1549_ = _e1315.z;
-                                                }
-                                                let _e1336 = phi_1549_;
-                                                let _e1338 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1322 < _e1338.x) {
-                                                    phi_1558_ = _e1322;
-                                                } else {
-                                                    phi_1558_ = _e1338.x;
-                                                }
-                                                let _e1343 = phi_1558_;
-                                                if (_e1329 < _e1338.y) {
-                                                    phi_1565_ = _e1329;
-                                                } else {
-                                                    phi_1565_ = _e1338.y;
-                                                }
-                                                let _e1348 = phi_1565_;
-                                                if (_e1336 < _e1338.z) {
-                                                    phi_1572_ = _e1336;
-                                                } else {
-                                                    phi_1572_ = _e1338.z;
-                                                }
-                                                let _e1353 = phi_1572_;
-                                                let _e1355 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1357 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1355.x > _e1357.x) {
-                                                    phi_1585_ = _e1355.x;
-                                                } else {
-                                                    phi_1585_ = _e1357.x;
-                                                }
-                                                let _e1364 = phi_1585_;
-                                                if (_e1355.y > _e1357.y) {
-                                                    phi_1594_ = _e1355.y;
-                                                } else {
-                                                    phi_1594_ = _e1357.y;
-                                                }
-                                                let _e1371 = phi_1594_;
-                                                if (_e1355.z > _e1357.z) {
-                                                    phi_1603_ = _e1355.z;
-                                                } else {
-                                                    phi_1603_ = _e1357.z;
-                                                }
-                                                let _e1378 = phi_1603_;
-                                                let _e1380 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1364 > _e1380.x) {
-                                                    phi_1612_ = _e1364;
-                                                } else {
-                                                    phi_1612_ = _e1380.x;
-                                                }
-                                                let _e1385 = phi_1612_;
-                                                if (_e1371 > _e1380.y) {
-                                                    phi_1619_ = _e1371;
-                                                } else {
-                                                    phi_1619_ = _e1380.y;
-                                                }
-                                                let _e1390 = phi_1619_;
-                                                if (_e1378 > _e1380.z) {
-                                                    phi_1626_ = _e1378;
-                                                } else {
-                                                    phi_1626_ = _e1380.z;
-                                                }
-                                                let _e1395 = phi_1626_;
-                                                let _e1402 = ((_e1343 - _e146.origin.x) * _e300);
-                                                let _e1403 = ((_e1348 - _e146.origin.y) * _e312);
-                                                let _e1404 = ((_e1353 - _e146.origin.z) * _e324);
-                                                let _e1411 = ((_e1385 - _e146.origin.x) * _e300);
-                                                let _e1412 = ((_e1390 - _e146.origin.y) * _e312);
-                                                let _e1413 = ((_e1395 - _e146.origin.z) * _e324);
-                                                if (_e1402 < _e1411) {
-                                                    phi_1649_ = _e1402;
-                                                } else {
-                                                    phi_1649_ = _e1411;
-                                                }
-                                                let _e1416 = phi_1649_;
-                                                if (_e1403 < _e1412) {
-                                                    phi_1654_ = _e1403;
-                                                } else {
-                                                    phi_1654_ = _e1412;
-                                                }
-                                                let _e1419 = phi_1654_;
-                                                if (_e1404 < _e1413) {
-                                                    phi_1659_ = _e1404;
-                                                } else {
-                                                    phi_1659_ = _e1413;
-                                                }
-                                                let _e1422 = phi_1659_;
-                                                if (_e1402 > _e1411) {
-                                                    phi_1667_ = _e1402;
-                                                } else {
-                                                    phi_1667_ = _e1411;
-                                                }
-                                                let _e1428 = phi_1667_;
-                                                if (_e1403 > _e1412) {
-                                                    phi_1672_ = _e1403;
-                                                } else {
-                                                    phi_1672_ = _e1412;
-                                                }
-                                                let _e1431 = phi_1672_;
-                                                if (_e1404 > _e1413) {
-                                                    phi_1677_ = _e1404;
-                                                } else {
-                                                    phi_1677_ = _e1413;
-                                                }
-                                                let _e1434 = phi_1677_;
-                                                let _e1438 = core_intrinsics_maximum_number_nsz_f32_((_e1416 - _e368), (_e1419 - _e369));
-                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_(_e1438, (_e1422 - _e370));
-                                                let _e1440 = core_intrinsics_minimum_number_nsz_f32_((_e1428 + _e368), (_e1431 + _e369));
-                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_(_e1440, (_e1434 + _e370));
-                                                if (_e1439 > -300000000000000000000000000000000000000f) {
-                                                    phi_1689_ = _e1439;
-                                                } else {
-                                                    phi_1689_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1444 = phi_1689_;
-                                                if (_e1441 < 300000000000000000000000000000000000000f) {
-                                                    phi_1694_ = _e1441;
-                                                } else {
-                                                    phi_1694_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1447 = phi_1694_;
-                                                if (_e1307 < _e1444) {
-                                                    phi_1699_ = _e1444;
-                                                } else {
-                                                    phi_1699_ = _e1307;
-                                                }
-                                                let _e1450 = phi_1699_;
-                                                if (_e1450 > _e1447) {
-                                                    phi_1704_ = _e1447;
-                                                } else {
-                                                    phi_1704_ = _e1450;
-                                                }
-                                                let _e1453 = phi_1704_;
-                                                phi_1709_ = lt_bvh_triangle_Intersection(_e1453, (_e1146 / _e1205), (_e1167 / _e1205), (_e1444 <= _e1447));
-                                                phi_1710_ = false;
-                                            } else {
-                                                phi_1709_ = lt_bvh_triangle_Intersection();
-                                                phi_1710_ = true;
-                                            }
-                                            let _e1459 = phi_1709_;
-                                            let _e1461 = phi_1710_;
-                                            phi_1711_ = _e1459;
-                                            phi_1712_ = _e1461;
-                                        } else {
-                                            phi_1711_ = lt_bvh_triangle_Intersection();
-                                            phi_1712_ = true;
-                                        }
-                                        let _e1463 = phi_1711_;
-                                        let _e1465 = phi_1712_;
-                                        if _e1465 {
-                                        }
-                                        phi_1716_ = _e1463;
-                                        phi_1717_ = _e1465;
+                                        phi_1392_ = _e1191;
                                     }
-                                    let _e1467 = phi_1716_;
-                                    let _e1469 = phi_1717_;
-                                    phi_1718_ = _e1467;
-                                    phi_1719_ = _e1208;
-                                    phi_1720_ = _e1469;
+                                    let _e1193 = phi_1392_;
+                                    phi_1393_ = _e1187;
+                                    phi_1394_ = _e1193;
                                 } else {
-                                    phi_1718_ = lt_bvh_triangle_Intersection();
-                                    phi_1719_ = true;
-                                    phi_1720_ = false;
+                                    phi_1393_ = _e1172;
+                                    phi_1394_ = true;
                                 }
-                                let _e1471 = phi_1718_;
-                                let _e1473 = phi_1719_;
-                                let _e1475 = phi_1720_;
-                                if _e1473 {
-                                    phi_1724_ = true;
-                                } else {
-                                    phi_1724_ = _e1475;
-                                }
-                                let _e1477 = phi_1724_;
-                                if _e1477 {
-                                    phi_1728_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_1728_ = _e1471;
-                                }
-                                let _e1479 = phi_1728_;
-                                if _e1479.is_hit {
-                                    if (_e1479.t > _e146.tmin) {
-                                        if (_e1479.t < _e1004.t) {
-                                            phi_1777_ = true;
+                                let _e1195 = phi_1393_;
+                                let _e1197 = phi_1394_;
+                                if _e1197 {
+                                    let _e1198 = (_e1195 == 0f);
+                                    if _e1198 {
+                                        phi_1720_ = lt_bvh_triangle_Intersection();
+                                        phi_1721_ = false;
+                                    } else {
+                                        let _e1200 = triangles.member[(0u + _e1005)].v0_;
+                                        let _e1203 = (_e1200.x - _e146.origin.x);
+                                        let _e1206 = (_e1200.y - _e146.origin.y);
+                                        let _e1209 = (_e1200.z - _e146.origin.z);
+                                        if (_e380 == 0u) {
+                                            phi_1425_ = vec3<f32>(_e1206, _e1209, _e1203);
                                         } else {
-                                            if (_e1479.t == _e1004.t) {
-                                                if (_e1004.triangle != 4294967295u) {
-                                                    if (_e1015 < _e1004.triangle) {
-                                                        phi_1768_ = true;
+                                            if (_e380 == 1u) {
+                                                phi_1424_ = vec3<f32>(_e1209, _e1203, _e1206);
+                                            } else {
+                                                phi_1424_ = (_e1200 - _e146.origin);
+                                            }
+                                            let _e1216 = phi_1424_;
+                                            phi_1425_ = _e1216;
+                                        }
+                                        let _e1218 = phi_1425_;
+                                        let _e1220 = triangles.member[(0u + _e1005)].v1_;
+                                        let _e1222 = triangles.member[(0u + _e1005)].v0_;
+                                        let _e1225 = (_e1220.x - _e1222.x);
+                                        let _e1228 = (_e1220.y - _e1222.y);
+                                        let _e1231 = (_e1220.z - _e1222.z);
+                                        if (_e380 == 0u) {
+                                            phi_1451_ = vec3<f32>(_e1228, _e1231, _e1225);
+                                        } else {
+                                            if (_e380 == 1u) {
+                                                phi_1450_ = vec3<f32>(_e1231, _e1225, _e1228);
+                                            } else {
+                                                phi_1450_ = (_e1220 - _e1222);
+                                            }
+                                            let _e1238 = phi_1450_;
+                                            phi_1451_ = _e1238;
+                                        }
+                                        let _e1240 = phi_1451_;
+                                        let _e1242 = triangles.member[(0u + _e1005)].v2_;
+                                        let _e1244 = triangles.member[(0u + _e1005)].v0_;
+                                        let _e1247 = (_e1242.x - _e1244.x);
+                                        let _e1250 = (_e1242.y - _e1244.y);
+                                        let _e1253 = (_e1242.z - _e1244.z);
+                                        if (_e380 == 0u) {
+                                            phi_1477_ = vec3<f32>(_e1250, _e1253, _e1247);
+                                        } else {
+                                            if (_e380 == 1u) {
+                                                phi_1476_ = vec3<f32>(_e1253, _e1247, _e1250);
+                                            } else {
+                                                phi_1476_ = (_e1242 - _e1244);
+                                            }
+                                            let _e1260 = phi_1476_;
+                                            phi_1477_ = _e1260;
+                                        }
+                                        let _e1262 = phi_1477_;
+                                        let _e1269 = ((_e1240.y * _e1262.z) - (_e1240.z * _e1262.y));
+                                        let _e1276 = ((_e1240.z * _e1262.x) - (_e1240.x * _e1262.z));
+                                        let _e1283 = ((_e1240.x * _e1262.y) - (_e1240.y * _e1262.x));
+                                        let _e1297 = (((1f / _e394.z) * (((_e1269 * _e1218.x) + (_e1276 * _e1218.y)) + (_e1283 * _e1218.z))) / (((_e1269 * _e397) + (_e1276 * _e400)) + _e1283));
+                                        if (_e1297 > _e146.tmin) {
+                                            if (_e1297 < _e146.tmax) {
+                                                let _e1303 = triangles.member[(0u + _e1005)].v0_;
+                                                let _e1305 = triangles.member[(0u + _e1005)].v1_;
+                                                if (_e1303.x < _e1305.x) {
+                                                    phi_1535_ = _e1303.x;
+                                                } else {
+                                                    phi_1535_ = _e1305.x;
+                                                }
+                                                let _e1312 = phi_1535_;
+                                                if (_e1303.y < _e1305.y) {
+                                                    phi_1544_ = _e1303.y;
+                                                } else {
+                                                    phi_1544_ = _e1305.y;
+                                                }
+                                                let _e1319 = phi_1544_;
+                                                if (_e1303.z < _e1305.z) {
+                                                    phi_1553_ = _e1303.z;
+                                                } else {
+                                                    phi_1553_ = _e1305.z;
+                                                }
+                                                let _e1326 = phi_1553_;
+                                                let _e1328 = triangles.member[(0u + _e1005)].v2_;
+                                                if (_e1312 < _e1328.x) {
+                                                    phi_1562_ = _e1312;
+                                                } else {
+                                                    phi_1562_ = _e1328.x;
+                                                }
+                                                let _e1333 = phi_1562_;
+                                                if (_e1319 < _e1328.y) {
+                                                    phi_1569_ = _e1319;
+                                                } else {
+                                                    phi_1569_ = _e1328.y;
+                                                }
+                                                let _e1338 = phi_1569_;
+                                                if (_e1326 < _e1328.z) {
+                                                    phi_1576_ = _e1326;
+                                                } else {
+                                                    phi_1576_ = _e1328.z;
+                                                }
+                                                let _e1343 = phi_1576_;
+                                                let _e1345 = triangles.member[(0u + _e1005)].v0_;
+                                                let _e1347 = triangles.member[(0u + _e1005)].v1_;
+                                                if (_e1345.x > _e1347.x) {
+                                                    phi_1589_ = _e1345.x;
+                                                } else {
+                                                    phi_1589_ = _e1347.x;
+                                                }
+                                                let _e1354 = phi_1589_;
+                                                if (_e1345.y > _e1347.y) {
+                                                    phi_1598_ = _e1345.y;
+                                                } else {
+                                                    phi_1598_ = _e1347.y;
+                                                }
+                                                let _e1361 = phi_1598_;
+                                                if (_e1345.z > _e1347.z) {
+                                                    phi_1607_ = _e1345.z;
+                                                } else {
+                                                    phi_1607_ = _e1347.z;
+                                                }
+                                                let _e1368 = phi_1607_;
+                                                let _e1370 = triangles.member[(0u + _e1005)].v2_;
+                                                if (_e1354 > _e1370.x) {
+                                                    phi_1616_ = _e1354;
+                                                } else {
+                                                    phi_1616_ = _e1370.x;
+                                                }
+                                                let _e1375 = phi_1616_;
+                                                if (_e1361 > _e1370.y) {
+                                                    phi_1623_ = _e1361;
+                                                } else {
+                                                    phi_1623_ = _e1370.y;
+                                                }
+                                                let _e1380 = phi_1623_;
+                                                if (_e1368 > _e1370.z) {
+                                                    phi_1630_ = _e1368;
+                                                } else {
+                                                    phi_1630_ = _e1370.z;
+                                                }
+                                                let _e1385 = phi_1630_;
+                                                let _e1392 = ((_e1333 - _e146.origin.x) * _e292);
+                                                let _e1393 = ((_e1338 - _e146.origin.y) * _e303);
+                                                let _e1394 = ((_e1343 - _e146.origin.z) * _e314);
+                                                let _e1401 = ((_e1375 - _e146.origin.x) * _e292);
+                                                let _e1402 = ((_e1380 - _e146.origin.y) * _e303);
+                                                let _e1403 = ((_e1385 - _e146.origin.z) * _e314);
+                                                if (_e1392 < _e1401) {
+                                                    phi_1653_ = _e1392;
+                                                } else {
+                                                    phi_1653_ = _e1401;
+                                                }
+                                                let _e1406 = phi_1653_;
+                                                if (_e1393 < _e1402) {
+                                                    phi_1658_ = _e1393;
+                                                } else {
+                                                    phi_1658_ = _e1402;
+                                                }
+                                                let _e1409 = phi_1658_;
+                                                if (_e1394 < _e1403) {
+                                                    phi_1663_ = _e1394;
+                                                } else {
+                                                    phi_1663_ = _e1403;
+                                                }
+                                                let _e1412 = phi_1663_;
+                                                if (_e1392 > _e1401) {
+                                                    phi_1671_ = _e1392;
+                                                } else {
+                                                    phi_1671_ = _e1401;
+                                                }
+                                                let _e1418 = phi_1671_;
+                                                if (_e1393 > _e1402) {
+                                                    phi_1676_ = _e1393;
+                                                } else {
+                                                    phi_1676_ = _e1402;
+                                                }
+                                                let _e1421 = phi_1676_;
+                                                if (_e1394 > _e1403) {
+                                                    phi_1681_ = _e1394;
+                                                } else {
+                                                    phi_1681_ = _e1403;
+                                                }
+                                                let _e1424 = phi_1681_;
+                                                let _e1428 = core_intrinsics_maximum_number_nsz_f32_((_e1406 - _e359), (_e1409 - _e360));
+                                                let _e1429 = core_intrinsics_maximum_number_nsz_f32_(_e1428, (_e1412 - _e361));
+                                                let _e1430 = core_intrinsics_minimum_number_nsz_f32_((_e1418 + _e359), (_e1421 + _e360));
+                                                let _e1431 = core_intrinsics_minimum_number_nsz_f32_(_e1430, (_e1424 + _e361));
+                                                if (_e1429 > -300000000000000000000000000000000000000f) {
+                                                    phi_1693_ = _e1429;
+                                                } else {
+                                                    phi_1693_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1434 = phi_1693_;
+                                                if (_e1431 < 300000000000000000000000000000000000000f) {
+                                                    phi_1698_ = _e1431;
+                                                } else {
+                                                    phi_1698_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1437 = phi_1698_;
+                                                if (_e1297 < _e1434) {
+                                                    phi_1703_ = _e1434;
+                                                } else {
+                                                    phi_1703_ = _e1297;
+                                                }
+                                                let _e1440 = phi_1703_;
+                                                if (_e1440 > _e1437) {
+                                                    phi_1708_ = _e1437;
+                                                } else {
+                                                    phi_1708_ = _e1440;
+                                                }
+                                                let _e1443 = phi_1708_;
+                                                phi_1713_ = lt_bvh_triangle_Intersection(_e1443, (_e1136 / _e1195), (_e1157 / _e1195), (_e1434 <= _e1437));
+                                                phi_1714_ = false;
+                                            } else {
+                                                phi_1713_ = lt_bvh_triangle_Intersection();
+                                                phi_1714_ = true;
+                                            }
+                                            let _e1449 = phi_1713_;
+                                            let _e1451 = phi_1714_;
+                                            phi_1715_ = _e1449;
+                                            phi_1716_ = _e1451;
+                                        } else {
+                                            phi_1715_ = lt_bvh_triangle_Intersection();
+                                            phi_1716_ = true;
+                                        }
+                                        let _e1453 = phi_1715_;
+                                        let _e1455 = phi_1716_;
+                                        if _e1455 {
+                                        }
+                                        phi_1720_ = _e1453;
+                                        phi_1721_ = _e1455;
+                                    }
+                                    let _e1457 = phi_1720_;
+                                    let _e1459 = phi_1721_;
+                                    phi_1722_ = _e1457;
+                                    phi_1723_ = _e1198;
+                                    phi_1724_ = _e1459;
+                                } else {
+                                    phi_1722_ = lt_bvh_triangle_Intersection();
+                                    phi_1723_ = true;
+                                    phi_1724_ = false;
+                                }
+                                let _e1461 = phi_1722_;
+                                let _e1463 = phi_1723_;
+                                let _e1465 = phi_1724_;
+                                if _e1463 {
+                                    phi_1728_ = true;
+                                } else {
+                                    phi_1728_ = _e1465;
+                                }
+                                let _e1467 = phi_1728_;
+                                if _e1467 {
+                                    phi_1732_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1732_ = _e1461;
+                                }
+                                let _e1469 = phi_1732_;
+                                if _e1469.is_hit {
+                                    if (_e1469.t > _e146.tmin) {
+                                        if (_e1469.t < _e994.t) {
+                                            phi_1781_ = true;
+                                        } else {
+                                            if (_e1469.t == _e994.t) {
+                                                if (_e994.triangle != 4294967295u) {
+                                                    if (_e1005 < _e994.triangle) {
+                                                        phi_1772_ = true;
                                                     } else {
-                                                        if (_e1015 == _e1004.triangle) {
-                                                            phi_1767_ = (4294967295u < _e1004.instance);
+                                                        if (_e1005 == _e994.triangle) {
+                                                            phi_1771_ = (4294967295u < _e994.instance);
                                                         } else {
-                                                            phi_1767_ = false;
+                                                            phi_1771_ = false;
                                                         }
-                                                        let _e1498 = phi_1767_;
-                                                        phi_1768_ = _e1498;
+                                                        let _e1488 = phi_1771_;
+                                                        phi_1772_ = _e1488;
                                                     }
-                                                    let _e1500 = phi_1768_;
-                                                    phi_1769_ = _e1500;
-                                                    phi_1770_ = false;
+                                                    let _e1490 = phi_1772_;
+                                                    phi_1773_ = _e1490;
+                                                    phi_1774_ = false;
                                                 } else {
-                                                    phi_1769_ = bool();
-                                                    phi_1770_ = true;
+                                                    phi_1773_ = bool();
+                                                    phi_1774_ = true;
                                                 }
-                                                let _e1502 = phi_1769_;
-                                                let _e1504 = phi_1770_;
-                                                phi_1771_ = _e1502;
-                                                phi_1772_ = _e1504;
+                                                let _e1492 = phi_1773_;
+                                                let _e1494 = phi_1774_;
+                                                phi_1775_ = _e1492;
+                                                phi_1776_ = _e1494;
                                             } else {
-                                                phi_1771_ = bool();
-                                                phi_1772_ = true;
+                                                phi_1775_ = bool();
+                                                phi_1776_ = true;
                                             }
-                                            let _e1506 = phi_1771_;
-                                            let _e1508 = phi_1772_;
-                                            if _e1508 {
-                                                phi_1776_ = false;
+                                            let _e1496 = phi_1775_;
+                                            let _e1498 = phi_1776_;
+                                            if _e1498 {
+                                                phi_1780_ = false;
                                             } else {
-                                                phi_1776_ = _e1506;
+                                                phi_1780_ = _e1496;
                                             }
-                                            let _e1510 = phi_1776_;
-                                            phi_1777_ = _e1510;
+                                            let _e1500 = phi_1780_;
+                                            phi_1781_ = _e1500;
                                         }
-                                        let _e1512 = phi_1777_;
-                                        if _e1512 {
-                                            let _e1514 = triangles.member[(0u + _e1015)].i0_;
-                                            if ((_e1514 & 2147483648u) == 0u) {
-                                                phi_1791_ = true;
+                                        let _e1502 = phi_1781_;
+                                        if _e1502 {
+                                            let _e1504 = triangles.member[(0u + _e1005)].i0_;
+                                            if ((_e1504 & 2147483648u) == 0u) {
+                                                phi_1795_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_1791_ = true;
+                                                phi_1795_ = true;
                                             }
-                                            let _e1518 = phi_1791_;
-                                            if _e1518 {
-                                                phi_1799_ = lt_bvh_Hit(_e1479.t, _e1479.u, _e1479.v, _e1015, 4294967295u);
+                                            let _e1508 = phi_1795_;
+                                            if _e1508 {
+                                                phi_1803_ = lt_bvh_Hit(_e1469.t, _e1469.u, _e1469.v, _e1005, 4294967295u);
                                             } else {
-                                                phi_1799_ = _e1004;
+                                                phi_1803_ = _e994;
                                             }
-                                            let _e1524 = phi_1799_;
-                                            phi_1800_ = _e1524;
+                                            let _e1514 = phi_1803_;
+                                            phi_1804_ = _e1514;
                                         } else {
-                                            phi_1800_ = _e1004;
+                                            phi_1804_ = _e994;
                                         }
-                                        let _e1526 = phi_1800_;
-                                        phi_1801_ = _e1526;
+                                        let _e1516 = phi_1804_;
+                                        phi_1805_ = _e1516;
                                     } else {
-                                        phi_1801_ = _e1004;
+                                        phi_1805_ = _e994;
                                     }
-                                    let _e1528 = phi_1801_;
-                                    phi_1802_ = _e1528;
+                                    let _e1518 = phi_1805_;
+                                    phi_1806_ = _e1518;
                                 } else {
-                                    phi_1802_ = _e1004;
+                                    phi_1806_ = _e994;
                                 }
-                                let _e1530 = phi_1802_;
-                                phi_1142_ = _e1530;
-                                phi_1145_ = (_e1006 & (_e1006 - 1u));
-                                phi_1803_ = true;
+                                let _e1520 = phi_1806_;
+                                phi_1146_ = _e1520;
+                                phi_1149_ = (_e996 & (_e996 - 1u));
+                                phi_1807_ = true;
                             }
-                            let _e1532 = phi_1142_;
-                            let _e1534 = phi_1145_;
-                            let _e1536 = phi_1803_;
+                            let _e1522 = phi_1146_;
+                            let _e1524 = phi_1149_;
+                            let _e1526 = phi_1807_;
                             continue;
                             continuing {
-                                phi_1141_ = _e1532;
-                                phi_1144_ = _e1534;
-                                break if !(_e1536);
+                                phi_1145_ = _e1522;
+                                phi_1148_ = _e1524;
+                                break if !(_e1526);
                             }
                         }
-                        let _e1539 = local.group_mask;
-                        if ((_e1539 & 4278190080u) == 0u) {
-                            let _e1543 = local.len;
-                            if (_e1543 == 0u) {
-                                phi_1842_ = false;
+                        let _e1529 = local.group_mask;
+                        if ((_e1529 & 4278190080u) == 0u) {
+                            let _e1533 = local.len;
+                            if (_e1533 == 0u) {
+                                phi_1846_ = false;
                             } else {
-                                let _e1547 = local.len;
-                                local.len = (_e1547 - 1u);
-                                let _e1550 = local.len;
-                                if (_e1550 < 32u) {
+                                let _e1537 = local.len;
+                                local.len = (_e1537 - 1u);
+                                let _e1540 = local.len;
+                                if (_e1540 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1555 = local.first[(0u + _e1550)];
-                                local.group = _e1555;
-                                let _e1558 = local.len;
-                                if (_e1558 < 32u) {
+                                let _e1545 = local.first[(0u + _e1540)];
+                                local.group = _e1545;
+                                let _e1548 = local.len;
+                                if (_e1548 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1563 = local.mask[(0u + _e1558)];
-                                local.group_mask = _e1563;
-                                phi_1842_ = true;
+                                let _e1553 = local.mask[(0u + _e1548)];
+                                local.group_mask = _e1553;
+                                phi_1846_ = true;
                             }
-                            let _e1566 = phi_1842_;
-                            phi_1843_ = _e1566;
+                            let _e1556 = phi_1846_;
+                            phi_1847_ = _e1556;
                         } else {
-                            phi_1843_ = true;
+                            phi_1847_ = true;
                         }
-                        let _e1568 = phi_1843_;
-                        if _e1568 {
+                        let _e1558 = phi_1847_;
+                        if _e1558 {
+                            let _e1560 = local.group_mask;
+                            let _e1566 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1560)), 32u, (_e1560 == 0u)));
                             let _e1570 = local.group_mask;
-                            let _e1576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1570)), 32u, (_e1570 == 0u)));
-                            let _e1580 = local.group_mask;
-                            let _e1594 = local.group_mask;
-                            local.group_mask = (_e1594 & ~((1u << bitcast<u32>((_e1576 & 31u)))));
-                            let _e1597 = local.group;
-                            phi_1874_ = (_e1597 + countOneBits(((_e1580 & ~((4294967295u << bitcast<u32>((((_e1576 - 24u) ^ _e423) & 31u))))) & 255u)));
+                            let _e1584 = local.group_mask;
+                            local.group_mask = (_e1584 & ~((1u << bitcast<u32>((_e1566 & 31u)))));
+                            let _e1587 = local.group;
+                            phi_1878_ = (_e1587 + countOneBits(((_e1570 & ~((4294967295u << bitcast<u32>((((_e1566 - 24u) ^ _e413) & 31u))))) & 255u)));
                         } else {
-                            phi_1874_ = 4294967295u;
+                            phi_1878_ = 4294967295u;
                         }
-                        let _e1600 = phi_1874_;
-                        let _e2376 = local_4;
-                        phi_805_ = _e2376;
-                        phi_808_ = _e1600;
+                        let _e1590 = phi_1878_;
+                        let _e2364 = local_4;
+                        phi_809_ = _e2364;
+                        phi_812_ = _e1590;
                     } else {
-                        phi_805_ = lt_bvh_Hit();
-                        phi_808_ = u32();
+                        phi_809_ = lt_bvh_Hit();
+                        phi_812_ = u32();
                     }
-                    let _e1602 = phi_805_;
-                    let _e1604 = phi_808_;
+                    let _e1592 = phi_809_;
+                    let _e1594 = phi_812_;
                     continue;
                     continuing {
-                        phi_804_ = _e1602;
-                        phi_807_ = _e1604;
-                        break if !(_e564);
+                        phi_808_ = _e1592;
+                        phi_811_ = _e1594;
+                        break if !(_e554);
                     }
                 }
-                let _e2380 = local_5;
-                phi_1875_ = _e2380;
+                let _e2368 = local_5;
+                phi_1879_ = _e2368;
             }
-            let _e1607 = phi_1875_;
-            phi_1876_ = _e1607;
-            phi_1877_ = _e218;
+            let _e1597 = phi_1879_;
+            phi_1880_ = _e1597;
+            phi_1881_ = _e210;
         } else {
-            phi_1876_ = lt_bvh_Hit();
-            phi_1877_ = true;
+            phi_1880_ = lt_bvh_Hit();
+            phi_1881_ = true;
         }
-        let _e1609 = phi_1876_;
-        let _e1611 = phi_1877_;
-        if _e1611 {
-            phi_1881_ = _e148;
+        let _e1599 = phi_1880_;
+        let _e1601 = phi_1881_;
+        if _e1601 {
+            phi_1885_ = _e148;
         } else {
-            phi_1881_ = _e1609;
+            phi_1885_ = _e1599;
         }
-        let _e1613 = phi_1881_;
-        if (_e1613.triangle != 4294967295u) {
-            let _e1619 = ((1f - _e1613.u) - _e1613.v);
-            if (_e1613.triangle < _e70) {
+        let _e1603 = phi_1885_;
+        if (_e1603.triangle != 4294967295u) {
+            let _e1609 = ((1f - _e1603.u) - _e1603.v);
+            if (_e1603.triangle < _e70) {
             } else {
                 return;
             }
-            let _e1625 = triangles.member[(0u + _e1613.triangle)];
-            let _e1650 = (((_e1625.v0_.x * _e1619) + (_e1625.v1_.x * _e1613.u)) + (_e1625.v2_.x * _e1613.v));
-            let _e1651 = (((_e1625.v0_.y * _e1619) + (_e1625.v1_.y * _e1613.u)) + (_e1625.v2_.y * _e1613.v));
-            let _e1652 = (((_e1625.v0_.z * _e1619) + (_e1625.v1_.z * _e1613.u)) + (_e1625.v2_.z * _e1613.v));
-            let _e1655 = abs(_e1625.v0_.x);
-            let _e1657 = abs(_e1625.v0_.y);
-            let _e1659 = abs(_e1625.v0_.z);
-            let _e1661 = abs(_e1625.v1_.x);
-            let _e1663 = abs(_e1625.v1_.y);
-            let _e1665 = abs(_e1625.v1_.z);
-            if (_e1655 > _e1661) {
-                phi_1946_ = _e1655;
+            let _e1615 = triangles.member[(0u + _e1603.triangle)];
+            let _e1640 = (((_e1615.v0_.x * _e1609) + (_e1615.v1_.x * _e1603.u)) + (_e1615.v2_.x * _e1603.v));
+            let _e1641 = (((_e1615.v0_.y * _e1609) + (_e1615.v1_.y * _e1603.u)) + (_e1615.v2_.y * _e1603.v));
+            let _e1642 = (((_e1615.v0_.z * _e1609) + (_e1615.v1_.z * _e1603.u)) + (_e1615.v2_.z * _e1603.v));
+            let _e1645 = abs(_e1615.v0_.x);
+            let _e1647 = abs(_e1615.v0_.y);
+            let _e1649 = abs(_e1615.v0_.z);
+            let _e1651 = abs(_e1615.v1_.x);
+            let _e1653 = abs(_e1615.v1_.y);
+            let _e1655 = abs(_e1615.v1_.z);
+            if (_e1645 > _e1651) {
+                phi_1950_ = _e1645;
             } else {
-                phi_1946_ = _e1661;
+                phi_1950_ = _e1651;
             }
-            let _e1668 = phi_1946_;
-            if (_e1657 > _e1663) {
-                phi_1951_ = _e1657;
+            let _e1658 = phi_1950_;
+            if (_e1647 > _e1653) {
+                phi_1955_ = _e1647;
             } else {
-                phi_1951_ = _e1663;
+                phi_1955_ = _e1653;
             }
-            let _e1671 = phi_1951_;
-            if (_e1659 > _e1665) {
-                phi_1956_ = _e1659;
+            let _e1661 = phi_1955_;
+            if (_e1649 > _e1655) {
+                phi_1960_ = _e1649;
             } else {
-                phi_1956_ = _e1665;
+                phi_1960_ = _e1655;
             }
-            let _e1674 = phi_1956_;
-            let _e1676 = abs(_e1625.v2_.x);
-            let _e1678 = abs(_e1625.v2_.y);
-            let _e1680 = abs(_e1625.v2_.z);
-            if (_e1668 > _e1676) {
-                phi_1967_ = _e1668;
+            let _e1664 = phi_1960_;
+            let _e1666 = abs(_e1615.v2_.x);
+            let _e1668 = abs(_e1615.v2_.y);
+            let _e1670 = abs(_e1615.v2_.z);
+            if (_e1658 > _e1666) {
+                phi_1971_ = _e1658;
             } else {
-                phi_1967_ = _e1676;
+                phi_1971_ = _e1666;
             }
-            let _e1683 = phi_1967_;
-            if (_e1671 > _e1678) {
-                phi_1972_ = _e1671;
+            let _e1673 = phi_1971_;
+            if (_e1661 > _e1668) {
+                phi_1976_ = _e1661;
             } else {
-                phi_1972_ = _e1678;
+                phi_1976_ = _e1668;
             }
-            let _e1686 = phi_1972_;
-            if (_e1674 > _e1680) {
-                phi_1977_ = _e1674;
+            let _e1676 = phi_1976_;
+            if (_e1664 > _e1670) {
+                phi_1981_ = _e1664;
             } else {
-                phi_1977_ = _e1680;
+                phi_1981_ = _e1670;
             }
-            let _e1689 = phi_1977_;
-            let _e1692 = (_e1625.v1_.x - _e1625.v0_.x);
-            let _e1695 = (_e1625.v1_.y - _e1625.v0_.y);
-            let _e1698 = (_e1625.v1_.z - _e1625.v0_.z);
-            let _e1701 = (_e1625.v2_.x - _e1625.v0_.x);
-            let _e1704 = (_e1625.v2_.y - _e1625.v0_.y);
-            let _e1707 = (_e1625.v2_.z - _e1625.v0_.z);
-            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), abs(_e1698));
-            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1692), _e1711);
-            let _e1713 = (_e1692 / _e1712);
-            let _e1714 = (_e1695 / _e1712);
-            let _e1715 = (_e1698 / _e1712);
-            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), abs(_e1707));
-            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1701), _e1719);
-            let _e1721 = (_e1701 / _e1720);
-            let _e1722 = (_e1704 / _e1720);
-            let _e1723 = (_e1707 / _e1720);
-            let _e1726 = ((_e1714 * _e1723) - (_e1722 * _e1715));
-            let _e1729 = ((_e1715 * _e1721) - (_e1723 * _e1713));
-            let _e1732 = ((_e1713 * _e1722) - (_e1721 * _e1714));
-            let _e1734 = p.member.eye;
-            let _e1747 = (1f / sqrt((((_e1726 * _e1726) + (_e1729 * _e1729)) + (_e1732 * _e1732))));
-            let _e1748 = (_e1726 * _e1747);
-            let _e1749 = (_e1729 * _e1747);
-            let _e1750 = (_e1732 * _e1747);
-            if ((((_e1748 * (_e1734.x - _e1650)) + (_e1749 * (_e1734.y - _e1651))) + (_e1750 * (_e1734.z - _e1652))) < 0f) {
-                phi_2053_ = vec3<f32>(-(_e1748), -(_e1749), -(_e1750));
+            let _e1679 = phi_1981_;
+            let _e1682 = (_e1615.v1_.x - _e1615.v0_.x);
+            let _e1685 = (_e1615.v1_.y - _e1615.v0_.y);
+            let _e1688 = (_e1615.v1_.z - _e1615.v0_.z);
+            let _e1691 = (_e1615.v2_.x - _e1615.v0_.x);
+            let _e1694 = (_e1615.v2_.y - _e1615.v0_.y);
+            let _e1697 = (_e1615.v2_.z - _e1615.v0_.z);
+            let _e1701 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1685), abs(_e1688));
+            let _e1702 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1682), _e1701);
+            let _e1703 = (_e1682 / _e1702);
+            let _e1704 = (_e1685 / _e1702);
+            let _e1705 = (_e1688 / _e1702);
+            let _e1709 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1694), abs(_e1697));
+            let _e1710 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1691), _e1709);
+            let _e1711 = (_e1691 / _e1710);
+            let _e1712 = (_e1694 / _e1710);
+            let _e1713 = (_e1697 / _e1710);
+            let _e1716 = ((_e1704 * _e1713) - (_e1712 * _e1705));
+            let _e1719 = ((_e1705 * _e1711) - (_e1713 * _e1703));
+            let _e1722 = ((_e1703 * _e1712) - (_e1711 * _e1704));
+            let _e1724 = p.member.eye;
+            let _e1737 = (1f / sqrt((((_e1716 * _e1716) + (_e1719 * _e1719)) + (_e1722 * _e1722))));
+            let _e1738 = (_e1716 * _e1737);
+            let _e1739 = (_e1719 * _e1737);
+            let _e1740 = (_e1722 * _e1737);
+            if ((((_e1738 * (_e1724.x - _e1640)) + (_e1739 * (_e1724.y - _e1641))) + (_e1740 * (_e1724.z - _e1642))) < 0f) {
+                phi_2057_ = vec3<f32>(-(_e1738), -(_e1739), -(_e1740));
             } else {
-                phi_2053_ = vec3<f32>(_e1748, _e1749, _e1750);
+                phi_2057_ = vec3<f32>(_e1738, _e1739, _e1740);
             }
-            let _e1763 = phi_2053_;
-            if (_e1613.triangle < _e70) {
+            let _e1753 = phi_2057_;
+            if (_e1603.triangle < _e70) {
             } else {
                 return;
             }
-            let _e1768 = triangles.member[(0u + _e1613.triangle)];
-            let _e1770 = (_e1768.i0_ & 2147483647u);
-            if (_e1770 < _e73) {
+            let _e1758 = triangles.member[(0u + _e1603.triangle)];
+            let _e1760 = (_e1758.i0_ & 2147483647u);
+            if (_e1760 < _e73) {
             } else {
                 return;
             }
-            let _e1776 = vertices.member[(0u + _e1770)];
-            if (_e1768.i1_ < _e73) {
+            let _e1766 = vertices.member[(0u + _e1760)];
+            if (_e1758.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e1780 = vertices.member[(0u + _e1768.i1_)];
-            if (_e1768.i2_ < _e73) {
+            let _e1770 = vertices.member[(0u + _e1758.i1_)];
+            if (_e1758.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e1784 = vertices.member[(0u + _e1768.i2_)];
-            let _e1785 = array<abi_Vertex, 3>(_e1776, _e1780, _e1784);
-            if (_e1785[0].material < arrayLength((&materials.member))) {
+            let _e1774 = vertices.member[(0u + _e1758.i2_)];
+            let _e1775 = array<abi_Vertex, 3>(_e1766, _e1770, _e1774);
+            if (_e1775[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1791 = materials.member[(0u + _e1785[0].material)];
-            let _e1808 = (1f / 255f);
-            let _e1827 = (1f / 255f);
-            let _e1849 = (1f / 255f);
-            let _e1862 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1619, _e1613.u, _e1613.v));
-            let _e1864 = ((_e1791.base_color.x * ((((f32((_e1785[0].color & 255u)) * _e1808) * _e1619) + ((f32((_e1785[1].color & 255u)) * _e1827) * _e1613.u)) + ((f32((_e1785[2].color & 255u)) * _e1849) * _e1613.v))) * _e1862.x);
-            let _e1866 = ((_e1791.base_color.y * ((((f32(((_e1785[0].color >> bitcast<u32>(8i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(8i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(8i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.y);
-            let _e1868 = ((_e1791.base_color.z * ((((f32(((_e1785[0].color >> bitcast<u32>(16i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(16i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(16i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.z);
-            let _e1869 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e1689);
-            let _e1870 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1683, _e1869);
-            if ((_e1791.flags & 2u) == 0u) {
-                phi_2174_ = 0u;
+            let _e1781 = materials.member[(0u + _e1775[0].material)];
+            let _e1798 = (1f / 255f);
+            let _e1817 = (1f / 255f);
+            let _e1839 = (1f / 255f);
+            let _e1852 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1609, _e1603.u, _e1603.v));
+            let _e1854 = ((_e1781.base_color.x * ((((f32((_e1775[0].color & 255u)) * _e1798) * _e1609) + ((f32((_e1775[1].color & 255u)) * _e1817) * _e1603.u)) + ((f32((_e1775[2].color & 255u)) * _e1839) * _e1603.v))) * _e1852.x);
+            let _e1856 = ((_e1781.base_color.y * ((((f32(((_e1775[0].color >> bitcast<u32>(8i)) & 255u)) * _e1798) * _e1609) + ((f32(((_e1775[1].color >> bitcast<u32>(8i)) & 255u)) * _e1817) * _e1603.u)) + ((f32(((_e1775[2].color >> bitcast<u32>(8i)) & 255u)) * _e1839) * _e1603.v))) * _e1852.y);
+            let _e1858 = ((_e1781.base_color.z * ((((f32(((_e1775[0].color >> bitcast<u32>(16i)) & 255u)) * _e1798) * _e1609) + ((f32(((_e1775[1].color >> bitcast<u32>(16i)) & 255u)) * _e1817) * _e1603.u)) + ((f32(((_e1775[2].color >> bitcast<u32>(16i)) & 255u)) * _e1839) * _e1603.v))) * _e1852.z);
+            let _e1859 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1676, _e1679);
+            let _e1860 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1673, _e1859);
+            if ((_e1781.flags & 2u) == 0u) {
+                phi_2178_ = 0u;
             } else {
-                phi_2174_ = 1u;
+                phi_2178_ = 1u;
             }
-            let _e1875 = phi_2174_;
-            if (_e1785[0].normal == 2147516416u) {
-                phi_2377_ = _e1763;
+            let _e1865 = phi_2178_;
+            if (_e1775[0].normal == 2147516416u) {
+                phi_2381_ = _e1753;
             } else {
-                let _e1888 = (f32((bitcast<i32>((_e1785[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1894 = (f32((bitcast<i32>(_e1785[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1898 = ((1f - abs(_e1888)) - abs(_e1894));
-                if (_e1898 < 0f) {
-                    phi_2201_ = -(_e1898);
-                } else {
-                    phi_2201_ = 0f;
-                }
-                let _e1902 = phi_2201_;
+                let _e1878 = (f32((bitcast<i32>((_e1775[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1884 = (f32((bitcast<i32>(_e1775[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1888 = ((1f - abs(_e1878)) - abs(_e1884));
                 if (_e1888 < 0f) {
-                    phi_2208_ = (_e1888 + _e1902);
+                    phi_2205_ = -(_e1888);
                 } else {
-                    phi_2208_ = (_e1888 - _e1902);
+                    phi_2205_ = 0f;
                 }
-                let _e1907 = phi_2208_;
-                if (_e1894 < 0f) {
-                    phi_2215_ = (_e1894 + _e1902);
+                let _e1892 = phi_2205_;
+                if (_e1878 < 0f) {
+                    phi_2212_ = (_e1878 + _e1892);
                 } else {
-                    phi_2215_ = (_e1894 - _e1902);
+                    phi_2212_ = (_e1878 - _e1892);
                 }
-                let _e1912 = phi_2215_;
-                let _e1919 = (1f / sqrt((((_e1907 * _e1907) + (_e1912 * _e1912)) + (_e1898 * _e1898))));
-                let _e1935 = (f32((bitcast<i32>((_e1785[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1941 = (f32((bitcast<i32>(_e1785[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1945 = ((1f - abs(_e1935)) - abs(_e1941));
-                if (_e1945 < 0f) {
-                    phi_2250_ = -(_e1945);
+                let _e1897 = phi_2212_;
+                if (_e1884 < 0f) {
+                    phi_2219_ = (_e1884 + _e1892);
                 } else {
-                    phi_2250_ = 0f;
+                    phi_2219_ = (_e1884 - _e1892);
                 }
-                let _e1949 = phi_2250_;
+                let _e1902 = phi_2219_;
+                let _e1909 = (1f / sqrt((((_e1897 * _e1897) + (_e1902 * _e1902)) + (_e1888 * _e1888))));
+                let _e1925 = (f32((bitcast<i32>((_e1775[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1931 = (f32((bitcast<i32>(_e1775[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1935 = ((1f - abs(_e1925)) - abs(_e1931));
                 if (_e1935 < 0f) {
-                    phi_2257_ = (_e1935 + _e1949);
+                    phi_2254_ = -(_e1935);
                 } else {
-                    phi_2257_ = (_e1935 - _e1949);
+                    phi_2254_ = 0f;
                 }
-                let _e1954 = phi_2257_;
-                if (_e1941 < 0f) {
-                    phi_2264_ = (_e1941 + _e1949);
+                let _e1939 = phi_2254_;
+                if (_e1925 < 0f) {
+                    phi_2261_ = (_e1925 + _e1939);
                 } else {
-                    phi_2264_ = (_e1941 - _e1949);
+                    phi_2261_ = (_e1925 - _e1939);
                 }
-                let _e1959 = phi_2264_;
-                let _e1966 = (1f / sqrt((((_e1954 * _e1954) + (_e1959 * _e1959)) + (_e1945 * _e1945))));
-                let _e1985 = (f32((bitcast<i32>((_e1785[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1991 = (f32((bitcast<i32>(_e1785[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1995 = ((1f - abs(_e1985)) - abs(_e1991));
-                if (_e1995 < 0f) {
-                    phi_2302_ = -(_e1995);
+                let _e1944 = phi_2261_;
+                if (_e1931 < 0f) {
+                    phi_2268_ = (_e1931 + _e1939);
                 } else {
-                    phi_2302_ = 0f;
+                    phi_2268_ = (_e1931 - _e1939);
                 }
-                let _e1999 = phi_2302_;
+                let _e1949 = phi_2268_;
+                let _e1956 = (1f / sqrt((((_e1944 * _e1944) + (_e1949 * _e1949)) + (_e1935 * _e1935))));
+                let _e1975 = (f32((bitcast<i32>((_e1775[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1981 = (f32((bitcast<i32>(_e1775[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1985 = ((1f - abs(_e1975)) - abs(_e1981));
                 if (_e1985 < 0f) {
-                    phi_2309_ = (_e1985 + _e1999);
+                    phi_2306_ = -(_e1985);
                 } else {
-                    phi_2309_ = (_e1985 - _e1999);
+                    phi_2306_ = 0f;
                 }
-                let _e2004 = phi_2309_;
-                if (_e1991 < 0f) {
-                    phi_2316_ = (_e1991 + _e1999);
+                let _e1989 = phi_2306_;
+                if (_e1975 < 0f) {
+                    phi_2313_ = (_e1975 + _e1989);
                 } else {
-                    phi_2316_ = (_e1991 - _e1999);
+                    phi_2313_ = (_e1975 - _e1989);
                 }
-                let _e2009 = phi_2316_;
-                let _e2016 = (1f / sqrt((((_e2004 * _e2004) + (_e2009 * _e2009)) + (_e1995 * _e1995))));
-                let _e2027 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1907 * _e1919) * _e1619) + ((_e1954 * _e1966) * _e1613.u)) + ((_e2004 * _e2016) * _e1613.v)), ((((_e1912 * _e1919) * _e1619) + ((_e1959 * _e1966) * _e1613.u)) + ((_e2009 * _e2016) * _e1613.v)), ((((_e1898 * _e1919) * _e1619) + ((_e1945 * _e1966) * _e1613.u)) + ((_e1995 * _e2016) * _e1613.v))));
-                let _e2039 = sqrt((((_e2027.x * _e2027.x) + (_e2027.y * _e2027.y)) + (_e2027.z * _e2027.z)));
-                if (_e2039 > 0f) {
-                    let _e2042 = (_e2027.x / _e2039);
-                    let _e2044 = (_e2027.y / _e2039);
-                    let _e2046 = (_e2027.z / _e2039);
-                    if ((((_e2042 * _e1763.x) + (_e2044 * _e1763.y)) + (_e2046 * _e1763.z)) < 0f) {
-                        phi_2375_ = vec3<f32>(-(_e2042), -(_e2044), -(_e2046));
+                let _e1994 = phi_2313_;
+                if (_e1981 < 0f) {
+                    phi_2320_ = (_e1981 + _e1989);
+                } else {
+                    phi_2320_ = (_e1981 - _e1989);
+                }
+                let _e1999 = phi_2320_;
+                let _e2006 = (1f / sqrt((((_e1994 * _e1994) + (_e1999 * _e1999)) + (_e1985 * _e1985))));
+                let _e2017 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1897 * _e1909) * _e1609) + ((_e1944 * _e1956) * _e1603.u)) + ((_e1994 * _e2006) * _e1603.v)), ((((_e1902 * _e1909) * _e1609) + ((_e1949 * _e1956) * _e1603.u)) + ((_e1999 * _e2006) * _e1603.v)), ((((_e1888 * _e1909) * _e1609) + ((_e1935 * _e1956) * _e1603.u)) + ((_e1985 * _e2006) * _e1603.v))));
+                let _e2029 = sqrt((((_e2017.x * _e2017.x) + (_e2017.y * _e2017.y)) + (_e2017.z * _e2017.z)));
+                if (_e2029 > 0f) {
+                    let _e2032 = (_e2017.x / _e2029);
+                    let _e2034 = (_e2017.y / _e2029);
+                    let _e2036 = (_e2017.z / _e2029);
+                    if ((((_e2032 * _e1753.x) + (_e2034 * _e1753.y)) + (_e2036 * _e1753.z)) < 0f) {
+                        phi_2379_ = vec3<f32>(-(_e2032), -(_e2034), -(_e2036));
                     } else {
-                        phi_2375_ = (_e2027 / vec3(_e2039));
+                        phi_2379_ = (_e2017 / vec3(_e2029));
                     }
-                    let _e2063 = phi_2375_;
-                    phi_2376_ = _e2063;
+                    let _e2053 = phi_2379_;
+                    phi_2380_ = _e2053;
                 } else {
-                    phi_2376_ = _e1763;
+                    phi_2380_ = _e1753;
                 }
-                let _e2065 = phi_2376_;
-                phi_2377_ = _e2065;
+                let _e2055 = phi_2380_;
+                phi_2381_ = _e2055;
             }
-            let _e2067 = phi_2377_;
-            if (_e1864 > 0f) {
-                if (_e1864 < 1f) {
-                    phi_2386_ = _e1864;
+            let _e2057 = phi_2381_;
+            if (_e1854 > 0f) {
+                if (_e1854 < 1f) {
+                    phi_2390_ = _e1854;
                 } else {
-                    phi_2386_ = 1f;
+                    phi_2390_ = 1f;
                 }
-                let _e2071 = phi_2386_;
-                phi_2387_ = _e2071;
+                let _e2061 = phi_2390_;
+                phi_2391_ = _e2061;
             } else {
-                phi_2387_ = 0f;
+                phi_2391_ = 0f;
             }
-            let _e2073 = phi_2387_;
-            if (_e1866 > 0f) {
-                if (_e1866 < 1f) {
-                    phi_2397_ = _e1866;
+            let _e2063 = phi_2391_;
+            if (_e1856 > 0f) {
+                if (_e1856 < 1f) {
+                    phi_2401_ = _e1856;
                 } else {
-                    phi_2397_ = 1f;
+                    phi_2401_ = 1f;
                 }
-                let _e2078 = phi_2397_;
-                phi_2398_ = _e2078;
+                let _e2068 = phi_2401_;
+                phi_2402_ = _e2068;
             } else {
-                phi_2398_ = 0f;
+                phi_2402_ = 0f;
             }
-            let _e2080 = phi_2398_;
-            if (_e1868 > 0f) {
-                if (_e1868 < 1f) {
-                    phi_2408_ = _e1868;
+            let _e2070 = phi_2402_;
+            if (_e1858 > 0f) {
+                if (_e1858 < 1f) {
+                    phi_2412_ = _e1858;
                 } else {
-                    phi_2408_ = 1f;
+                    phi_2412_ = 1f;
                 }
-                let _e2085 = phi_2408_;
-                phi_2409_ = _e2085;
+                let _e2075 = phi_2412_;
+                phi_2413_ = _e2075;
             } else {
-                phi_2409_ = 0f;
+                phi_2413_ = 0f;
             }
-            let _e2087 = phi_2409_;
-            let _e2090 = ((sqrt(_e2073) * 255f) + 0.5f);
-            let _e2099 = ((sqrt(_e2080) * 255f) + 0.5f);
-            let _e2111 = ((sqrt(_e2087) * 255f) + 0.5f);
-            phi_2444_ = abi_Sample(vec3<f32>(_e1650, _e1651, _e1652), _e1870, _e1763, _e1875, _e2067, ((select(select(u32(_e2090), 0u, (_e2090 < bitcast<f32>(0u))), 4294967295u, (_e2090 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2099), 0u, (_e2099 < bitcast<f32>(0u))), 4294967295u, (_e2099 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2111), 0u, (_e2111 < bitcast<f32>(0u))), 4294967295u, (_e2111 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2077 = phi_2413_;
+            let _e2080 = ((sqrt(_e2063) * 255f) + 0.5f);
+            let _e2089 = ((sqrt(_e2070) * 255f) + 0.5f);
+            let _e2101 = ((sqrt(_e2077) * 255f) + 0.5f);
+            phi_2448_ = abi_Sample(vec3<f32>(_e1640, _e1641, _e1642), _e1860, _e1753, _e1865, _e2057, ((select(select(u32(_e2080), 0u, (_e2080 < bitcast<f32>(0u))), 4294967295u, (_e2080 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2089), 0u, (_e2089 < bitcast<f32>(0u))), 4294967295u, (_e2089 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2101), 0u, (_e2101 < bitcast<f32>(0u))), 4294967295u, (_e2101 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2444_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2448_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2125 = phi_2444_;
-        if (_e91.first_primitive < arrayLength((&samples.member))) {
-        } else {
-            return;
-        }
-        samples.member[(0u + _e91.first_primitive)] = _e2125;
-        if (_e1613.triangle != 4294967295u) {
-            let _e2134 = ((1f - _e1613.u) - _e1613.v);
-            if (_e1613.triangle < _e70) {
-            } else {
-                return;
-            }
-            let _e2139 = triangles.member[(0u + _e1613.triangle)];
-            let _e2141 = (_e2139.i0_ & 2147483647u);
-            if (_e2141 < _e82) {
-            } else {
-                return;
-            }
-            let _e2147 = before.member[(0u + _e2141)];
-            if (_e2139.i1_ < _e82) {
-            } else {
-                return;
-            }
-            let _e2151 = before.member[(0u + _e2139.i1_)];
-            if (_e2139.i2_ < _e82) {
-            } else {
-                return;
-            }
-            let _e2155 = before.member[(0u + _e2139.i2_)];
-            let _e2160 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2147.x, _e2147.y, _e2147.z));
-            let _e2171 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2151.x, _e2151.y, _e2151.z));
-            let _e2185 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2155.x, _e2155.y, _e2155.z));
-            phi_2535_ = vec3<f32>((((_e2160.x * _e2134) + (_e2171.x * _e1613.u)) + (_e2185.x * _e1613.v)), (((_e2160.y * _e2134) + (_e2171.y * _e1613.u)) + (_e2185.y * _e1613.v)), (((_e2160.z * _e2134) + (_e2171.z * _e1613.u)) + (_e2185.z * _e1613.v)));
-        } else {
-            phi_2535_ = vec3<f32>(0f, 0f, 0f);
-        }
-        let _e2197 = phi_2535_;
-        if (_e91.first_primitive < arrayLength((&past.member))) {
+        let _e2115 = phi_2448_;
+        if (_e91.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2197.x, _e2197.y, _e2197.z, 1f);
+        samples.member[(0u + _e91.shift)] = _e2115;
+        if (_e1603.triangle != 4294967295u) {
+            let _e2124 = ((1f - _e1603.u) - _e1603.v);
+            if (_e1603.triangle < _e70) {
+            } else {
+                return;
+            }
+            let _e2129 = triangles.member[(0u + _e1603.triangle)];
+            let _e2131 = (_e2129.i0_ & 2147483647u);
+            if (_e2131 < _e82) {
+            } else {
+                return;
+            }
+            let _e2137 = before.member[(0u + _e2131)];
+            if (_e2129.i1_ < _e82) {
+            } else {
+                return;
+            }
+            let _e2141 = before.member[(0u + _e2129.i1_)];
+            if (_e2129.i2_ < _e82) {
+            } else {
+                return;
+            }
+            let _e2145 = before.member[(0u + _e2129.i2_)];
+            let _e2150 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2137.x, _e2137.y, _e2137.z));
+            let _e2161 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2141.x, _e2141.y, _e2141.z));
+            let _e2175 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2145.x, _e2145.y, _e2145.z));
+            phi_2539_ = vec3<f32>((((_e2150.x * _e2124) + (_e2161.x * _e1603.u)) + (_e2175.x * _e1603.v)), (((_e2150.y * _e2124) + (_e2161.y * _e1603.u)) + (_e2175.y * _e1603.v)), (((_e2150.z * _e2124) + (_e2161.z * _e1603.u)) + (_e2175.z * _e1603.v)));
+        } else {
+            phi_2539_ = vec3<f32>(0f, 0f, 0f);
+        }
+        let _e2187 = phi_2539_;
+        if (_e91.shift < arrayLength((&past.member))) {
+        } else {
+            return;
+        }
+        past.member[(0u + _e91.shift)] = vec4<f32>(_e2187.x, _e2187.y, _e2187.z, 1f);
     }
     return;
 }

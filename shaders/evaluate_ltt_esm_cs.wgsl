@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_18 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -90,19 +91,19 @@ var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_45;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_160_: lt_mask_LightPlace;
     var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_mask_LightPlace;
     var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_168_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_160_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_161_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
+            phi_160_ = lt_mask_LightPlace();
             phi_161_ = true;
         }
         let _e63 = phi_160_;
@@ -110,18 +111,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_162_ = _e63;
         phi_163_ = _e65;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
+        phi_162_ = lt_mask_LightPlace();
         phi_163_ = true;
     }
     let _e67 = phi_162_;
     let _e69 = phi_163_;
     if _e69 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_168_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_168_ = _e67;
     }
     let _e74 = phi_168_;
-    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
+    return lt_mask_LightPlace(_e74.word, _e74.shift);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -594,16 +595,16 @@ fn function_() {
     let _e62 = p.member.size[0u];
     let _e64 = p.member.size[1u];
     let _e65 = lt_shaders_entry_pixel_index(_e51, _e62, _e64);
-    if (bitcast<i32>(_e65.root) != 0i) {
+    if (bitcast<i32>(_e65.word) != 0i) {
         let _e72 = p.member.projection;
         let _e73 = lt_math_OneLevel(_e72);
-        let _e77 = samples.member[_e65.first_primitive].normal[0u];
+        let _e77 = samples.member[_e65.shift].normal[0u];
         let _e79 = global[0u];
         if (_e77 == _e79) {
-            let _e82 = samples.member[_e65.first_primitive].normal[1u];
+            let _e82 = samples.member[_e65.shift].normal[1u];
             let _e84 = global[1u];
             if (_e82 == _e84) {
-                let _e87 = samples.member[_e65.first_primitive].normal[2u];
+                let _e87 = samples.member[_e65.shift].normal[2u];
                 let _e89 = global[2u];
                 phi_726_ = (_e87 == _e89);
                 phi_727_ = false;
@@ -628,13 +629,13 @@ fn function_() {
         }
         let _e100 = phi_733_;
         if !(_e100) {
-            let _e103 = samples.member[_e65.first_primitive].position;
+            let _e103 = samples.member[_e65.shift].position;
             let _e105 = p.member.light.place;
             let _e111 = p.member.light.place[3u];
             let _e118 = (_e105.x - (_e103.x * _e111));
             let _e119 = (_e105.y - (_e103.y * _e111));
             let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[_e65.first_primitive].normal;
+            let _e122 = samples.member[_e65.shift].normal;
             if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
                 let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
                 let _e138 = p.member.light.axis;
@@ -654,7 +655,7 @@ fn function_() {
                 }
                 let _e163 = phi_804_;
                 if _e163 {
-                    let _e165 = samples.member[_e65.first_primitive].flags;
+                    let _e165 = samples.member[_e65.shift].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
                     phi_815_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
@@ -691,7 +692,7 @@ fn function_() {
         if _e224.unnamed_1 {
             phi_1274_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[_e65.first_primitive].position;
+            let _e232 = samples.member[_e65.shift].position;
             let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
             let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
             let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
@@ -749,7 +750,7 @@ fn function_() {
             let _e318 = phi_931_;
             if _e318 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[_e65.first_primitive].normal;
+                    let _e321 = samples.member[_e65.shift].normal;
                     let _e323 = p.member.map_size;
                     let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
                     if (_e393 < 0.002f) {
@@ -969,9 +970,9 @@ fn function_() {
             phi_1274_ = _e589;
         }
         let _e591 = phi_1274_;
-        visibility.member[_e65.first_primitive] = _e591.visibility;
+        visibility.member[_e65.shift] = _e591.visibility;
         phi_1278_ = _e591.is_doubted;
-        phi_1279_ = _e65.first_primitive;
+        phi_1279_ = _e65.shift;
     } else {
         phi_1278_ = false;
         phi_1279_ = 0u;

@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,14 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
+}
+
+struct mask_BitsPlace {
+    light: lt_mask_LightPlace,
+    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -110,799 +116,868 @@ var<storage> last_depths: type_21;
 @group(0) @binding(7) 
 var<storage, read_write> depths: type_21;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_156_: lt_bvh_traverse_Tree;
-    var phi_157_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_164_: lt_mask_LightPlace;
+    var phi_165_: bool;
+    var phi_166_: lt_mask_LightPlace;
+    var phi_167_: bool;
+    var phi_172_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_157_ = false;
+            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_156_ = lt_bvh_traverse_Tree();
-            phi_157_ = true;
+            phi_164_ = lt_mask_LightPlace();
+            phi_165_ = true;
         }
-        let _e56 = phi_156_;
-        let _e58 = phi_157_;
-        phi_158_ = _e56;
-        phi_159_ = _e58;
+        let _e60 = phi_164_;
+        let _e62 = phi_165_;
+        phi_166_ = _e60;
+        phi_167_ = _e62;
     } else {
-        phi_158_ = lt_bvh_traverse_Tree();
-        phi_159_ = true;
+        phi_166_ = lt_mask_LightPlace();
+        phi_167_ = true;
     }
-    let _e60 = phi_158_;
-    let _e62 = phi_159_;
-    if _e62 {
-        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e64 = phi_166_;
+    let _e66 = phi_167_;
+    if _e66 {
+        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_164_ = _e60;
+        phi_172_ = _e64;
     }
-    let _e67 = phi_164_;
-    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
+    let _e71 = phi_172_;
+    return lt_mask_LightPlace(_e71.word, _e71.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_182_: vec2<i32>;
+    var phi_190_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_182_ = vec2(0i);
+            phi_190_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_182_ = vec2<i32>(0i, -1i);
+            phi_190_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_182_ = vec2<i32>(-1i, 0i);
+            phi_190_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_182_ = vec2<i32>(1i, 0i);
+            phi_190_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_182_ = vec2<i32>(0i, 1i);
+            phi_190_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e52 = phi_182_;
-    return vec2<i32>(_e52.x, _e52.y);
+    let _e56 = phi_190_;
+    return vec2<i32>(_e56.x, _e56.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_200_: vec2<i32>;
+    var phi_208_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_200_ = vec2(0i);
+            phi_208_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_200_ = vec2(-1i);
+            phi_208_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_200_ = vec2<i32>(1i, -1i);
+            phi_208_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_200_ = vec2<i32>(-1i, 1i);
+            phi_208_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_200_ = vec2(1i);
+            phi_208_ = vec2(1i);
             break;
         }
     }
-    let _e52 = phi_200_;
-    return vec2<i32>(_e52.x, _e52.y);
+    let _e56 = phi_208_;
+    return vec2<i32>(_e56.x, _e56.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_219_: vec2<i32>;
+    var phi_227_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e46 = lt_mask_pattern_plus(param_5);
-        phi_219_ = vec2<i32>(_e46.x, _e46.y);
+        let _e50 = lt_mask_pattern_plus(param_5);
+        phi_227_ = vec2<i32>(_e50.x, _e50.y);
     } else {
-        let _e50 = lt_mask_pattern_cross(param_5);
-        phi_219_ = vec2<i32>(_e50.x, _e50.y);
+        let _e54 = lt_mask_pattern_cross(param_5);
+        phi_227_ = vec2<i32>(_e54.x, _e54.y);
     }
-    let _e55 = phi_219_;
-    return vec2<i32>(_e55.x, _e55.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_244_: vec2<i32>;
-
-    let _e44 = (param_7 % 13u);
-    switch bitcast<i32>(_e44) {
-        case 9: {
-            phi_244_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_244_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_244_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_244_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_244_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e59 = phi_244_;
+    let _e59 = phi_227_;
     return vec2<i32>(_e59.x, _e59.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_265_: u32;
-    var phi_266_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_252_: vec2<i32>;
 
-    let _e47 = (bitcast<i32>(param_8) + param_9);
-    if (_e47 < 0i) {
-        phi_266_ = 0u;
-    } else {
-        if (_e47 >= bitcast<i32>(param_10)) {
-            phi_265_ = (param_10 - 1u);
-        } else {
-            phi_265_ = bitcast<u32>(_e47);
+    let _e48 = (param_7 % 13u);
+    switch bitcast<i32>(_e48) {
+        case 9: {
+            phi_252_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e54 = phi_265_;
-        phi_266_ = _e54;
+        case 10: {
+            phi_252_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_252_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_252_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_252_ = vec2<i32>((bitcast<i32>((_e48 % 3u)) - 1i), (bitcast<i32>(((_e48 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e56 = phi_266_;
-    return _e56;
+    let _e63 = phi_252_;
+    return vec2<i32>(_e63.x, _e63.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_273_: u32;
+    var phi_274_: u32;
+
+    let _e51 = (bitcast<i32>(param_8) + param_9);
+    if (_e51 < 0i) {
+        phi_274_ = 0u;
+    } else {
+        if (_e51 >= bitcast<i32>(param_10)) {
+            phi_273_ = (param_10 - 1u);
+        } else {
+            phi_273_ = bitcast<u32>(_e51);
+        }
+        let _e58 = phi_273_;
+        phi_274_ = _e58;
+    }
+    let _e60 = phi_274_;
+    return _e60;
 }
 
 fn function_() {
-    var phi_331_: bool;
-    var phi_332_: bool;
-    var phi_333_: bool;
-    var phi_334_: bool;
-    var phi_338_: bool;
-    var phi_408_: bool;
-    var phi_409_: bool;
-    var phi_420_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_421_: bool;
-    var phi_422_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_423_: bool;
-    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_434_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_447_: bool;
-    var phi_503_: bool;
-    var phi_507_: f32;
-    var phi_518_: bool;
-    var phi_531_: bool;
-    var phi_542_: bool;
-    var phi_543_: bool;
-    var phi_544_: bool;
-    var phi_545_: bool;
-    var phi_546_: bool;
-    var phi_547_: bool;
+    var phi_351_: bool;
+    var phi_352_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
+    var phi_358_: bool;
+    var phi_428_: bool;
+    var phi_429_: bool;
+    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_441_: bool;
+    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_443_: bool;
+    var phi_450_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: bool;
+    var phi_523_: bool;
+    var phi_527_: f32;
+    var phi_538_: bool;
     var phi_551_: bool;
-    var phi_556_: bool;
-    var phi_570_: u32;
-    var phi_572_: u32;
-    var phi_575_: lt_mask_Neighbourhood;
-    var phi_587_: bool;
-    var phi_588_: bool;
-    var phi_597_: u32;
-    var phi_598_: u32;
-    var phi_658_: vec2<i32>;
+    var phi_562_: bool;
+    var phi_563_: bool;
+    var phi_564_: bool;
+    var phi_565_: bool;
+    var phi_566_: bool;
+    var phi_567_: bool;
+    var phi_571_: bool;
+    var phi_576_: bool;
+    var phi_590_: u32;
+    var phi_592_: u32;
+    var phi_595_: lt_mask_Neighbourhood;
+    var phi_607_: bool;
+    var phi_608_: bool;
+    var phi_617_: u32;
+    var phi_618_: u32;
     var phi_678_: vec2<i32>;
-    var phi_701_: u32;
-    var phi_718_: bool;
-    var phi_719_: bool;
-    var phi_726_: bool;
-    var phi_727_: bool;
-    var phi_745_: bool;
-    var phi_746_: bool;
-    var phi_747_: bool;
-    var phi_573_: u32;
-    var phi_576_: lt_mask_Neighbourhood;
-    var phi_750_: lt_mask_Neighbourhood;
-    var phi_751_: lt_mask_Neighbourhood;
-    var phi_776_: bool;
+    var phi_698_: vec2<i32>;
+    var phi_725_: u32;
+    var phi_744_: u32;
+    var phi_752_: u32;
+    var phi_769_: bool;
+    var phi_770_: bool;
     var phi_777_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_799_: u32;
-    var phi_800_: u32;
-    var phi_801_: u32;
-    var phi_802_: u32;
-    var phi_803_: u32;
-    var phi_811_: bool;
-    var phi_819_: u32;
-    var phi_824_: u32;
-    var phi_828_: u32;
-    var phi_829_: u32;
-    var phi_833_: f32;
-    var phi_835_: mask_Masked;
-    var phi_863_: bool;
+    var phi_778_: bool;
+    var phi_796_: bool;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_593_: u32;
+    var phi_596_: lt_mask_Neighbourhood;
+    var phi_801_: lt_mask_Neighbourhood;
+    var phi_802_: lt_mask_Neighbourhood;
+    var phi_834_: bool;
+    var phi_835_: bool;
     var phi_864_: bool;
     var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_870_: bool;
-    var phi_898_: f32;
-    var phi_901_: bool;
-    var phi_902_: u32;
+    var phi_878_: bool;
+    var phi_879_: bool;
+    var phi_880_: bool;
+    var phi_887_: u32;
+    var phi_888_: u32;
+    var phi_889_: u32;
+    var phi_890_: u32;
+    var phi_891_: u32;
+    var phi_892_: u32;
+    var phi_900_: bool;
+    var phi_908_: u32;
     var phi_913_: u32;
+    var phi_917_: u32;
+    var phi_918_: u32;
+    var phi_922_: f32;
+    var phi_924_: mask_Masked;
+    var phi_996_: bool;
+    var phi_997_: bool;
+    var phi_998_: bool;
+    var phi_999_: bool;
+    var phi_1003_: bool;
+    var phi_1031_: f32;
+    var phi_1034_: bool;
+    var phi_1035_: u32;
+    var phi_1046_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e43 = id_1;
-    let _e44 = local_2;
-    let _e60 = p.member.current.size[0u];
-    let _e62 = p.member.current.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e43, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e71 = p.member.current.size[0u];
-        let _e74 = samples.member[_e63.first_primitive].position;
-        let _e76 = visibility.member[_e63.first_primitive];
-        let _e82 = samples.member[_e63.first_primitive].normal[0u];
-        let _e84 = global[0u];
-        if (_e82 == _e84) {
-            let _e87 = samples.member[_e63.first_primitive].normal[1u];
-            let _e89 = global[1u];
-            if (_e87 == _e89) {
-                let _e92 = samples.member[_e63.first_primitive].normal[2u];
-                let _e94 = global[2u];
-                phi_331_ = (_e92 == _e94);
-                phi_332_ = false;
+    let _e47 = id_1;
+    let _e48 = local_2;
+    let _e53 = arrayLength((&last_bits.member));
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e47, _e64, _e66);
+    if (bitcast<i32>(_e67.word) != 0i) {
+        let _e74 = p.member.light.number;
+        let _e75 = (_e74 * 3u);
+        let _e79 = p.member.light.mask_words;
+        let _e85 = mask_BitsPlace(lt_mask_LightPlace((_e75 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e91 = mask_BitsPlace(lt_mask_LightPlace(_e85.light.word, (_e75 % 32u)), _e85.words);
+        let _e94 = mask_BitsPlace(_e91.light, _e79);
+        let _e98 = p.member.current.size[0u];
+        let _e101 = samples.member[_e67.shift].position;
+        let _e103 = visibility.member[_e67.shift];
+        let _e109 = samples.member[_e67.shift].normal[0u];
+        let _e111 = global[0u];
+        if (_e109 == _e111) {
+            let _e114 = samples.member[_e67.shift].normal[1u];
+            let _e116 = global[1u];
+            if (_e114 == _e116) {
+                let _e119 = samples.member[_e67.shift].normal[2u];
+                let _e121 = global[2u];
+                phi_351_ = (_e119 == _e121);
+                phi_352_ = false;
             } else {
-                phi_331_ = bool();
-                phi_332_ = true;
+                phi_351_ = bool();
+                phi_352_ = true;
             }
-            let _e97 = phi_331_;
-            let _e99 = phi_332_;
-            phi_333_ = _e97;
-            phi_334_ = _e99;
+            let _e124 = phi_351_;
+            let _e126 = phi_352_;
+            phi_353_ = _e124;
+            phi_354_ = _e126;
         } else {
-            phi_333_ = bool();
-            phi_334_ = true;
+            phi_353_ = bool();
+            phi_354_ = true;
         }
-        let _e101 = phi_333_;
-        let _e103 = phi_334_;
-        if _e103 {
-            phi_338_ = false;
+        let _e128 = phi_353_;
+        let _e130 = phi_354_;
+        if _e130 {
+            phi_358_ = false;
         } else {
-            phi_338_ = _e101;
+            phi_358_ = _e128;
         }
-        let _e105 = phi_338_;
-        if !(_e105) {
-            let _e108 = samples.member[_e63.first_primitive].position;
-            let _e110 = p.member.light.place;
-            let _e116 = p.member.light.place[3u];
-            let _e123 = (_e110.x - (_e108.x * _e116));
-            let _e124 = (_e110.y - (_e108.y * _e116));
-            let _e125 = (_e110.z - (_e108.z * _e116));
-            let _e127 = samples.member[_e63.first_primitive].normal;
-            if ((((_e127.x * _e123) + (_e127.y * _e124)) + (_e127.z * _e125)) > 0f) {
-                let _e141 = (((_e123 * _e123) + (_e124 * _e124)) + (_e125 * _e125));
-                let _e143 = p.member.light.axis;
-                let _e155 = p.member.light.place[3u];
-                if (_e155 == 0f) {
-                    phi_409_ = true;
+        let _e132 = phi_358_;
+        if !(_e132) {
+            let _e135 = samples.member[_e67.shift].position;
+            let _e137 = p.member.light.place;
+            let _e143 = p.member.light.place[3u];
+            let _e150 = (_e137.x - (_e135.x * _e143));
+            let _e151 = (_e137.y - (_e135.y * _e143));
+            let _e152 = (_e137.z - (_e135.z * _e143));
+            let _e154 = samples.member[_e67.shift].normal;
+            if ((((_e154.x * _e150) + (_e154.y * _e151)) + (_e154.z * _e152)) > 0f) {
+                let _e168 = (((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152));
+                let _e170 = p.member.light.axis;
+                let _e182 = p.member.light.place[3u];
+                if (_e182 == 0f) {
+                    phi_429_ = true;
                 } else {
-                    let _e158 = p.member.light.range_squared;
-                    if (_e141 <= _e158) {
-                        let _e161 = p.member.light.cos_outer;
-                        phi_408_ = (-((((_e123 * _e143.x) + (_e124 * _e143.y)) + (_e125 * _e143.z))) >= (_e161 * sqrt(_e141)));
+                    let _e185 = p.member.light.range_squared;
+                    if (_e168 <= _e185) {
+                        let _e188 = p.member.light.cos_outer;
+                        phi_428_ = (-((((_e150 * _e170.x) + (_e151 * _e170.y)) + (_e152 * _e170.z))) >= (_e188 * sqrt(_e168)));
                     } else {
-                        phi_408_ = false;
+                        phi_428_ = false;
                     }
-                    let _e166 = phi_408_;
-                    phi_409_ = _e166;
+                    let _e193 = phi_428_;
+                    phi_429_ = _e193;
                 }
-                let _e168 = phi_409_;
-                if _e168 {
-                    let _e170 = samples.member[_e63.first_primitive].flags;
-                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
-                    phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, ((_e170 & 1u) == 0u));
-                    phi_421_ = false;
+                let _e195 = phi_429_;
+                if _e195 {
+                    let _e197 = samples.member[_e67.shift].flags;
+                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
+                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, ((_e197 & 1u) == 0u));
+                    phi_441_ = false;
                 } else {
-                    phi_420_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_421_ = true;
+                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_441_ = true;
                 }
-                let _e189 = phi_420_;
-                let _e191 = phi_421_;
-                phi_422_ = _e189;
-                phi_423_ = _e191;
+                let _e216 = phi_440_;
+                let _e218 = phi_441_;
+                phi_442_ = _e216;
+                phi_443_ = _e218;
             } else {
-                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_423_ = true;
+                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_443_ = true;
             }
-            let _e193 = phi_422_;
-            let _e195 = phi_423_;
-            if _e195 {
-                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
-                phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+            let _e220 = phi_442_;
+            let _e222 = phi_443_;
+            if _e222 {
+                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+                phi_450_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
             } else {
-                phi_430_ = _e193;
+                phi_450_ = _e220;
             }
-            let _e212 = phi_430_;
-            phi_434_ = _e212;
+            let _e239 = phi_450_;
+            phi_454_ = _e239;
         } else {
-            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
-            phi_434_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
+            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
+            phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
         }
-        let _e229 = phi_434_;
-        if _e229.unnamed_1 {
-            phi_835_ = mask_Masked(_e229.unnamed.visibility, 0u, false);
+        let _e256 = phi_454_;
+        if _e256.unnamed_1 {
+            phi_924_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
         } else {
-            let _e234 = (_e76 < 0.5f);
-            if (_e76 > 0f) {
-                phi_447_ = (_e76 < 1f);
+            let _e261 = (_e103 < 0.5f);
+            if (_e103 > 0f) {
+                phi_467_ = (_e103 < 1f);
             } else {
-                phi_447_ = false;
+                phi_467_ = false;
             }
-            let _e238 = phi_447_;
-            let _e241 = p.member.previous.eye;
-            let _e252 = p.member.previous.forward;
-            let _e260 = ((((_e74.x - _e241.x) * _e252.x) + ((_e74.y - _e241.y) * _e252.y)) + ((_e74.z - _e241.z) * _e252.z));
-            let _e262 = ((_e43.y * _e71) + _e43.x);
-            if (_e262 < arrayLength((&last_depths.member))) {
+            let _e265 = phi_467_;
+            let _e268 = p.member.previous.eye;
+            let _e279 = p.member.previous.forward;
+            let _e287 = ((((_e101.x - _e268.x) * _e279.x) + ((_e101.y - _e268.y) * _e279.y)) + ((_e101.z - _e268.z) * _e279.z));
+            let _e289 = ((_e47.y * _e98) + _e47.x);
+            if (_e289 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e266 = last_depths.member[(0u + _e262)];
-            let _e268 = p.member.depth_tolerance;
-            let _e271 = abs(_e260);
-            let _e272 = abs(_e266);
-            if ((bitcast<u32>(_e272) & 2147483647u) > 2139095040u) {
-                phi_503_ = true;
+            let _e293 = last_depths.member[(0u + _e289)];
+            let _e295 = p.member.depth_tolerance;
+            let _e298 = abs(_e287);
+            let _e299 = abs(_e293);
+            if ((bitcast<u32>(_e299) & 2147483647u) > 2139095040u) {
+                phi_523_ = true;
             } else {
-                let _e276 = (_e272 > _e271);
-                if _e276 {
+                let _e303 = (_e299 > _e298);
+                if _e303 {
                 }
-                phi_503_ = _e276;
+                phi_523_ = _e303;
             }
-            let _e278 = phi_503_;
-            if _e278 {
-                phi_507_ = _e272;
+            let _e305 = phi_523_;
+            if _e305 {
+                phi_527_ = _e299;
             } else {
-                phi_507_ = _e271;
+                phi_527_ = _e298;
             }
-            let _e280 = phi_507_;
-            if (abs((_e260 - _e266)) <= (_e268 * _e280)) {
-                let _e284 = p.member.flags;
-                phi_518_ = ((_e284 & 1u) != 0u);
+            let _e307 = phi_527_;
+            if (abs((_e287 - _e293)) <= (_e295 * _e307)) {
+                let _e311 = p.member.flags;
+                phi_538_ = ((_e311 & 1u) != 0u);
             } else {
-                phi_518_ = false;
+                phi_538_ = false;
             }
-            let _e288 = phi_518_;
-            let _e290 = p.member.flags;
+            let _e315 = phi_538_;
+            let _e317 = p.member.flags;
             if false {
-                let _e294 = p.member.flags;
-                phi_531_ = ((_e294 & 4u) == 0u);
+                let _e321 = p.member.flags;
+                phi_551_ = ((_e321 & 4u) == 0u);
             } else {
-                phi_531_ = false;
+                phi_551_ = false;
             }
-            let _e298 = phi_531_;
-            if ((_e290 & 2u) != 0u) {
+            let _e325 = phi_551_;
+            if ((_e317 & 2u) != 0u) {
                 if false {
-                    phi_544_ = bool();
-                    phi_545_ = true;
+                    phi_564_ = bool();
+                    phi_565_ = true;
                 } else {
                     if true {
-                        phi_542_ = !(_e298);
-                        phi_543_ = false;
+                        phi_562_ = !(_e325);
+                        phi_563_ = false;
                     } else {
-                        phi_542_ = bool();
-                        phi_543_ = true;
+                        phi_562_ = bool();
+                        phi_563_ = true;
                     }
-                    let _e301 = phi_542_;
-                    let _e303 = phi_543_;
-                    phi_544_ = _e301;
-                    phi_545_ = _e303;
+                    let _e328 = phi_562_;
+                    let _e330 = phi_563_;
+                    phi_564_ = _e328;
+                    phi_565_ = _e330;
                 }
-                let _e305 = phi_544_;
-                let _e307 = phi_545_;
-                phi_546_ = _e305;
-                phi_547_ = _e307;
+                let _e332 = phi_564_;
+                let _e334 = phi_565_;
+                phi_566_ = _e332;
+                phi_567_ = _e334;
             } else {
-                phi_546_ = bool();
-                phi_547_ = true;
+                phi_566_ = bool();
+                phi_567_ = true;
             }
-            let _e309 = phi_546_;
-            let _e311 = phi_547_;
-            if _e311 {
-                phi_551_ = false;
+            let _e336 = phi_566_;
+            let _e338 = phi_567_;
+            if _e338 {
+                phi_571_ = false;
             } else {
-                phi_551_ = _e309;
+                phi_571_ = _e336;
             }
-            let _e313 = phi_551_;
-            let _e314 = lt_mask_Neighbourhood(false, true);
-            if _e238 {
-                phi_556_ = _e313;
+            let _e340 = phi_571_;
+            let _e341 = lt_mask_Neighbourhood(false, true);
+            if _e265 {
+                phi_576_ = _e340;
             } else {
-                phi_556_ = true;
+                phi_576_ = true;
             }
-            let _e316 = phi_556_;
-            if _e316 {
-                if _e288 {
+            let _e343 = phi_576_;
+            if _e343 {
+                if _e315 {
                     if false {
-                        let _e318 = p.member.moving_pattern;
-                        phi_570_ = _e318;
+                        let _e345 = p.member.moving_pattern;
+                        phi_590_ = _e345;
                     } else {
-                        let _e320 = p.member.still_pattern;
-                        phi_570_ = _e320;
+                        let _e347 = p.member.still_pattern;
+                        phi_590_ = _e347;
                     }
-                    let _e322 = phi_570_;
-                    phi_572_ = 0u;
-                    phi_575_ = _e314;
+                    let _e349 = phi_590_;
+                    phi_592_ = 0u;
+                    phi_595_ = _e341;
                     loop {
-                        let _e324 = phi_572_;
-                        let _e326 = phi_575_;
-                        local_1 = _e326;
-                        if (1u <= _e322) {
-                            if (_e322 <= 4u) {
-                                phi_587_ = false;
+                        let _e351 = phi_592_;
+                        let _e353 = phi_595_;
+                        local_1 = _e353;
+                        if (1u <= _e349) {
+                            if (_e349 <= 4u) {
+                                phi_607_ = false;
                             } else {
-                                phi_587_ = true;
+                                phi_607_ = true;
                             }
-                            let _e330 = phi_587_;
-                            phi_588_ = _e330;
+                            let _e357 = phi_607_;
+                            phi_608_ = _e357;
                         } else {
-                            phi_588_ = true;
+                            phi_608_ = true;
                         }
-                        let _e332 = phi_588_;
-                        if _e332 {
-                            switch bitcast<i32>(_e322) {
+                        let _e359 = phi_608_;
+                        if _e359 {
+                            switch bitcast<i32>(_e349) {
                                 case 5: {
-                                    phi_597_ = 4u;
+                                    phi_617_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_597_ = 25u;
+                                    phi_617_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_597_ = 13u;
+                                    phi_617_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_597_ = 9u;
+                                    phi_617_ = 9u;
                                     break;
                                 }
                             }
-                            let _e335 = phi_597_;
-                            phi_598_ = _e335;
+                            let _e362 = phi_617_;
+                            phi_618_ = _e362;
                         } else {
-                            phi_598_ = 5u;
+                            phi_618_ = 5u;
                         }
-                        let _e337 = phi_598_;
-                        let _e338 = (_e324 < _e337);
-                        if _e338 {
-                            let _e340 = p.member.frame;
-                            let _e344 = p.member.current.size[0u];
-                            let _e346 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e322) {
+                        let _e364 = phi_618_;
+                        let _e365 = (_e351 < _e364);
+                        if _e365 {
+                            let _e367 = p.member.frame;
+                            let _e371 = p.member.current.size[0u];
+                            let _e373 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e349) {
                                 case 1: {
-                                    let _e356 = lt_mask_pattern_plus(_e324);
-                                    phi_678_ = vec2<i32>(_e356.x, _e356.y);
+                                    let _e383 = lt_mask_pattern_plus(_e351);
+                                    phi_698_ = vec2<i32>(_e383.x, _e383.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e360 = lt_mask_pattern_cross(_e324);
-                                    phi_678_ = vec2<i32>(_e360.x, _e360.y);
+                                    let _e387 = lt_mask_pattern_cross(_e351);
+                                    phi_698_ = vec2<i32>(_e387.x, _e387.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e366 = lt_mask_pattern_plus_or_cross(_e324, ((_e43.x + _e43.y) & 1u));
-                                    phi_678_ = vec2<i32>(_e366.x, _e366.y);
+                                    let _e393 = lt_mask_pattern_plus_or_cross(_e351, ((_e47.x + _e47.y) & 1u));
+                                    phi_698_ = vec2<i32>(_e393.x, _e393.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e371 = lt_mask_pattern_plus_or_cross(_e324, (_e340 & 1u));
-                                    phi_678_ = vec2<i32>(_e371.x, _e371.y);
+                                    let _e398 = lt_mask_pattern_plus_or_cross(_e351, (_e367 & 1u));
+                                    phi_698_ = vec2<i32>(_e398.x, _e398.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e340 & 3u)) {
+                                    switch bitcast<i32>((_e367 & 3u)) {
                                         case 0: {
-                                            phi_658_ = vec2(-1i);
+                                            phi_678_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_658_ = vec2(0i);
+                                            phi_678_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_658_ = vec2<i32>(0i, -1i);
+                                            phi_678_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_658_ = vec2<i32>(-1i, 0i);
+                                            phi_678_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e382 = phi_658_;
-                                    phi_678_ = (_e382 + vec2<i32>(bitcast<i32>((_e324 & 1u)), bitcast<i32>(((_e324 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e409 = phi_678_;
+                                    phi_698_ = (_e409 + vec2<i32>(bitcast<i32>((_e351 & 1u)), bitcast<i32>(((_e351 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_678_ = vec2<i32>((bitcast<i32>((_e324 % 5u)) - 2i), (bitcast<i32>(((_e324 / 5u) % 5u)) - 2i));
+                                    phi_698_ = vec2<i32>((bitcast<i32>((_e351 % 5u)) - 2i), (bitcast<i32>(((_e351 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e399 = lt_mask_pattern_diamond(_e324);
-                                    phi_678_ = vec2<i32>(_e399.x, _e399.y);
+                                    let _e426 = lt_mask_pattern_diamond(_e351);
+                                    phi_698_ = vec2<i32>(_e426.x, _e426.y);
                                     break;
                                 }
                                 default: {
-                                    phi_678_ = vec2<i32>((bitcast<i32>((_e324 % 3u)) - 1i), (bitcast<i32>(((_e324 / 3u) % 3u)) - 1i));
+                                    phi_698_ = vec2<i32>((bitcast<i32>((_e351 % 3u)) - 1i), (bitcast<i32>(((_e351 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e404 = phi_678_;
-                            let _e407 = lt_mask_pattern_step_clamped(_e43.x, _e404.x, _e344);
-                            let _e408 = lt_mask_pattern_step_clamped(_e43.y, _e404.y, _e346);
-                            let _e410 = ((_e408 * _e71) + _e407);
-                            if (_e410 < arrayLength((&last_bits.member))) {
+                            let _e431 = phi_698_;
+                            let _e434 = lt_mask_pattern_step_clamped(_e47.x, _e431.x, _e371);
+                            let _e435 = lt_mask_pattern_step_clamped(_e47.y, _e431.y, _e373);
+                            let _e442 = ((((_e435 * _e98) + _e434) * _e94.words) + _e94.light.word);
+                            if (_e94.light.shift > 29u) {
+                                let _e446 = (_e442 + 1u);
+                                if (_e446 < _e53) {
+                                } else {
+                                    return;
+                                }
+                                let _e450 = last_bits.member[(0u + _e446)];
+                                phi_725_ = _e450;
+                            } else {
+                                phi_725_ = 0u;
+                            }
+                            let _e452 = phi_725_;
+                            if (_e442 < _e53) {
                             } else {
                                 return;
                             }
-                            let _e414 = last_bits.member[(0u + _e410)];
-                            if ((_e414 & 2u) == 0u) {
-                                phi_701_ = (_e414 & 1u);
+                            let _e458 = last_bits.member[(0u + _e442)];
+                            let _e461 = (_e458 >> bitcast<u32>((_e94.light.shift & 31u)));
+                            if (_e94.light.shift > 29u) {
+                                phi_744_ = (_e461 | (_e452 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
                             } else {
-                                phi_701_ = (_e414 & 7u);
+                                phi_744_ = _e461;
                             }
-                            let _e420 = phi_701_;
-                            if _e326.any_expands {
-                                phi_727_ = true;
+                            let _e469 = phi_744_;
+                            if ((_e469 & 2u) == 0u) {
+                                phi_752_ = (_e469 & 1u);
                             } else {
-                                if ((_e420 & 2u) != 0u) {
-                                    if (((_e420 & 4u) != 0u) != _e234) {
-                                        phi_718_ = false;
+                                phi_752_ = (_e469 & 7u);
+                            }
+                            let _e475 = phi_752_;
+                            if _e353.any_expands {
+                                phi_778_ = true;
+                            } else {
+                                if ((_e475 & 2u) != 0u) {
+                                    if (((_e475 & 4u) != 0u) != _e261) {
+                                        phi_769_ = false;
                                     } else {
-                                        phi_718_ = true;
+                                        phi_769_ = true;
                                     }
-                                    let _e429 = phi_718_;
-                                    phi_719_ = _e429;
+                                    let _e484 = phi_769_;
+                                    phi_770_ = _e484;
                                 } else {
-                                    phi_719_ = true;
+                                    phi_770_ = true;
                                 }
-                                let _e431 = phi_719_;
-                                if _e431 {
-                                    phi_726_ = (((_e420 & 1u) != 0u) != _e234);
+                                let _e486 = phi_770_;
+                                if _e486 {
+                                    phi_777_ = (((_e475 & 1u) != 0u) != _e261);
                                 } else {
-                                    phi_726_ = true;
+                                    phi_777_ = true;
                                 }
-                                let _e436 = phi_726_;
-                                phi_727_ = _e436;
+                                let _e491 = phi_777_;
+                                phi_778_ = _e491;
                             }
-                            let _e438 = phi_727_;
-                            if _e326.all_remove {
-                                if (((_e420 & 1u) != 0u) == _e234) {
-                                    if ((_e420 & 2u) != 0u) {
-                                        phi_745_ = (((_e420 & 4u) != 0u) == _e234);
+                            let _e493 = phi_778_;
+                            if _e353.all_remove {
+                                if (((_e475 & 1u) != 0u) == _e261) {
+                                    if ((_e475 & 2u) != 0u) {
+                                        phi_796_ = (((_e475 & 4u) != 0u) == _e261);
                                     } else {
-                                        phi_745_ = true;
+                                        phi_796_ = true;
                                     }
-                                    let _e448 = phi_745_;
-                                    phi_746_ = _e448;
+                                    let _e503 = phi_796_;
+                                    phi_797_ = _e503;
                                 } else {
-                                    phi_746_ = false;
+                                    phi_797_ = false;
                                 }
-                                let _e450 = phi_746_;
-                                phi_747_ = _e450;
+                                let _e505 = phi_797_;
+                                phi_798_ = _e505;
                             } else {
-                                phi_747_ = false;
+                                phi_798_ = false;
                             }
-                            let _e452 = phi_747_;
-                            phi_573_ = (_e324 + 1u);
-                            phi_576_ = lt_mask_Neighbourhood(_e438, _e452);
+                            let _e507 = phi_798_;
+                            phi_593_ = (_e351 + 1u);
+                            phi_596_ = lt_mask_Neighbourhood(_e493, _e507);
                         } else {
-                            phi_573_ = u32();
-                            phi_576_ = lt_mask_Neighbourhood();
+                            phi_593_ = u32();
+                            phi_596_ = lt_mask_Neighbourhood();
                         }
-                        let _e456 = phi_573_;
-                        let _e458 = phi_576_;
+                        let _e511 = phi_593_;
+                        let _e513 = phi_596_;
                         continue;
                         continuing {
-                            phi_572_ = _e456;
-                            phi_575_ = _e458;
-                            break if !(_e338);
+                            phi_592_ = _e511;
+                            phi_595_ = _e513;
+                            break if !(_e365);
                         }
                     }
-                    let _e635 = local_1;
-                    phi_750_ = _e635;
+                    let _e754 = local_1;
+                    phi_801_ = _e754;
                 } else {
-                    phi_750_ = _e314;
+                    phi_801_ = _e341;
                 }
-                let _e461 = phi_750_;
-                phi_751_ = _e461;
+                let _e516 = phi_801_;
+                phi_802_ = _e516;
             } else {
-                phi_751_ = _e314;
+                phi_802_ = _e341;
             }
-            let _e463 = phi_751_;
-            if (_e76 != 0.5f) {
-                if _e288 {
-                    if _e238 {
-                        phi_777_ = true;
-                    } else {
-                        if _e463.any_expands {
-                            phi_776_ = false;
-                        } else {
-                            phi_776_ = true;
-                        }
-                        let _e468 = phi_776_;
-                        phi_777_ = _e468;
+            let _e518 = phi_802_;
+            let _e521 = p.member.frame;
+            let _e523 = p.member.refresh;
+            if (_e523 == 0u) {
+                phi_835_ = false;
+            } else {
+                if (_e523 == 0u) {
+                    return;
+                }
+                let _e532 = ((_e47.x + (_e47.y * (((_e523 * 5u) / 8u) | 1u))) + (_e521 % _e523));
+                if (_e523 == 0u) {
+                    phi_834_ = (_e532 == 0u);
+                } else {
+                    if (_e523 == 0u) {
+                        return;
                     }
-                    let _e470 = phi_777_;
-                    if _e470 {
-                        if _e238 {
-                            if _e313 {
-                                if _e463.all_remove {
-                                    phi_790_ = false;
+                    phi_834_ = ((_e532 % _e523) == 0u);
+                }
+                let _e539 = phi_834_;
+                phi_835_ = _e539;
+            }
+            let _e541 = phi_835_;
+            if (_e103 != 0.5f) {
+                if _e315 {
+                    if _e541 {
+                        phi_890_ = 6u;
+                    } else {
+                        if _e265 {
+                            phi_865_ = true;
+                        } else {
+                            if _e518.any_expands {
+                                phi_864_ = false;
+                            } else {
+                                phi_864_ = true;
+                            }
+                            let _e545 = phi_864_;
+                            phi_865_ = _e545;
+                        }
+                        let _e547 = phi_865_;
+                        if _e547 {
+                            if _e265 {
+                                if _e340 {
+                                    if _e518.all_remove {
+                                        phi_878_ = false;
+                                    } else {
+                                        phi_878_ = true;
+                                    }
+                                    let _e549 = phi_878_;
+                                    phi_879_ = _e549;
                                 } else {
-                                    phi_790_ = true;
+                                    phi_879_ = true;
                                 }
-                                let _e472 = phi_790_;
-                                phi_791_ = _e472;
+                                let _e551 = phi_879_;
+                                phi_880_ = _e551;
                             } else {
-                                phi_791_ = true;
+                                phi_880_ = true;
                             }
-                            let _e474 = phi_791_;
-                            phi_792_ = _e474;
-                        } else {
-                            phi_792_ = true;
-                        }
-                        let _e476 = phi_792_;
-                        if _e476 {
-                            if _e238 {
-                                phi_799_ = 1u;
+                            let _e553 = phi_880_;
+                            if _e553 {
+                                if _e265 {
+                                    phi_887_ = 1u;
+                                } else {
+                                    phi_887_ = 0u;
+                                }
+                                let _e555 = phi_887_;
+                                phi_888_ = _e555;
                             } else {
-                                phi_799_ = 0u;
+                                phi_888_ = 5u;
                             }
-                            let _e478 = phi_799_;
-                            phi_800_ = _e478;
+                            let _e557 = phi_888_;
+                            phi_889_ = _e557;
                         } else {
-                            phi_800_ = 5u;
+                            phi_889_ = 4u;
                         }
-                        let _e480 = phi_800_;
-                        phi_801_ = _e480;
-                    } else {
-                        phi_801_ = 4u;
+                        let _e559 = phi_889_;
+                        phi_890_ = _e559;
                     }
-                    let _e482 = phi_801_;
-                    phi_802_ = _e482;
+                    let _e561 = phi_890_;
+                    phi_891_ = _e561;
                 } else {
-                    phi_802_ = 3u;
+                    phi_891_ = 3u;
                 }
-                let _e484 = phi_802_;
-                phi_803_ = _e484;
+                let _e563 = phi_891_;
+                phi_892_ = _e563;
             } else {
-                phi_803_ = 2u;
+                phi_892_ = 2u;
             }
-            let _e486 = phi_803_;
-            if !((_e486 == 0u)) {
-                phi_811_ = !((_e486 == 5u));
+            let _e565 = phi_892_;
+            if !((_e565 == 0u)) {
+                phi_900_ = !((_e565 == 5u));
             } else {
-                phi_811_ = false;
+                phi_900_ = false;
             }
-            let _e492 = phi_811_;
-            if _e492 {
-                if _e234 {
-                    phi_819_ = (2u | 1u);
+            let _e571 = phi_900_;
+            if _e571 {
+                if _e261 {
+                    phi_908_ = (2u | 1u);
                 } else {
-                    phi_819_ = 2u;
+                    phi_908_ = 2u;
                 }
-                let _e495 = phi_819_;
+                let _e574 = phi_908_;
                 if false {
-                    phi_824_ = (_e495 | 4u);
+                    phi_913_ = (_e574 | 4u);
                 } else {
-                    phi_824_ = _e495;
+                    phi_913_ = _e574;
                 }
-                let _e498 = phi_824_;
-                phi_829_ = _e498;
+                let _e577 = phi_913_;
+                phi_918_ = _e577;
             } else {
-                if _e234 {
-                    phi_828_ = 1u;
+                if _e261 {
+                    phi_917_ = 1u;
                 } else {
-                    phi_828_ = 0u;
+                    phi_917_ = 0u;
                 }
-                let _e500 = phi_828_;
-                phi_829_ = _e500;
+                let _e579 = phi_917_;
+                phi_918_ = _e579;
             }
-            let _e502 = phi_829_;
-            if _e234 {
-                phi_833_ = 0f;
+            let _e581 = phi_918_;
+            if _e261 {
+                phi_922_ = 0f;
             } else {
-                phi_833_ = 1f;
+                phi_922_ = 1f;
             }
-            let _e504 = phi_833_;
-            phi_835_ = mask_Masked(_e504, _e502, _e492);
+            let _e583 = phi_922_;
+            phi_924_ = mask_Masked(_e583, _e581, _e571);
         }
-        let _e507 = phi_835_;
-        visibility.member[_e63.first_primitive] = _e507.visibility;
-        bits.member[_e63.first_primitive] = _e507.bits;
-        let _e515 = samples.member[_e63.first_primitive].normal[0u];
-        let _e517 = global[0u];
-        if (_e515 == _e517) {
-            let _e520 = samples.member[_e63.first_primitive].normal[1u];
-            let _e522 = global[1u];
-            if (_e520 == _e522) {
-                let _e525 = samples.member[_e63.first_primitive].normal[2u];
-                let _e527 = global[2u];
-                phi_863_ = (_e525 == _e527);
-                phi_864_ = false;
+        let _e586 = phi_924_;
+        visibility.member[_e67.shift] = _e586.visibility;
+        let _e591 = p.member.light.number;
+        let _e592 = (_e591 * 3u);
+        let _e594 = (_e592 % 32u);
+        let _e596 = p.member.light.mask_words;
+        let _e598 = ((_e67.shift * _e596) + (_e592 / 32u));
+        let _e600 = bits.member[_e598];
+        bits.member[_e598] = ((_e600 & ~((7u << bitcast<u32>((_e594 & 31u))))) | (_e586.bits << bitcast<u32>((_e594 & 31u))));
+        if (_e594 > 29u) {
+            let _e615 = bits.member[(_e598 + 1u)];
+            let _e617 = (32u - _e594);
+            bits.member[(_e598 + 1u)] = ((_e615 & ~((7u >> bitcast<u32>((_e617 & 31u))))) | (_e586.bits >> bitcast<u32>((_e617 & 31u))));
+        }
+        let _e632 = samples.member[_e67.shift].normal[0u];
+        let _e634 = global[0u];
+        if (_e632 == _e634) {
+            let _e637 = samples.member[_e67.shift].normal[1u];
+            let _e639 = global[1u];
+            if (_e637 == _e639) {
+                let _e642 = samples.member[_e67.shift].normal[2u];
+                let _e644 = global[2u];
+                phi_996_ = (_e642 == _e644);
+                phi_997_ = false;
             } else {
-                phi_863_ = bool();
-                phi_864_ = true;
+                phi_996_ = bool();
+                phi_997_ = true;
             }
-            let _e530 = phi_863_;
-            let _e532 = phi_864_;
-            phi_865_ = _e530;
-            phi_866_ = _e532;
+            let _e647 = phi_996_;
+            let _e649 = phi_997_;
+            phi_998_ = _e647;
+            phi_999_ = _e649;
         } else {
-            phi_865_ = bool();
-            phi_866_ = true;
+            phi_998_ = bool();
+            phi_999_ = true;
         }
-        let _e534 = phi_865_;
-        let _e536 = phi_866_;
-        if _e536 {
-            phi_870_ = false;
+        let _e651 = phi_998_;
+        let _e653 = phi_999_;
+        if _e653 {
+            phi_1003_ = false;
         } else {
-            phi_870_ = _e534;
+            phi_1003_ = _e651;
         }
-        let _e538 = phi_870_;
-        if !(_e538) {
-            let _e541 = samples.member[_e63.first_primitive].position;
-            let _e543 = p.member.current.eye;
-            let _e554 = p.member.current.forward;
-            phi_898_ = ((((_e541.x - _e543.x) * _e554.x) + ((_e541.y - _e543.y) * _e554.y)) + ((_e541.z - _e543.z) * _e554.z));
+        let _e655 = phi_1003_;
+        if !(_e655) {
+            let _e658 = samples.member[_e67.shift].position;
+            let _e660 = p.member.current.eye;
+            let _e671 = p.member.current.forward;
+            phi_1031_ = ((((_e658.x - _e660.x) * _e671.x) + ((_e658.y - _e660.y) * _e671.y)) + ((_e658.z - _e660.z) * _e671.z));
         } else {
-            phi_898_ = 0f;
+            phi_1031_ = 0f;
         }
-        let _e564 = phi_898_;
-        depths.member[_e63.first_primitive] = _e564;
-        phi_901_ = _e507.needs_ray;
-        phi_902_ = _e63.first_primitive;
+        let _e681 = phi_1031_;
+        depths.member[_e67.shift] = _e681;
+        phi_1034_ = _e586.needs_ray;
+        phi_1035_ = _e67.shift;
     } else {
-        phi_901_ = false;
-        phi_902_ = 0u;
+        phi_1034_ = false;
+        phi_1035_ = 0u;
     }
-    let _e568 = phi_901_;
-    let _e570 = phi_902_;
-    if (_e44 == 0u) {
+    let _e685 = phi_1034_;
+    let _e687 = phi_1035_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e568 {
-        let _e574 = atomicAdd((&shared_[0u]), 1u);
-        phi_913_ = _e574;
+    if _e685 {
+        let _e691 = atomicAdd((&shared_[0u]), 1u);
+        phi_1046_ = _e691;
     } else {
-        phi_913_ = 0u;
+        phi_1046_ = 0u;
     }
-    let _e576 = phi_913_;
+    let _e693 = phi_1046_;
     workgroupBarrier();
-    if (_e44 == 0u) {
-        let _e580 = atomicLoad((&shared_[0u]));
-        let _e581 = atomicAdd((&list.member[3u]), _e580);
-        atomicStore((&shared_[1u]), _e581);
+    if (_e48 == 0u) {
+        let _e697 = atomicLoad((&shared_[0u]));
+        let _e698 = atomicAdd((&list.member[3u]), _e697);
+        atomicStore((&shared_[1u]), _e698);
     }
     workgroupBarrier();
-    if _e568 {
-        let _e584 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e584) + _e576)]), _e570);
+    if _e685 {
+        let _e701 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e701) + _e693)]), _e687);
     }
     return;
 }

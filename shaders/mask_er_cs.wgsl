@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,9 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -107,669 +108,736 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_mask_pattern_step_clamped(param: u32, param_1: i32, param_2: u32) -> u32 {
-    var phi_768_: u32;
-    var phi_769_: u32;
+    var phi_899_: u32;
+    var phi_900_: u32;
 
-    let _e43 = (bitcast<i32>(param) + param_1);
-    if (_e43 < 0i) {
-        phi_769_ = 0u;
+    let _e46 = (bitcast<i32>(param) + param_1);
+    if (_e46 < 0i) {
+        phi_900_ = 0u;
     } else {
-        if (_e43 >= bitcast<i32>(param_2)) {
-            phi_768_ = (param_2 - 1u);
+        if (_e46 >= bitcast<i32>(param_2)) {
+            phi_899_ = (param_2 - 1u);
         } else {
-            phi_768_ = bitcast<u32>(_e43);
+            phi_899_ = bitcast<u32>(_e46);
         }
-        let _e50 = phi_768_;
-        phi_769_ = _e50;
+        let _e53 = phi_899_;
+        phi_900_ = _e53;
     }
-    let _e52 = phi_769_;
-    return _e52;
+    let _e55 = phi_900_;
+    return _e55;
 }
 
 fn lt_mask_pattern_diamond(param_3: u32) -> vec2<i32> {
-    var phi_747_: vec2<i32>;
+    var phi_878_: vec2<i32>;
 
-    let _e40 = (param_3 % 13u);
-    switch bitcast<i32>(_e40) {
+    let _e43 = (param_3 % 13u);
+    switch bitcast<i32>(_e43) {
         case 9: {
-            phi_747_ = vec2<i32>(0i, -2i);
+            phi_878_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_747_ = vec2<i32>(-2i, 0i);
+            phi_878_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_747_ = vec2<i32>(2i, 0i);
+            phi_878_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_747_ = vec2<i32>(0i, 2i);
+            phi_878_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_747_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
+            phi_878_ = vec2<i32>((bitcast<i32>((_e43 % 3u)) - 1i), (bitcast<i32>(((_e43 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e55 = phi_747_;
-    return vec2<i32>(_e55.x, _e55.y);
+    let _e58 = phi_878_;
+    return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_703_: vec2<i32>;
+    var phi_834_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_703_ = vec2(0i);
+            phi_834_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_703_ = vec2(-1i);
+            phi_834_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_703_ = vec2<i32>(1i, -1i);
+            phi_834_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_703_ = vec2<i32>(-1i, 1i);
+            phi_834_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_703_ = vec2(1i);
+            phi_834_ = vec2(1i);
             break;
         }
     }
-    let _e48 = phi_703_;
-    return vec2<i32>(_e48.x, _e48.y);
-}
-
-fn lt_mask_pattern_plus(param_5: u32) -> vec2<i32> {
-    var phi_685_: vec2<i32>;
-
-    switch bitcast<i32>((param_5 % 5u)) {
-        case 0: {
-            phi_685_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_685_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_685_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_685_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_685_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e48 = phi_685_;
-    return vec2<i32>(_e48.x, _e48.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_6: u32, param_7: u32) -> vec2<i32> {
-    var phi_722_: vec2<i32>;
-
-    if (param_7 == 0u) {
-        let _e42 = lt_mask_pattern_plus(param_6);
-        phi_722_ = vec2<i32>(_e42.x, _e42.y);
-    } else {
-        let _e46 = lt_mask_pattern_cross(param_6);
-        phi_722_ = vec2<i32>(_e46.x, _e46.y);
-    }
-    let _e51 = phi_722_;
+    let _e51 = phi_834_;
     return vec2<i32>(_e51.x, _e51.y);
 }
 
-fn lt_shaders_entry_pixel_index(param_8: vec3<u32>, param_9: u32, param_10: u32) -> lt_bvh_traverse_Tree {
-    var phi_659_: lt_bvh_traverse_Tree;
-    var phi_660_: bool;
-    var phi_661_: lt_bvh_traverse_Tree;
-    var phi_662_: bool;
-    var phi_667_: lt_bvh_traverse_Tree;
+fn lt_mask_pattern_plus(param_5: u32) -> vec2<i32> {
+    var phi_816_: vec2<i32>;
+
+    switch bitcast<i32>((param_5 % 5u)) {
+        case 0: {
+            phi_816_ = vec2(0i);
+            break;
+        }
+        case 1: {
+            phi_816_ = vec2<i32>(0i, -1i);
+            break;
+        }
+        case 2: {
+            phi_816_ = vec2<i32>(-1i, 0i);
+            break;
+        }
+        case 3: {
+            phi_816_ = vec2<i32>(1i, 0i);
+            break;
+        }
+        default: {
+            phi_816_ = vec2<i32>(0i, 1i);
+            break;
+        }
+    }
+    let _e51 = phi_816_;
+    return vec2<i32>(_e51.x, _e51.y);
+}
+
+fn lt_mask_pattern_plus_or_cross(param_6: u32, param_7: u32) -> vec2<i32> {
+    var phi_853_: vec2<i32>;
+
+    if (param_7 == 0u) {
+        let _e45 = lt_mask_pattern_plus(param_6);
+        phi_853_ = vec2<i32>(_e45.x, _e45.y);
+    } else {
+        let _e49 = lt_mask_pattern_cross(param_6);
+        phi_853_ = vec2<i32>(_e49.x, _e49.y);
+    }
+    let _e54 = phi_853_;
+    return vec2<i32>(_e54.x, _e54.y);
+}
+
+fn lt_shaders_entry_pixel_index(param_8: vec3<u32>, param_9: u32, param_10: u32) -> lt_mask_LightPlace {
+    var phi_790_: lt_mask_LightPlace;
+    var phi_791_: bool;
+    var phi_792_: lt_mask_LightPlace;
+    var phi_793_: bool;
+    var phi_798_: lt_mask_LightPlace;
 
     if (param_8.x < param_9) {
         if (param_8.y < param_10) {
-            phi_659_ = lt_bvh_traverse_Tree(1u, ((param_8.y * param_9) + param_8.x));
-            phi_660_ = false;
+            phi_790_ = lt_mask_LightPlace(1u, ((param_8.y * param_9) + param_8.x));
+            phi_791_ = false;
         } else {
-            phi_659_ = lt_bvh_traverse_Tree();
-            phi_660_ = true;
+            phi_790_ = lt_mask_LightPlace();
+            phi_791_ = true;
         }
-        let _e52 = phi_659_;
-        let _e54 = phi_660_;
-        phi_661_ = _e52;
-        phi_662_ = _e54;
+        let _e55 = phi_790_;
+        let _e57 = phi_791_;
+        phi_792_ = _e55;
+        phi_793_ = _e57;
     } else {
-        phi_661_ = lt_bvh_traverse_Tree();
-        phi_662_ = true;
+        phi_792_ = lt_mask_LightPlace();
+        phi_793_ = true;
     }
-    let _e56 = phi_661_;
-    let _e58 = phi_662_;
-    if _e58 {
-        phi_667_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e59 = phi_792_;
+    let _e61 = phi_793_;
+    if _e61 {
+        phi_798_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_667_ = _e56;
+        phi_798_ = _e59;
     }
-    let _e63 = phi_667_;
-    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
+    let _e66 = phi_798_;
+    return lt_mask_LightPlace(_e66.word, _e66.shift);
 }
 
 fn function_() {
-    var phi_188_: bool;
-    var phi_189_: bool;
-    var phi_190_: bool;
-    var phi_191_: bool;
-    var phi_195_: bool;
-    var phi_265_: bool;
-    var phi_266_: bool;
-    var phi_277_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_278_: bool;
-    var phi_279_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_280_: bool;
-    var phi_287_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_291_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_304_: bool;
-    var phi_338_: u32;
-    var phi_340_: u32;
-    var phi_343_: lt_mask_Neighbourhood;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_365_: u32;
-    var phi_366_: u32;
-    var phi_426_: vec2<i32>;
+    var phi_208_: bool;
+    var phi_209_: bool;
+    var phi_210_: bool;
+    var phi_211_: bool;
+    var phi_215_: bool;
+    var phi_285_: bool;
+    var phi_286_: bool;
+    var phi_297_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_298_: bool;
+    var phi_299_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_300_: bool;
+    var phi_307_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_311_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_324_: bool;
+    var phi_358_: u32;
+    var phi_360_: u32;
+    var phi_363_: lt_mask_Neighbourhood;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_385_: u32;
+    var phi_386_: u32;
     var phi_446_: vec2<i32>;
-    var phi_469_: u32;
-    var phi_486_: bool;
-    var phi_487_: bool;
-    var phi_494_: bool;
-    var phi_495_: bool;
-    var phi_513_: bool;
-    var phi_514_: bool;
-    var phi_515_: bool;
-    var phi_341_: u32;
-    var phi_344_: lt_mask_Neighbourhood;
-    var phi_518_: lt_mask_Neighbourhood;
-    var phi_519_: lt_mask_Neighbourhood;
-    var phi_520_: lt_mask_Neighbourhood;
-    var phi_545_: bool;
-    var phi_546_: bool;
-    var phi_559_: bool;
-    var phi_560_: bool;
-    var phi_561_: bool;
-    var phi_568_: u32;
-    var phi_569_: u32;
-    var phi_570_: u32;
-    var phi_571_: u32;
-    var phi_572_: u32;
-    var phi_580_: bool;
-    var phi_588_: u32;
-    var phi_593_: u32;
-    var phi_597_: u32;
-    var phi_598_: u32;
-    var phi_602_: f32;
-    var phi_604_: mask_Masked;
-    var phi_610_: bool;
-    var phi_611_: u32;
-    var phi_622_: u32;
+    var phi_466_: vec2<i32>;
+    var phi_491_: u32;
+    var phi_510_: u32;
+    var phi_518_: u32;
+    var phi_535_: bool;
+    var phi_536_: bool;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_562_: bool;
+    var phi_563_: bool;
+    var phi_564_: bool;
+    var phi_361_: u32;
+    var phi_364_: lt_mask_Neighbourhood;
+    var phi_567_: lt_mask_Neighbourhood;
+    var phi_568_: lt_mask_Neighbourhood;
+    var phi_569_: lt_mask_Neighbourhood;
+    var phi_601_: bool;
+    var phi_602_: bool;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_654_: u32;
+    var phi_655_: u32;
+    var phi_656_: u32;
+    var phi_657_: u32;
+    var phi_658_: u32;
+    var phi_659_: u32;
+    var phi_667_: bool;
+    var phi_675_: u32;
+    var phi_680_: u32;
+    var phi_684_: u32;
+    var phi_685_: u32;
+    var phi_689_: f32;
+    var phi_691_: mask_Masked;
+    var phi_741_: bool;
+    var phi_742_: u32;
+    var phi_753_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e39 = id_1;
-    let _e40 = local_2;
-    let _e52 = p.member.current.size[0u];
-    let _e54 = p.member.current.size[1u];
-    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
-    if (bitcast<i32>(_e55.root) != 0i) {
-        let _e63 = p.member.current.size[0u];
-        let _e68 = visibility.member[_e55.first_primitive];
-        let _e74 = samples.member[_e55.first_primitive].normal[0u];
-        let _e76 = global[0u];
-        if (_e74 == _e76) {
-            let _e79 = samples.member[_e55.first_primitive].normal[1u];
-            let _e81 = global[1u];
-            if (_e79 == _e81) {
-                let _e84 = samples.member[_e55.first_primitive].normal[2u];
-                let _e86 = global[2u];
-                phi_188_ = (_e84 == _e86);
-                phi_189_ = false;
+    let _e42 = id_1;
+    let _e43 = local_2;
+    let _e48 = arrayLength((&last_bits.member));
+    let _e55 = p.member.current.size[0u];
+    let _e57 = p.member.current.size[1u];
+    let _e58 = lt_shaders_entry_pixel_index(_e42, _e55, _e57);
+    if (bitcast<i32>(_e58.word) != 0i) {
+        let _e65 = p.member.light.number;
+        let _e66 = (_e65 * 3u);
+        let _e68 = (_e66 % 32u);
+        let _e70 = p.member.light.mask_words;
+        let _e74 = p.member.current.size[0u];
+        let _e79 = visibility.member[_e58.shift];
+        let _e85 = samples.member[_e58.shift].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e58.shift].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e58.shift].normal[2u];
+                let _e97 = global[2u];
+                phi_208_ = (_e95 == _e97);
+                phi_209_ = false;
             } else {
-                phi_188_ = bool();
-                phi_189_ = true;
+                phi_208_ = bool();
+                phi_209_ = true;
             }
-            let _e89 = phi_188_;
-            let _e91 = phi_189_;
-            phi_190_ = _e89;
-            phi_191_ = _e91;
+            let _e100 = phi_208_;
+            let _e102 = phi_209_;
+            phi_210_ = _e100;
+            phi_211_ = _e102;
         } else {
-            phi_190_ = bool();
-            phi_191_ = true;
+            phi_210_ = bool();
+            phi_211_ = true;
         }
-        let _e93 = phi_190_;
-        let _e95 = phi_191_;
-        if _e95 {
-            phi_195_ = false;
+        let _e104 = phi_210_;
+        let _e106 = phi_211_;
+        if _e106 {
+            phi_215_ = false;
         } else {
-            phi_195_ = _e93;
+            phi_215_ = _e104;
         }
-        let _e97 = phi_195_;
-        if !(_e97) {
-            let _e100 = samples.member[_e55.first_primitive].position;
-            let _e102 = p.member.light.place;
-            let _e108 = p.member.light.place[3u];
-            let _e115 = (_e102.x - (_e100.x * _e108));
-            let _e116 = (_e102.y - (_e100.y * _e108));
-            let _e117 = (_e102.z - (_e100.z * _e108));
-            let _e119 = samples.member[_e55.first_primitive].normal;
-            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
-                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
-                let _e135 = p.member.light.axis;
-                let _e147 = p.member.light.place[3u];
-                if (_e147 == 0f) {
-                    phi_266_ = true;
+        let _e108 = phi_215_;
+        if !(_e108) {
+            let _e111 = samples.member[_e58.shift].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[_e58.shift].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_286_ = true;
                 } else {
-                    let _e150 = p.member.light.range_squared;
-                    if (_e133 <= _e150) {
-                        let _e153 = p.member.light.cos_outer;
-                        phi_265_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_285_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_265_ = false;
+                        phi_285_ = false;
                     }
-                    let _e158 = phi_265_;
-                    phi_266_ = _e158;
+                    let _e169 = phi_285_;
+                    phi_286_ = _e169;
                 }
-                let _e160 = phi_266_;
-                if _e160 {
-                    let _e162 = samples.member[_e55.first_primitive].flags;
-                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-                    phi_277_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
-                    phi_278_ = false;
+                let _e171 = phi_286_;
+                if _e171 {
+                    let _e173 = samples.member[_e58.shift].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_297_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_298_ = false;
                 } else {
-                    phi_277_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_278_ = true;
+                    phi_297_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_298_ = true;
                 }
-                let _e181 = phi_277_;
-                let _e183 = phi_278_;
-                phi_279_ = _e181;
-                phi_280_ = _e183;
+                let _e192 = phi_297_;
+                let _e194 = phi_298_;
+                phi_299_ = _e192;
+                phi_300_ = _e194;
             } else {
-                phi_279_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_280_ = true;
+                phi_299_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_300_ = true;
             }
-            let _e185 = phi_279_;
-            let _e187 = phi_280_;
-            if _e187 {
-                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                phi_287_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            let _e196 = phi_299_;
+            let _e198 = phi_300_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_307_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_287_ = _e185;
+                phi_307_ = _e196;
             }
-            let _e204 = phi_287_;
-            phi_291_ = _e204;
+            let _e215 = phi_307_;
+            phi_311_ = _e215;
         } else {
-            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
-            phi_291_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_311_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e221 = phi_291_;
-        if _e221.unnamed_1 {
-            phi_604_ = mask_Masked(_e221.unnamed.visibility, 0u, false);
+        let _e232 = phi_311_;
+        if _e232.unnamed_1 {
+            phi_691_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
         } else {
-            let _e226 = (_e68 < 0.5f);
-            if (_e68 > 0f) {
-                phi_304_ = (_e68 < 1f);
+            let _e237 = (_e79 < 0.5f);
+            if (_e79 > 0f) {
+                phi_324_ = (_e79 < 1f);
             } else {
-                phi_304_ = false;
+                phi_324_ = false;
             }
-            let _e230 = phi_304_;
-            let _e232 = p.member.flags;
-            let _e234 = ((_e232 & 1u) != 0u);
+            let _e241 = phi_324_;
+            let _e243 = p.member.flags;
+            let _e245 = ((_e243 & 1u) != 0u);
             if false {
             }
-            let _e239 = lt_mask_Neighbourhood(false, true);
-            if _e230 {
-                phi_520_ = _e239;
+            let _e250 = lt_mask_Neighbourhood(false, true);
+            if _e241 {
+                phi_569_ = _e250;
             } else {
                 if true {
-                    if _e234 {
+                    if _e245 {
                         if false {
-                            let _e241 = p.member.moving_pattern;
-                            phi_338_ = _e241;
+                            let _e252 = p.member.moving_pattern;
+                            phi_358_ = _e252;
                         } else {
-                            let _e243 = p.member.still_pattern;
-                            phi_338_ = _e243;
+                            let _e254 = p.member.still_pattern;
+                            phi_358_ = _e254;
                         }
-                        let _e245 = phi_338_;
-                        phi_340_ = 0u;
-                        phi_343_ = _e239;
+                        let _e256 = phi_358_;
+                        phi_360_ = 0u;
+                        phi_363_ = _e250;
                         loop {
-                            let _e247 = phi_340_;
-                            let _e249 = phi_343_;
-                            local_1 = _e249;
-                            if (1u <= _e245) {
-                                if (_e245 <= 4u) {
-                                    phi_355_ = false;
+                            let _e258 = phi_360_;
+                            let _e260 = phi_363_;
+                            local_1 = _e260;
+                            if (1u <= _e256) {
+                                if (_e256 <= 4u) {
+                                    phi_375_ = false;
                                 } else {
-                                    phi_355_ = true;
+                                    phi_375_ = true;
                                 }
-                                let _e253 = phi_355_;
-                                phi_356_ = _e253;
+                                let _e264 = phi_375_;
+                                phi_376_ = _e264;
                             } else {
-                                phi_356_ = true;
+                                phi_376_ = true;
                             }
-                            let _e255 = phi_356_;
-                            if _e255 {
-                                switch bitcast<i32>(_e245) {
+                            let _e266 = phi_376_;
+                            if _e266 {
+                                switch bitcast<i32>(_e256) {
                                     case 5: {
-                                        phi_365_ = 4u;
+                                        phi_385_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_365_ = 25u;
+                                        phi_385_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_365_ = 13u;
+                                        phi_385_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_365_ = 9u;
+                                        phi_385_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e258 = phi_365_;
-                                phi_366_ = _e258;
+                                let _e269 = phi_385_;
+                                phi_386_ = _e269;
                             } else {
-                                phi_366_ = 5u;
+                                phi_386_ = 5u;
                             }
-                            let _e260 = phi_366_;
-                            let _e261 = (_e247 < _e260);
-                            if _e261 {
-                                let _e263 = p.member.frame;
-                                let _e267 = p.member.current.size[0u];
-                                let _e269 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e245) {
+                            let _e271 = phi_386_;
+                            let _e272 = (_e258 < _e271);
+                            if _e272 {
+                                let _e274 = p.member.frame;
+                                let _e278 = p.member.current.size[0u];
+                                let _e280 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e256) {
                                     case 1: {
-                                        let _e279 = lt_mask_pattern_plus(_e247);
-                                        phi_446_ = vec2<i32>(_e279.x, _e279.y);
+                                        let _e290 = lt_mask_pattern_plus(_e258);
+                                        phi_466_ = vec2<i32>(_e290.x, _e290.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e283 = lt_mask_pattern_cross(_e247);
-                                        phi_446_ = vec2<i32>(_e283.x, _e283.y);
+                                        let _e294 = lt_mask_pattern_cross(_e258);
+                                        phi_466_ = vec2<i32>(_e294.x, _e294.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e289 = lt_mask_pattern_plus_or_cross(_e247, ((_e39.x + _e39.y) & 1u));
-                                        phi_446_ = vec2<i32>(_e289.x, _e289.y);
+                                        let _e300 = lt_mask_pattern_plus_or_cross(_e258, ((_e42.x + _e42.y) & 1u));
+                                        phi_466_ = vec2<i32>(_e300.x, _e300.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e294 = lt_mask_pattern_plus_or_cross(_e247, (_e263 & 1u));
-                                        phi_446_ = vec2<i32>(_e294.x, _e294.y);
+                                        let _e305 = lt_mask_pattern_plus_or_cross(_e258, (_e274 & 1u));
+                                        phi_466_ = vec2<i32>(_e305.x, _e305.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e263 & 3u)) {
+                                        switch bitcast<i32>((_e274 & 3u)) {
                                             case 0: {
-                                                phi_426_ = vec2(-1i);
+                                                phi_446_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_426_ = vec2(0i);
+                                                phi_446_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_426_ = vec2<i32>(0i, -1i);
+                                                phi_446_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_426_ = vec2<i32>(-1i, 0i);
+                                                phi_446_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e305 = phi_426_;
-                                        phi_446_ = (_e305 + vec2<i32>(bitcast<i32>((_e247 & 1u)), bitcast<i32>(((_e247 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e316 = phi_446_;
+                                        phi_466_ = (_e316 + vec2<i32>(bitcast<i32>((_e258 & 1u)), bitcast<i32>(((_e258 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_446_ = vec2<i32>((bitcast<i32>((_e247 % 5u)) - 2i), (bitcast<i32>(((_e247 / 5u) % 5u)) - 2i));
+                                        phi_466_ = vec2<i32>((bitcast<i32>((_e258 % 5u)) - 2i), (bitcast<i32>(((_e258 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e322 = lt_mask_pattern_diamond(_e247);
-                                        phi_446_ = vec2<i32>(_e322.x, _e322.y);
+                                        let _e333 = lt_mask_pattern_diamond(_e258);
+                                        phi_466_ = vec2<i32>(_e333.x, _e333.y);
                                         break;
                                     }
                                     default: {
-                                        phi_446_ = vec2<i32>((bitcast<i32>((_e247 % 3u)) - 1i), (bitcast<i32>(((_e247 / 3u) % 3u)) - 1i));
+                                        phi_466_ = vec2<i32>((bitcast<i32>((_e258 % 3u)) - 1i), (bitcast<i32>(((_e258 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e327 = phi_446_;
-                                let _e330 = lt_mask_pattern_step_clamped(_e39.x, _e327.x, _e267);
-                                let _e331 = lt_mask_pattern_step_clamped(_e39.y, _e327.y, _e269);
-                                let _e333 = ((_e331 * _e63) + _e330);
-                                if (_e333 < arrayLength((&last_bits.member))) {
+                                let _e338 = phi_466_;
+                                let _e341 = lt_mask_pattern_step_clamped(_e42.x, _e338.x, _e278);
+                                let _e342 = lt_mask_pattern_step_clamped(_e42.y, _e338.y, _e280);
+                                let _e346 = ((((_e342 * _e74) + _e341) * _e70) + (_e66 / 32u));
+                                if (_e68 > 29u) {
+                                    let _e348 = (_e346 + 1u);
+                                    if (_e348 < _e48) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e352 = last_bits.member[(0u + _e348)];
+                                    phi_491_ = _e352;
+                                } else {
+                                    phi_491_ = 0u;
+                                }
+                                let _e354 = phi_491_;
+                                if (_e346 < _e48) {
                                 } else {
                                     return;
                                 }
-                                let _e337 = last_bits.member[(0u + _e333)];
-                                if ((_e337 & 2u) == 0u) {
-                                    phi_469_ = (_e337 & 1u);
+                                let _e358 = last_bits.member[(0u + _e346)];
+                                let _e361 = (_e358 >> bitcast<u32>((_e68 & 31u)));
+                                if (_e68 > 29u) {
+                                    phi_510_ = (_e361 | (_e354 << bitcast<u32>(((32u - _e68) & 31u))));
                                 } else {
-                                    phi_469_ = (_e337 & 7u);
+                                    phi_510_ = _e361;
                                 }
-                                let _e343 = phi_469_;
-                                if _e249.any_expands {
-                                    phi_495_ = true;
+                                let _e369 = phi_510_;
+                                if ((_e369 & 2u) == 0u) {
+                                    phi_518_ = (_e369 & 1u);
                                 } else {
-                                    if ((_e343 & 2u) != 0u) {
-                                        if (((_e343 & 4u) != 0u) != _e226) {
-                                            phi_486_ = false;
+                                    phi_518_ = (_e369 & 7u);
+                                }
+                                let _e375 = phi_518_;
+                                if _e260.any_expands {
+                                    phi_544_ = true;
+                                } else {
+                                    if ((_e375 & 2u) != 0u) {
+                                        if (((_e375 & 4u) != 0u) != _e237) {
+                                            phi_535_ = false;
                                         } else {
-                                            phi_486_ = true;
+                                            phi_535_ = true;
                                         }
-                                        let _e352 = phi_486_;
-                                        phi_487_ = _e352;
+                                        let _e384 = phi_535_;
+                                        phi_536_ = _e384;
                                     } else {
-                                        phi_487_ = true;
+                                        phi_536_ = true;
                                     }
-                                    let _e354 = phi_487_;
-                                    if _e354 {
-                                        phi_494_ = (((_e343 & 1u) != 0u) != _e226);
+                                    let _e386 = phi_536_;
+                                    if _e386 {
+                                        phi_543_ = (((_e375 & 1u) != 0u) != _e237);
                                     } else {
-                                        phi_494_ = true;
+                                        phi_543_ = true;
                                     }
-                                    let _e359 = phi_494_;
-                                    phi_495_ = _e359;
+                                    let _e391 = phi_543_;
+                                    phi_544_ = _e391;
                                 }
-                                let _e361 = phi_495_;
-                                if _e249.all_remove {
-                                    if (((_e343 & 1u) != 0u) == _e226) {
-                                        if ((_e343 & 2u) != 0u) {
-                                            phi_513_ = (((_e343 & 4u) != 0u) == _e226);
+                                let _e393 = phi_544_;
+                                if _e260.all_remove {
+                                    if (((_e375 & 1u) != 0u) == _e237) {
+                                        if ((_e375 & 2u) != 0u) {
+                                            phi_562_ = (((_e375 & 4u) != 0u) == _e237);
                                         } else {
-                                            phi_513_ = true;
+                                            phi_562_ = true;
                                         }
-                                        let _e371 = phi_513_;
-                                        phi_514_ = _e371;
+                                        let _e403 = phi_562_;
+                                        phi_563_ = _e403;
                                     } else {
-                                        phi_514_ = false;
+                                        phi_563_ = false;
                                     }
-                                    let _e373 = phi_514_;
-                                    phi_515_ = _e373;
+                                    let _e405 = phi_563_;
+                                    phi_564_ = _e405;
                                 } else {
-                                    phi_515_ = false;
+                                    phi_564_ = false;
                                 }
-                                let _e375 = phi_515_;
-                                phi_341_ = (_e247 + 1u);
-                                phi_344_ = lt_mask_Neighbourhood(_e361, _e375);
+                                let _e407 = phi_564_;
+                                phi_361_ = (_e258 + 1u);
+                                phi_364_ = lt_mask_Neighbourhood(_e393, _e407);
                             } else {
-                                phi_341_ = u32();
-                                phi_344_ = lt_mask_Neighbourhood();
+                                phi_361_ = u32();
+                                phi_364_ = lt_mask_Neighbourhood();
                             }
-                            let _e379 = phi_341_;
-                            let _e381 = phi_344_;
+                            let _e411 = phi_361_;
+                            let _e413 = phi_364_;
                             continue;
                             continuing {
-                                phi_340_ = _e379;
-                                phi_343_ = _e381;
-                                break if !(_e261);
+                                phi_360_ = _e411;
+                                phi_363_ = _e413;
+                                break if !(_e272);
                             }
                         }
-                        let _e494 = local_1;
-                        phi_518_ = _e494;
+                        let _e590 = local_1;
+                        phi_567_ = _e590;
                     } else {
-                        phi_518_ = _e239;
+                        phi_567_ = _e250;
                     }
-                    let _e384 = phi_518_;
-                    phi_519_ = _e384;
+                    let _e416 = phi_567_;
+                    phi_568_ = _e416;
                 } else {
-                    phi_519_ = _e239;
+                    phi_568_ = _e250;
                 }
-                let _e386 = phi_519_;
-                phi_520_ = _e386;
+                let _e418 = phi_568_;
+                phi_569_ = _e418;
             }
-            let _e388 = phi_520_;
-            if (_e68 != 0.5f) {
-                if _e234 {
-                    if _e230 {
-                        phi_546_ = true;
-                    } else {
-                        if _e388.any_expands {
-                            phi_545_ = false;
-                        } else {
-                            phi_545_ = true;
-                        }
-                        let _e393 = phi_545_;
-                        phi_546_ = _e393;
+            let _e420 = phi_569_;
+            let _e423 = p.member.frame;
+            let _e425 = p.member.refresh;
+            if (_e425 == 0u) {
+                phi_602_ = false;
+            } else {
+                if (_e425 == 0u) {
+                    return;
+                }
+                let _e434 = ((_e42.x + (_e42.y * (((_e425 * 5u) / 8u) | 1u))) + (_e423 % _e425));
+                if (_e425 == 0u) {
+                    phi_601_ = (_e434 == 0u);
+                } else {
+                    if (_e425 == 0u) {
+                        return;
                     }
-                    let _e395 = phi_546_;
-                    if _e395 {
-                        if _e230 {
-                            if false {
-                                if _e388.all_remove {
-                                    phi_559_ = false;
+                    phi_601_ = ((_e434 % _e425) == 0u);
+                }
+                let _e441 = phi_601_;
+                phi_602_ = _e441;
+            }
+            let _e443 = phi_602_;
+            if (_e79 != 0.5f) {
+                if _e245 {
+                    if _e443 {
+                        phi_657_ = 6u;
+                    } else {
+                        if _e241 {
+                            phi_632_ = true;
+                        } else {
+                            if _e420.any_expands {
+                                phi_631_ = false;
+                            } else {
+                                phi_631_ = true;
+                            }
+                            let _e447 = phi_631_;
+                            phi_632_ = _e447;
+                        }
+                        let _e449 = phi_632_;
+                        if _e449 {
+                            if _e241 {
+                                if false {
+                                    if _e420.all_remove {
+                                        phi_645_ = false;
+                                    } else {
+                                        phi_645_ = true;
+                                    }
+                                    let _e451 = phi_645_;
+                                    phi_646_ = _e451;
                                 } else {
-                                    phi_559_ = true;
+                                    phi_646_ = true;
                                 }
-                                let _e397 = phi_559_;
-                                phi_560_ = _e397;
+                                let _e453 = phi_646_;
+                                phi_647_ = _e453;
                             } else {
-                                phi_560_ = true;
+                                phi_647_ = true;
                             }
-                            let _e399 = phi_560_;
-                            phi_561_ = _e399;
-                        } else {
-                            phi_561_ = true;
-                        }
-                        let _e401 = phi_561_;
-                        if _e401 {
-                            if _e230 {
-                                phi_568_ = 1u;
+                            let _e455 = phi_647_;
+                            if _e455 {
+                                if _e241 {
+                                    phi_654_ = 1u;
+                                } else {
+                                    phi_654_ = 0u;
+                                }
+                                let _e457 = phi_654_;
+                                phi_655_ = _e457;
                             } else {
-                                phi_568_ = 0u;
+                                phi_655_ = 5u;
                             }
-                            let _e403 = phi_568_;
-                            phi_569_ = _e403;
+                            let _e459 = phi_655_;
+                            phi_656_ = _e459;
                         } else {
-                            phi_569_ = 5u;
+                            phi_656_ = 4u;
                         }
-                        let _e405 = phi_569_;
-                        phi_570_ = _e405;
-                    } else {
-                        phi_570_ = 4u;
+                        let _e461 = phi_656_;
+                        phi_657_ = _e461;
                     }
-                    let _e407 = phi_570_;
-                    phi_571_ = _e407;
+                    let _e463 = phi_657_;
+                    phi_658_ = _e463;
                 } else {
-                    phi_571_ = 3u;
+                    phi_658_ = 3u;
                 }
-                let _e409 = phi_571_;
-                phi_572_ = _e409;
+                let _e465 = phi_658_;
+                phi_659_ = _e465;
             } else {
-                phi_572_ = 2u;
+                phi_659_ = 2u;
             }
-            let _e411 = phi_572_;
-            if !((_e411 == 0u)) {
-                phi_580_ = !((_e411 == 5u));
+            let _e467 = phi_659_;
+            if !((_e467 == 0u)) {
+                phi_667_ = !((_e467 == 5u));
             } else {
-                phi_580_ = false;
+                phi_667_ = false;
             }
-            let _e417 = phi_580_;
-            if _e417 {
-                if _e226 {
-                    phi_588_ = (2u | 1u);
+            let _e473 = phi_667_;
+            if _e473 {
+                if _e237 {
+                    phi_675_ = (2u | 1u);
                 } else {
-                    phi_588_ = 2u;
+                    phi_675_ = 2u;
                 }
-                let _e420 = phi_588_;
+                let _e476 = phi_675_;
                 if false {
-                    phi_593_ = (_e420 | 4u);
+                    phi_680_ = (_e476 | 4u);
                 } else {
-                    phi_593_ = _e420;
+                    phi_680_ = _e476;
                 }
-                let _e423 = phi_593_;
-                phi_598_ = _e423;
+                let _e479 = phi_680_;
+                phi_685_ = _e479;
             } else {
-                if _e226 {
-                    phi_597_ = 1u;
+                if _e237 {
+                    phi_684_ = 1u;
                 } else {
-                    phi_597_ = 0u;
+                    phi_684_ = 0u;
                 }
-                let _e425 = phi_597_;
-                phi_598_ = _e425;
+                let _e481 = phi_684_;
+                phi_685_ = _e481;
             }
-            let _e427 = phi_598_;
-            if _e226 {
-                phi_602_ = 0f;
+            let _e483 = phi_685_;
+            if _e237 {
+                phi_689_ = 0f;
             } else {
-                phi_602_ = 1f;
+                phi_689_ = 1f;
             }
-            let _e429 = phi_602_;
-            phi_604_ = mask_Masked(_e429, _e427, _e417);
+            let _e485 = phi_689_;
+            phi_691_ = mask_Masked(_e485, _e483, _e473);
         }
-        let _e432 = phi_604_;
-        visibility.member[_e55.first_primitive] = _e432.visibility;
-        bits.member[_e55.first_primitive] = _e432.bits;
-        phi_610_ = _e432.needs_ray;
-        phi_611_ = _e55.first_primitive;
+        let _e488 = phi_691_;
+        visibility.member[_e58.shift] = _e488.visibility;
+        let _e493 = p.member.light.number;
+        let _e494 = (_e493 * 3u);
+        let _e496 = (_e494 % 32u);
+        let _e498 = p.member.light.mask_words;
+        let _e500 = ((_e58.shift * _e498) + (_e494 / 32u));
+        let _e502 = bits.member[_e500];
+        bits.member[_e500] = ((_e502 & ~((7u << bitcast<u32>((_e496 & 31u))))) | (_e488.bits << bitcast<u32>((_e496 & 31u))));
+        if (_e496 > 29u) {
+            let _e517 = bits.member[(_e500 + 1u)];
+            let _e519 = (32u - _e496);
+            bits.member[(_e500 + 1u)] = ((_e517 & ~((7u >> bitcast<u32>((_e519 & 31u))))) | (_e488.bits >> bitcast<u32>((_e519 & 31u))));
+        }
+        phi_741_ = _e488.needs_ray;
+        phi_742_ = _e58.shift;
     } else {
-        phi_610_ = false;
-        phi_611_ = 0u;
+        phi_741_ = false;
+        phi_742_ = 0u;
     }
-    let _e439 = phi_610_;
-    let _e441 = phi_611_;
-    if (_e40 == 0u) {
+    let _e533 = phi_741_;
+    let _e535 = phi_742_;
+    if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e439 {
-        let _e445 = atomicAdd((&shared_[0u]), 1u);
-        phi_622_ = _e445;
+    if _e533 {
+        let _e539 = atomicAdd((&shared_[0u]), 1u);
+        phi_753_ = _e539;
     } else {
-        phi_622_ = 0u;
+        phi_753_ = 0u;
     }
-    let _e447 = phi_622_;
+    let _e541 = phi_753_;
     workgroupBarrier();
-    if (_e40 == 0u) {
-        let _e451 = atomicLoad((&shared_[0u]));
-        let _e452 = atomicAdd((&list.member[3u]), _e451);
-        atomicStore((&shared_[1u]), _e452);
+    if (_e43 == 0u) {
+        let _e545 = atomicLoad((&shared_[0u]));
+        let _e546 = atomicAdd((&list.member[3u]), _e545);
+        atomicStore((&shared_[1u]), _e546);
     }
     workgroupBarrier();
-    if _e439 {
-        let _e455 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e455) + _e447)]), _e441);
+    if _e533 {
+        let _e549 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e549) + _e541)]), _e535);
     }
     return;
 }

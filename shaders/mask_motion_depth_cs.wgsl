@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,14 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
+}
+
+struct mask_BitsPlace {
+    light: lt_mask_LightPlace,
+    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -116,1101 +122,1170 @@ var<storage> last_depths: type_21;
 @group(0) @binding(7) 
 var<storage, read_write> depths: type_21;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_168_: lt_bvh_traverse_Tree;
-    var phi_169_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
-    var phi_171_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_176_: lt_mask_LightPlace;
+    var phi_177_: bool;
+    var phi_178_: lt_mask_LightPlace;
+    var phi_179_: bool;
+    var phi_184_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_169_ = false;
+            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_177_ = false;
         } else {
-            phi_168_ = lt_bvh_traverse_Tree();
-            phi_169_ = true;
+            phi_176_ = lt_mask_LightPlace();
+            phi_177_ = true;
         }
-        let _e68 = phi_168_;
-        let _e70 = phi_169_;
-        phi_170_ = _e68;
-        phi_171_ = _e70;
+        let _e72 = phi_176_;
+        let _e74 = phi_177_;
+        phi_178_ = _e72;
+        phi_179_ = _e74;
     } else {
-        phi_170_ = lt_bvh_traverse_Tree();
-        phi_171_ = true;
+        phi_178_ = lt_mask_LightPlace();
+        phi_179_ = true;
     }
-    let _e72 = phi_170_;
-    let _e74 = phi_171_;
-    if _e74 {
-        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e76 = phi_178_;
+    let _e78 = phi_179_;
+    if _e78 {
+        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_176_ = _e72;
+        phi_184_ = _e76;
     }
-    let _e79 = phi_176_;
-    return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
+    let _e83 = phi_184_;
+    return lt_mask_LightPlace(_e83.word, _e83.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_194_: vec2<i32>;
+    var phi_202_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_194_ = vec2(0i);
+            phi_202_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_194_ = vec2<i32>(0i, -1i);
+            phi_202_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_194_ = vec2<i32>(-1i, 0i);
+            phi_202_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_194_ = vec2<i32>(1i, 0i);
+            phi_202_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_194_ = vec2<i32>(0i, 1i);
+            phi_202_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_194_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e68 = phi_202_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_212_: vec2<i32>;
+    var phi_220_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_212_ = vec2(0i);
+            phi_220_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_212_ = vec2(-1i);
+            phi_220_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_212_ = vec2<i32>(1i, -1i);
+            phi_220_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_212_ = vec2<i32>(-1i, 1i);
+            phi_220_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_212_ = vec2(1i);
+            phi_220_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_212_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e68 = phi_220_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_231_: vec2<i32>;
+    var phi_239_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e58 = lt_mask_pattern_plus(param_5);
-        phi_231_ = vec2<i32>(_e58.x, _e58.y);
+        let _e62 = lt_mask_pattern_plus(param_5);
+        phi_239_ = vec2<i32>(_e62.x, _e62.y);
     } else {
-        let _e62 = lt_mask_pattern_cross(param_5);
-        phi_231_ = vec2<i32>(_e62.x, _e62.y);
+        let _e66 = lt_mask_pattern_cross(param_5);
+        phi_239_ = vec2<i32>(_e66.x, _e66.y);
     }
-    let _e67 = phi_231_;
-    return vec2<i32>(_e67.x, _e67.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_256_: vec2<i32>;
-
-    let _e56 = (param_7 % 13u);
-    switch bitcast<i32>(_e56) {
-        case 9: {
-            phi_256_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_256_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_256_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_256_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_256_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e71 = phi_256_;
+    let _e71 = phi_239_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_277_: u32;
-    var phi_278_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_264_: vec2<i32>;
 
-    let _e59 = (bitcast<i32>(param_8) + param_9);
-    if (_e59 < 0i) {
-        phi_278_ = 0u;
-    } else {
-        if (_e59 >= bitcast<i32>(param_10)) {
-            phi_277_ = (param_10 - 1u);
-        } else {
-            phi_277_ = bitcast<u32>(_e59);
+    let _e60 = (param_7 % 13u);
+    switch bitcast<i32>(_e60) {
+        case 9: {
+            phi_264_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e66 = phi_277_;
-        phi_278_ = _e66;
+        case 10: {
+            phi_264_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_264_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_264_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_264_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e68 = phi_278_;
-    return _e68;
+    let _e75 = phi_264_;
+    return vec2<i32>(_e75.x, _e75.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_285_: u32;
+    var phi_286_: u32;
+
+    let _e63 = (bitcast<i32>(param_8) + param_9);
+    if (_e63 < 0i) {
+        phi_286_ = 0u;
+    } else {
+        if (_e63 >= bitcast<i32>(param_10)) {
+            phi_285_ = (param_10 - 1u);
+        } else {
+            phi_285_ = bitcast<u32>(_e63);
+        }
+        let _e70 = phi_285_;
+        phi_286_ = _e70;
+    }
+    let _e72 = phi_286_;
+    return _e72;
 }
 
 fn function_() {
-    var phi_343_: bool;
-    var phi_344_: bool;
-    var phi_345_: bool;
-    var phi_346_: bool;
-    var phi_350_: bool;
-    var phi_420_: bool;
-    var phi_421_: bool;
-    var phi_432_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_433_: bool;
-    var phi_434_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_435_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_446_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_459_: bool;
-    var phi_648_: f32;
-    var phi_653_: f32;
-    var phi_654_: bool;
-    var phi_655_: f32;
-    var phi_656_: bool;
-    var phi_660_: f32;
-    var phi_683_: f32;
-    var phi_688_: f32;
-    var phi_689_: bool;
-    var phi_690_: f32;
-    var phi_691_: bool;
-    var phi_695_: f32;
-    var phi_716_: bool;
-    var phi_735_: vec2<u32>;
+    var phi_363_: bool;
+    var phi_364_: bool;
+    var phi_365_: bool;
+    var phi_366_: bool;
+    var phi_370_: bool;
+    var phi_440_: bool;
+    var phi_441_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_453_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_479_: bool;
+    var phi_668_: f32;
+    var phi_673_: f32;
+    var phi_674_: bool;
+    var phi_675_: f32;
+    var phi_676_: bool;
+    var phi_680_: f32;
+    var phi_703_: f32;
+    var phi_708_: f32;
+    var phi_709_: bool;
+    var phi_710_: f32;
+    var phi_711_: bool;
+    var phi_715_: f32;
     var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_739_: vec2<u32>;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_745_: bool;
-    var phi_746_: vec2<u32>;
-    var phi_747_: bool;
-    var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: vec2<u32>;
-    var phi_754_: bool;
-    var phi_755_: bool;
+    var phi_755_: vec2<u32>;
     var phi_756_: bool;
     var phi_757_: bool;
-    var phi_766_: bool;
+    var phi_758_: bool;
+    var phi_759_: vec2<u32>;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: vec2<u32>;
     var phi_767_: bool;
     var phi_768_: bool;
     var phi_769_: bool;
-    var phi_773_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: vec2<u32>;
     var phi_774_: bool;
-    var phi_775_: vec2<u32>;
-    var phi_864_: bool;
-    var phi_868_: f32;
-    var phi_872_: lt_mask_Reprojection;
-    var phi_881_: bool;
-    var phi_882_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: vec2<u32>;
     var phi_884_: bool;
-    var phi_885_: lt_mask_Reprojection;
-    var phi_886_: lt_mask_Reprojection;
-    var phi_887_: bool;
-    var phi_891_: bool;
+    var phi_888_: f32;
     var phi_892_: lt_mask_Reprojection;
-    var phi_906_: bool;
-    var phi_917_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_922_: bool;
+    var phi_901_: bool;
+    var phi_902_: bool;
+    var phi_904_: bool;
+    var phi_905_: lt_mask_Reprojection;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: bool;
+    var phi_911_: bool;
+    var phi_912_: lt_mask_Reprojection;
     var phi_926_: bool;
-    var phi_931_: bool;
-    var phi_946_: u32;
-    var phi_948_: u32;
-    var phi_951_: lt_mask_Neighbourhood;
-    var phi_963_: bool;
-    var phi_964_: bool;
-    var phi_973_: u32;
-    var phi_974_: u32;
-    var phi_1034_: vec2<i32>;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_940_: bool;
+    var phi_941_: bool;
+    var phi_942_: bool;
+    var phi_946_: bool;
+    var phi_951_: bool;
+    var phi_966_: u32;
+    var phi_968_: u32;
+    var phi_971_: lt_mask_Neighbourhood;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_993_: u32;
+    var phi_994_: u32;
     var phi_1054_: vec2<i32>;
-    var phi_1077_: u32;
-    var phi_1094_: bool;
-    var phi_1095_: bool;
-    var phi_1102_: bool;
-    var phi_1103_: bool;
-    var phi_1121_: bool;
-    var phi_1122_: bool;
-    var phi_1123_: bool;
-    var phi_949_: u32;
-    var phi_952_: lt_mask_Neighbourhood;
-    var phi_1126_: lt_mask_Neighbourhood;
-    var phi_1127_: lt_mask_Neighbourhood;
-    var phi_1152_: bool;
+    var phi_1074_: vec2<i32>;
+    var phi_1101_: u32;
+    var phi_1120_: u32;
+    var phi_1128_: u32;
+    var phi_1145_: bool;
+    var phi_1146_: bool;
     var phi_1153_: bool;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1175_: u32;
-    var phi_1176_: u32;
-    var phi_1177_: u32;
-    var phi_1178_: u32;
-    var phi_1179_: u32;
-    var phi_1187_: bool;
-    var phi_1195_: u32;
-    var phi_1200_: u32;
-    var phi_1204_: u32;
-    var phi_1205_: u32;
-    var phi_1209_: f32;
-    var phi_1211_: mask_Masked;
-    var phi_1239_: bool;
+    var phi_1154_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_969_: u32;
+    var phi_972_: lt_mask_Neighbourhood;
+    var phi_1177_: lt_mask_Neighbourhood;
+    var phi_1178_: lt_mask_Neighbourhood;
+    var phi_1210_: bool;
+    var phi_1211_: bool;
     var phi_1240_: bool;
     var phi_1241_: bool;
-    var phi_1242_: bool;
-    var phi_1246_: bool;
-    var phi_1274_: f32;
-    var phi_1277_: bool;
-    var phi_1278_: u32;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
+    var phi_1263_: u32;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1266_: u32;
+    var phi_1267_: u32;
+    var phi_1268_: u32;
+    var phi_1276_: bool;
+    var phi_1284_: u32;
     var phi_1289_: u32;
+    var phi_1293_: u32;
+    var phi_1294_: u32;
+    var phi_1298_: f32;
+    var phi_1300_: mask_Masked;
+    var phi_1372_: bool;
+    var phi_1373_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1379_: bool;
+    var phi_1407_: f32;
+    var phi_1410_: bool;
+    var phi_1411_: u32;
+    var phi_1422_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e55 = id_1;
-    let _e56 = local_2;
-    let _e72 = p.member.current.size[0u];
-    let _e74 = p.member.current.size[1u];
-    let _e75 = lt_shaders_entry_pixel_index(_e55, _e72, _e74);
-    if (bitcast<i32>(_e75.root) != 0i) {
-        let _e83 = p.member.current.size[0u];
-        let _e86 = samples.member[_e75.first_primitive].position;
-        let _e88 = visibility.member[_e75.first_primitive];
-        let _e94 = samples.member[_e75.first_primitive].normal[0u];
-        let _e96 = global[0u];
-        if (_e94 == _e96) {
-            let _e99 = samples.member[_e75.first_primitive].normal[1u];
-            let _e101 = global[1u];
-            if (_e99 == _e101) {
-                let _e104 = samples.member[_e75.first_primitive].normal[2u];
-                let _e106 = global[2u];
-                phi_343_ = (_e104 == _e106);
-                phi_344_ = false;
+    let _e59 = id_1;
+    let _e60 = local_2;
+    let _e65 = arrayLength((&last_bits.member));
+    let _e76 = p.member.current.size[0u];
+    let _e78 = p.member.current.size[1u];
+    let _e79 = lt_shaders_entry_pixel_index(_e59, _e76, _e78);
+    if (bitcast<i32>(_e79.word) != 0i) {
+        let _e86 = p.member.light.number;
+        let _e87 = (_e86 * 3u);
+        let _e91 = p.member.light.mask_words;
+        let _e97 = mask_BitsPlace(lt_mask_LightPlace((_e87 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e103 = mask_BitsPlace(lt_mask_LightPlace(_e97.light.word, (_e87 % 32u)), _e97.words);
+        let _e106 = mask_BitsPlace(_e103.light, _e91);
+        let _e110 = p.member.current.size[0u];
+        let _e113 = samples.member[_e79.shift].position;
+        let _e115 = visibility.member[_e79.shift];
+        let _e121 = samples.member[_e79.shift].normal[0u];
+        let _e123 = global[0u];
+        if (_e121 == _e123) {
+            let _e126 = samples.member[_e79.shift].normal[1u];
+            let _e128 = global[1u];
+            if (_e126 == _e128) {
+                let _e131 = samples.member[_e79.shift].normal[2u];
+                let _e133 = global[2u];
+                phi_363_ = (_e131 == _e133);
+                phi_364_ = false;
             } else {
-                phi_343_ = bool();
-                phi_344_ = true;
+                phi_363_ = bool();
+                phi_364_ = true;
             }
-            let _e109 = phi_343_;
-            let _e111 = phi_344_;
-            phi_345_ = _e109;
-            phi_346_ = _e111;
+            let _e136 = phi_363_;
+            let _e138 = phi_364_;
+            phi_365_ = _e136;
+            phi_366_ = _e138;
         } else {
-            phi_345_ = bool();
-            phi_346_ = true;
+            phi_365_ = bool();
+            phi_366_ = true;
         }
-        let _e113 = phi_345_;
-        let _e115 = phi_346_;
-        if _e115 {
-            phi_350_ = false;
+        let _e140 = phi_365_;
+        let _e142 = phi_366_;
+        if _e142 {
+            phi_370_ = false;
         } else {
-            phi_350_ = _e113;
+            phi_370_ = _e140;
         }
-        let _e117 = phi_350_;
-        if !(_e117) {
-            let _e120 = samples.member[_e75.first_primitive].position;
-            let _e122 = p.member.light.place;
-            let _e128 = p.member.light.place[3u];
-            let _e135 = (_e122.x - (_e120.x * _e128));
-            let _e136 = (_e122.y - (_e120.y * _e128));
-            let _e137 = (_e122.z - (_e120.z * _e128));
-            let _e139 = samples.member[_e75.first_primitive].normal;
-            if ((((_e139.x * _e135) + (_e139.y * _e136)) + (_e139.z * _e137)) > 0f) {
-                let _e153 = (((_e135 * _e135) + (_e136 * _e136)) + (_e137 * _e137));
-                let _e155 = p.member.light.axis;
-                let _e167 = p.member.light.place[3u];
-                if (_e167 == 0f) {
-                    phi_421_ = true;
+        let _e144 = phi_370_;
+        if !(_e144) {
+            let _e147 = samples.member[_e79.shift].position;
+            let _e149 = p.member.light.place;
+            let _e155 = p.member.light.place[3u];
+            let _e162 = (_e149.x - (_e147.x * _e155));
+            let _e163 = (_e149.y - (_e147.y * _e155));
+            let _e164 = (_e149.z - (_e147.z * _e155));
+            let _e166 = samples.member[_e79.shift].normal;
+            if ((((_e166.x * _e162) + (_e166.y * _e163)) + (_e166.z * _e164)) > 0f) {
+                let _e180 = (((_e162 * _e162) + (_e163 * _e163)) + (_e164 * _e164));
+                let _e182 = p.member.light.axis;
+                let _e194 = p.member.light.place[3u];
+                if (_e194 == 0f) {
+                    phi_441_ = true;
                 } else {
-                    let _e170 = p.member.light.range_squared;
-                    if (_e153 <= _e170) {
-                        let _e173 = p.member.light.cos_outer;
-                        phi_420_ = (-((((_e135 * _e155.x) + (_e136 * _e155.y)) + (_e137 * _e155.z))) >= (_e173 * sqrt(_e153)));
+                    let _e197 = p.member.light.range_squared;
+                    if (_e180 <= _e197) {
+                        let _e200 = p.member.light.cos_outer;
+                        phi_440_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
                     } else {
-                        phi_420_ = false;
+                        phi_440_ = false;
                     }
-                    let _e178 = phi_420_;
-                    phi_421_ = _e178;
+                    let _e205 = phi_440_;
+                    phi_441_ = _e205;
                 }
-                let _e180 = phi_421_;
-                if _e180 {
-                    let _e182 = samples.member[_e75.first_primitive].flags;
-                    let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
-                    phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, ((_e182 & 1u) == 0u));
-                    phi_433_ = false;
+                let _e207 = phi_441_;
+                if _e207 {
+                    let _e209 = samples.member[_e79.shift].flags;
+                    let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
+                    phi_453_ = false;
                 } else {
-                    phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_433_ = true;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_453_ = true;
                 }
-                let _e201 = phi_432_;
-                let _e203 = phi_433_;
-                phi_434_ = _e201;
-                phi_435_ = _e203;
+                let _e228 = phi_452_;
+                let _e230 = phi_453_;
+                phi_454_ = _e228;
+                phi_455_ = _e230;
             } else {
-                phi_434_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_435_ = true;
+                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_455_ = true;
             }
-            let _e205 = phi_434_;
-            let _e207 = phi_435_;
-            if _e207 {
-                let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e232 = phi_454_;
+            let _e234 = phi_455_;
+            if _e234 {
+                let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
+                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
             } else {
-                phi_442_ = _e205;
+                phi_462_ = _e232;
             }
-            let _e224 = phi_442_;
-            phi_446_ = _e224;
+            let _e251 = phi_462_;
+            phi_466_ = _e251;
         } else {
-            let _e230 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e236 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e230.unnamed.visibility, false), _e230.unnamed_1);
-            phi_446_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e236.unnamed, true);
+            let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
+            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
         }
-        let _e241 = phi_446_;
-        if _e241.unnamed_1 {
-            phi_1211_ = mask_Masked(_e241.unnamed.visibility, 0u, false);
+        let _e268 = phi_466_;
+        if _e268.unnamed_1 {
+            phi_1300_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
-            let _e246 = (_e88 < 0.5f);
-            if (_e88 > 0f) {
-                phi_459_ = (_e88 < 1f);
+            let _e273 = (_e115 < 0.5f);
+            if (_e115 > 0f) {
+                phi_479_ = (_e115 < 1f);
             } else {
-                phi_459_ = false;
+                phi_479_ = false;
             }
-            let _e250 = phi_459_;
-            let _e252 = samples.member[_e75.first_primitive].position;
-            let _e256 = p.member.previous.eye;
-            let _e259 = (_e86.x - _e256.x);
-            let _e262 = (_e86.y - _e256.y);
-            let _e265 = (_e86.z - _e256.z);
-            let _e267 = p.member.previous.forward;
-            let _e275 = (((_e259 * _e267.x) + (_e262 * _e267.y)) + (_e265 * _e267.z));
-            let _e277 = p.member.previous.right;
-            let _e287 = p.member.previous.right;
-            let _e302 = p.member.previous.up;
-            let _e312 = p.member.previous.up;
-            let _e327 = p.member.current.eye;
-            let _e330 = (_e252.x - _e327.x);
-            let _e333 = (_e252.y - _e327.y);
-            let _e336 = (_e252.z - _e327.z);
-            let _e338 = p.member.current.forward;
-            let _e346 = (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z));
-            let _e348 = p.member.current.right;
-            let _e358 = p.member.current.right;
-            let _e373 = p.member.current.up;
-            let _e383 = p.member.current.up;
-            let _e402 = p.member.current.size[0u];
-            let _e404 = (((((((_e259 * _e277.x) + (_e262 * _e277.y)) + (_e265 * _e277.z)) / ((((_e287.x * _e287.x) + (_e287.y * _e287.y)) + (_e287.z * _e287.z)) * _e275)) - ((((_e330 * _e348.x) + (_e333 * _e348.y)) + (_e336 * _e348.z)) / ((((_e358.x * _e358.x) + (_e358.y * _e358.y)) + (_e358.z * _e358.z)) * _e346))) * 0.5f) * f32(_e402));
-            let _e408 = p.member.current.size[1u];
-            let _e410 = (((((((_e259 * _e302.x) + (_e262 * _e302.y)) + (_e265 * _e302.z)) / ((((_e312.x * _e312.x) + (_e312.y * _e312.y)) + (_e312.z * _e312.z)) * _e275)) - ((((_e330 * _e373.x) + (_e333 * _e373.y)) + (_e336 * _e373.z)) / ((((_e383.x * _e383.x) + (_e383.y * _e383.y)) + (_e383.z * _e383.z)) * _e346))) * -0.5f) * f32(_e408));
-            let _e414 = p.member.current.size[0u];
-            let _e416 = p.member.current.size[1u];
-            let _e420 = ((f32(_e55.x) + 0.5f) + _e404);
-            if (_e420 > -8388608f) {
-                let _e432 = f32(select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420)));
-                if (_e432 > _e420) {
-                    phi_648_ = 1f;
+            let _e277 = phi_479_;
+            let _e279 = samples.member[_e79.shift].position;
+            let _e283 = p.member.previous.eye;
+            let _e286 = (_e113.x - _e283.x);
+            let _e289 = (_e113.y - _e283.y);
+            let _e292 = (_e113.z - _e283.z);
+            let _e294 = p.member.previous.forward;
+            let _e302 = (((_e286 * _e294.x) + (_e289 * _e294.y)) + (_e292 * _e294.z));
+            let _e304 = p.member.previous.right;
+            let _e314 = p.member.previous.right;
+            let _e329 = p.member.previous.up;
+            let _e339 = p.member.previous.up;
+            let _e354 = p.member.current.eye;
+            let _e357 = (_e279.x - _e354.x);
+            let _e360 = (_e279.y - _e354.y);
+            let _e363 = (_e279.z - _e354.z);
+            let _e365 = p.member.current.forward;
+            let _e373 = (((_e357 * _e365.x) + (_e360 * _e365.y)) + (_e363 * _e365.z));
+            let _e375 = p.member.current.right;
+            let _e385 = p.member.current.right;
+            let _e400 = p.member.current.up;
+            let _e410 = p.member.current.up;
+            let _e429 = p.member.current.size[0u];
+            let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
+            let _e435 = p.member.current.size[1u];
+            let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
+            let _e441 = p.member.current.size[0u];
+            let _e443 = p.member.current.size[1u];
+            let _e447 = ((f32(_e59.x) + 0.5f) + _e431);
+            if (_e447 > -8388608f) {
+                let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
+                if (_e459 > _e447) {
+                    phi_668_ = 1f;
                 } else {
-                    phi_648_ = 0f;
+                    phi_668_ = 0f;
                 }
-                let _e435 = phi_648_;
-                if (_e420 < 8388608f) {
-                    phi_653_ = (_e432 - _e435);
-                    phi_654_ = false;
+                let _e462 = phi_668_;
+                if (_e447 < 8388608f) {
+                    phi_673_ = (_e459 - _e462);
+                    phi_674_ = false;
                 } else {
-                    phi_653_ = f32();
-                    phi_654_ = true;
+                    phi_673_ = f32();
+                    phi_674_ = true;
                 }
-                let _e438 = phi_653_;
-                let _e440 = phi_654_;
-                phi_655_ = _e438;
-                phi_656_ = _e440;
+                let _e465 = phi_673_;
+                let _e467 = phi_674_;
+                phi_675_ = _e465;
+                phi_676_ = _e467;
             } else {
-                phi_655_ = f32();
-                phi_656_ = true;
+                phi_675_ = f32();
+                phi_676_ = true;
             }
-            let _e442 = phi_655_;
-            let _e444 = phi_656_;
-            if _e444 {
-                phi_660_ = _e420;
+            let _e469 = phi_675_;
+            let _e471 = phi_676_;
+            if _e471 {
+                phi_680_ = _e447;
             } else {
-                phi_660_ = _e442;
+                phi_680_ = _e469;
             }
-            let _e446 = phi_660_;
-            let _e449 = ((f32(_e55.y) + 0.5f) + _e410);
-            if (_e449 > -8388608f) {
-                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
-                if (_e461 > _e449) {
-                    phi_683_ = 1f;
+            let _e473 = phi_680_;
+            let _e476 = ((f32(_e59.y) + 0.5f) + _e437);
+            if (_e476 > -8388608f) {
+                let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
+                if (_e488 > _e476) {
+                    phi_703_ = 1f;
                 } else {
-                    phi_683_ = 0f;
+                    phi_703_ = 0f;
                 }
-                let _e464 = phi_683_;
-                if (_e449 < 8388608f) {
-                    phi_688_ = (_e461 - _e464);
-                    phi_689_ = false;
+                let _e491 = phi_703_;
+                if (_e476 < 8388608f) {
+                    phi_708_ = (_e488 - _e491);
+                    phi_709_ = false;
                 } else {
-                    phi_688_ = f32();
-                    phi_689_ = true;
+                    phi_708_ = f32();
+                    phi_709_ = true;
                 }
-                let _e467 = phi_688_;
-                let _e469 = phi_689_;
-                phi_690_ = _e467;
-                phi_691_ = _e469;
+                let _e494 = phi_708_;
+                let _e496 = phi_709_;
+                phi_710_ = _e494;
+                phi_711_ = _e496;
             } else {
-                phi_690_ = f32();
-                phi_691_ = true;
+                phi_710_ = f32();
+                phi_711_ = true;
             }
-            let _e471 = phi_690_;
-            let _e473 = phi_691_;
-            if _e473 {
-                phi_695_ = _e449;
+            let _e498 = phi_710_;
+            let _e500 = phi_711_;
+            if _e500 {
+                phi_715_ = _e476;
             } else {
-                phi_695_ = _e471;
+                phi_715_ = _e498;
             }
-            let _e475 = phi_695_;
-            if (_e446 >= 0f) {
-                if (_e475 >= 0f) {
-                    if (_e446 < f32(_e414)) {
-                        let _e481 = (_e475 < f32(_e416));
-                        if (_e404 == 0f) {
-                            phi_716_ = (_e410 == 0f);
+            let _e502 = phi_715_;
+            if (_e473 >= 0f) {
+                if (_e502 >= 0f) {
+                    if (_e473 < f32(_e441)) {
+                        let _e508 = (_e502 < f32(_e443));
+                        if (_e431 == 0f) {
+                            phi_736_ = (_e437 == 0f);
                         } else {
-                            phi_716_ = false;
-                        }
-                        let _e485 = phi_716_;
-                        if _e481 {
-                            phi_735_ = vec2<u32>(select(select(u32(_e446), 0u, (_e446 < bitcast<f32>(0u))), 4294967295u, (_e446 > bitcast<f32>(1333788671u))), select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))));
                             phi_736_ = false;
-                        } else {
-                            phi_735_ = vec2<u32>();
-                            phi_736_ = true;
                         }
-                        let _e502 = phi_735_;
-                        let _e504 = phi_736_;
-                        phi_737_ = _e485;
-                        phi_738_ = _e481;
-                        phi_739_ = _e502;
-                        phi_740_ = _e485;
-                        phi_741_ = _e481;
-                        phi_742_ = false;
-                        phi_743_ = _e504;
+                        let _e512 = phi_736_;
+                        if _e508 {
+                            phi_755_ = vec2<u32>(select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))), select(select(u32(_e502), 0u, (_e502 < bitcast<f32>(0u))), 4294967295u, (_e502 > bitcast<f32>(1333788671u))));
+                            phi_756_ = false;
+                        } else {
+                            phi_755_ = vec2<u32>();
+                            phi_756_ = true;
+                        }
+                        let _e529 = phi_755_;
+                        let _e531 = phi_756_;
+                        phi_757_ = _e512;
+                        phi_758_ = _e508;
+                        phi_759_ = _e529;
+                        phi_760_ = _e512;
+                        phi_761_ = _e508;
+                        phi_762_ = false;
+                        phi_763_ = _e531;
                     } else {
-                        phi_737_ = bool();
-                        phi_738_ = bool();
-                        phi_739_ = vec2<u32>();
-                        phi_740_ = bool();
-                        phi_741_ = bool();
-                        phi_742_ = true;
-                        phi_743_ = false;
+                        phi_757_ = bool();
+                        phi_758_ = bool();
+                        phi_759_ = vec2<u32>();
+                        phi_760_ = bool();
+                        phi_761_ = bool();
+                        phi_762_ = true;
+                        phi_763_ = false;
                     }
-                    let _e506 = phi_737_;
-                    let _e508 = phi_738_;
-                    let _e510 = phi_739_;
-                    let _e512 = phi_740_;
-                    let _e514 = phi_741_;
-                    let _e516 = phi_742_;
-                    let _e518 = phi_743_;
-                    phi_744_ = _e506;
-                    phi_745_ = _e508;
-                    phi_746_ = _e510;
-                    phi_747_ = _e512;
-                    phi_748_ = _e514;
-                    phi_749_ = _e516;
-                    phi_750_ = _e518;
+                    let _e533 = phi_757_;
+                    let _e535 = phi_758_;
+                    let _e537 = phi_759_;
+                    let _e539 = phi_760_;
+                    let _e541 = phi_761_;
+                    let _e543 = phi_762_;
+                    let _e545 = phi_763_;
+                    phi_764_ = _e533;
+                    phi_765_ = _e535;
+                    phi_766_ = _e537;
+                    phi_767_ = _e539;
+                    phi_768_ = _e541;
+                    phi_769_ = _e543;
+                    phi_770_ = _e545;
                 } else {
-                    phi_744_ = bool();
-                    phi_745_ = bool();
-                    phi_746_ = vec2<u32>();
-                    phi_747_ = bool();
-                    phi_748_ = bool();
-                    phi_749_ = true;
-                    phi_750_ = false;
+                    phi_764_ = bool();
+                    phi_765_ = bool();
+                    phi_766_ = vec2<u32>();
+                    phi_767_ = bool();
+                    phi_768_ = bool();
+                    phi_769_ = true;
+                    phi_770_ = false;
                 }
-                let _e520 = phi_744_;
-                let _e522 = phi_745_;
-                let _e524 = phi_746_;
-                let _e526 = phi_747_;
-                let _e528 = phi_748_;
-                let _e530 = phi_749_;
-                let _e532 = phi_750_;
-                phi_751_ = _e520;
-                phi_752_ = _e522;
-                phi_753_ = _e524;
-                phi_754_ = _e526;
-                phi_755_ = _e528;
-                phi_756_ = _e530;
-                phi_757_ = _e532;
+                let _e547 = phi_764_;
+                let _e549 = phi_765_;
+                let _e551 = phi_766_;
+                let _e553 = phi_767_;
+                let _e555 = phi_768_;
+                let _e557 = phi_769_;
+                let _e559 = phi_770_;
+                phi_771_ = _e547;
+                phi_772_ = _e549;
+                phi_773_ = _e551;
+                phi_774_ = _e553;
+                phi_775_ = _e555;
+                phi_776_ = _e557;
+                phi_777_ = _e559;
             } else {
-                phi_751_ = bool();
-                phi_752_ = bool();
-                phi_753_ = vec2<u32>();
-                phi_754_ = bool();
-                phi_755_ = bool();
-                phi_756_ = true;
-                phi_757_ = false;
+                phi_771_ = bool();
+                phi_772_ = bool();
+                phi_773_ = vec2<u32>();
+                phi_774_ = bool();
+                phi_775_ = bool();
+                phi_776_ = true;
+                phi_777_ = false;
             }
-            let _e534 = phi_751_;
-            let _e536 = phi_752_;
-            let _e538 = phi_753_;
-            let _e540 = phi_754_;
-            let _e542 = phi_755_;
-            let _e544 = phi_756_;
-            let _e546 = phi_757_;
-            if _e544 {
-                if (_e404 == 0f) {
-                    phi_766_ = (_e410 == 0f);
+            let _e561 = phi_771_;
+            let _e563 = phi_772_;
+            let _e565 = phi_773_;
+            let _e567 = phi_774_;
+            let _e569 = phi_775_;
+            let _e571 = phi_776_;
+            let _e573 = phi_777_;
+            if _e571 {
+                if (_e431 == 0f) {
+                    phi_786_ = (_e437 == 0f);
                 } else {
-                    phi_766_ = false;
+                    phi_786_ = false;
                 }
-                let _e550 = phi_766_;
-                phi_767_ = _e550;
-                phi_768_ = false;
-                phi_769_ = true;
+                let _e577 = phi_786_;
+                phi_787_ = _e577;
+                phi_788_ = false;
+                phi_789_ = true;
             } else {
-                phi_767_ = _e540;
-                phi_768_ = _e542;
-                phi_769_ = _e546;
+                phi_787_ = _e567;
+                phi_788_ = _e569;
+                phi_789_ = _e573;
             }
-            let _e552 = phi_767_;
-            let _e554 = phi_768_;
-            let _e556 = phi_769_;
-            if _e556 {
-                phi_773_ = _e552;
-                phi_774_ = _e554;
-                phi_775_ = vec2<u32>(_e55.x, _e55.y);
+            let _e579 = phi_787_;
+            let _e581 = phi_788_;
+            let _e583 = phi_789_;
+            if _e583 {
+                phi_793_ = _e579;
+                phi_794_ = _e581;
+                phi_795_ = vec2<u32>(_e59.x, _e59.y);
             } else {
-                phi_773_ = _e534;
-                phi_774_ = _e536;
-                phi_775_ = _e538;
+                phi_793_ = _e561;
+                phi_794_ = _e563;
+                phi_795_ = _e565;
             }
-            let _e558 = phi_773_;
-            let _e560 = phi_774_;
-            let _e562 = phi_775_;
-            let _e572 = lt_mask_Reprojection(vec2<u32>(_e562.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e579 = lt_mask_Reprojection(vec2<u32>(_e572.pixel.x, _e562.y), _e572.is_valid, _e572.has_moved);
-            let _e583 = lt_mask_Reprojection(_e579.pixel, _e560, _e579.has_moved);
-            let _e587 = lt_mask_Reprojection(_e583.pixel, _e583.is_valid, !(_e558));
-            if _e560 {
-                let _e590 = p.member.previous.eye;
-                let _e601 = p.member.previous.forward;
-                let _e610 = (((((_e86.x - _e590.x) * _e601.x) + ((_e86.y - _e590.y) * _e601.y)) + ((_e86.z - _e590.z) * _e601.z)) > 0f);
-                let _e614 = lt_mask_Reprojection(_e587.pixel, _e610, _e587.has_moved);
-                if _e610 {
-                    let _e617 = p.member.previous.eye;
-                    let _e628 = p.member.previous.forward;
-                    let _e636 = ((((_e86.x - _e617.x) * _e628.x) + ((_e86.y - _e617.y) * _e628.y)) + ((_e86.z - _e617.z) * _e628.z));
-                    let _e638 = ((_e562.y * _e83) + _e562.x);
-                    if (_e638 < arrayLength((&last_depths.member))) {
+            let _e585 = phi_793_;
+            let _e587 = phi_794_;
+            let _e589 = phi_795_;
+            let _e599 = lt_mask_Reprojection(vec2<u32>(_e589.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e606 = lt_mask_Reprojection(vec2<u32>(_e599.pixel.x, _e589.y), _e599.is_valid, _e599.has_moved);
+            let _e610 = lt_mask_Reprojection(_e606.pixel, _e587, _e606.has_moved);
+            let _e614 = lt_mask_Reprojection(_e610.pixel, _e610.is_valid, !(_e585));
+            if _e587 {
+                let _e617 = p.member.previous.eye;
+                let _e628 = p.member.previous.forward;
+                let _e637 = (((((_e113.x - _e617.x) * _e628.x) + ((_e113.y - _e617.y) * _e628.y)) + ((_e113.z - _e617.z) * _e628.z)) > 0f);
+                let _e641 = lt_mask_Reprojection(_e614.pixel, _e637, _e614.has_moved);
+                if _e637 {
+                    let _e644 = p.member.previous.eye;
+                    let _e655 = p.member.previous.forward;
+                    let _e663 = ((((_e113.x - _e644.x) * _e655.x) + ((_e113.y - _e644.y) * _e655.y)) + ((_e113.z - _e644.z) * _e655.z));
+                    let _e665 = ((_e589.y * _e110) + _e589.x);
+                    if (_e665 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e642 = last_depths.member[(0u + _e638)];
-                    let _e644 = p.member.depth_tolerance;
-                    let _e647 = abs(_e636);
-                    let _e648 = abs(_e642);
-                    if ((bitcast<u32>(_e648) & 2147483647u) > 2139095040u) {
-                        phi_864_ = true;
+                    let _e669 = last_depths.member[(0u + _e665)];
+                    let _e671 = p.member.depth_tolerance;
+                    let _e674 = abs(_e663);
+                    let _e675 = abs(_e669);
+                    if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
+                        phi_884_ = true;
                     } else {
-                        let _e652 = (_e648 > _e647);
-                        if _e652 {
+                        let _e679 = (_e675 > _e674);
+                        if _e679 {
                         }
-                        phi_864_ = _e652;
+                        phi_884_ = _e679;
                     }
-                    let _e654 = phi_864_;
-                    if _e654 {
-                        phi_868_ = _e648;
+                    let _e681 = phi_884_;
+                    if _e681 {
+                        phi_888_ = _e675;
                     } else {
-                        phi_868_ = _e647;
+                        phi_888_ = _e674;
                     }
-                    let _e656 = phi_868_;
-                    phi_872_ = lt_mask_Reprojection(_e614.pixel, (abs((_e636 - _e642)) <= (_e644 * _e656)), _e614.has_moved);
+                    let _e683 = phi_888_;
+                    phi_892_ = lt_mask_Reprojection(_e641.pixel, (abs((_e663 - _e669)) <= (_e671 * _e683)), _e641.has_moved);
                 } else {
-                    phi_872_ = _e614;
+                    phi_892_ = _e641;
                 }
-                let _e664 = phi_872_;
-                if _e664.is_valid {
-                    let _e667 = p.member.flags;
-                    phi_881_ = ((_e667 & 1u) != 0u);
-                    phi_882_ = false;
+                let _e691 = phi_892_;
+                if _e691.is_valid {
+                    let _e694 = p.member.flags;
+                    phi_901_ = ((_e694 & 1u) != 0u);
+                    phi_902_ = false;
                 } else {
-                    phi_881_ = bool();
-                    phi_882_ = true;
+                    phi_901_ = bool();
+                    phi_902_ = true;
                 }
-                let _e671 = phi_881_;
-                let _e673 = phi_882_;
-                phi_884_ = _e671;
-                phi_885_ = _e664;
-                phi_886_ = _e664;
-                phi_887_ = _e673;
+                let _e698 = phi_901_;
+                let _e700 = phi_902_;
+                phi_904_ = _e698;
+                phi_905_ = _e691;
+                phi_906_ = _e691;
+                phi_907_ = _e700;
             } else {
-                phi_884_ = bool();
-                phi_885_ = lt_mask_Reprojection();
-                phi_886_ = lt_mask_Reprojection(_e587.pixel, false, _e587.has_moved);
-                phi_887_ = true;
+                phi_904_ = bool();
+                phi_905_ = lt_mask_Reprojection();
+                phi_906_ = lt_mask_Reprojection(_e614.pixel, false, _e614.has_moved);
+                phi_907_ = true;
             }
-            let _e679 = phi_884_;
-            let _e681 = phi_885_;
-            let _e683 = phi_886_;
-            let _e685 = phi_887_;
-            if _e685 {
-                phi_891_ = false;
-                phi_892_ = _e683;
+            let _e706 = phi_904_;
+            let _e708 = phi_905_;
+            let _e710 = phi_906_;
+            let _e712 = phi_907_;
+            if _e712 {
+                phi_911_ = false;
+                phi_912_ = _e710;
             } else {
-                phi_891_ = _e679;
-                phi_892_ = _e681;
+                phi_911_ = _e706;
+                phi_912_ = _e708;
             }
-            let _e687 = phi_891_;
-            let _e689 = phi_892_;
-            let _e693 = lt_mask_Reprojection(_e689.pixel, _e687, _e689.has_moved);
-            let _e695 = p.member.flags;
-            if _e693.has_moved {
-                let _e700 = p.member.flags;
-                phi_906_ = ((_e700 & 4u) == 0u);
+            let _e714 = phi_911_;
+            let _e716 = phi_912_;
+            let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
+            let _e722 = p.member.flags;
+            if _e720.has_moved {
+                let _e727 = p.member.flags;
+                phi_926_ = ((_e727 & 4u) == 0u);
             } else {
-                phi_906_ = false;
+                phi_926_ = false;
             }
-            let _e704 = phi_906_;
-            if ((_e695 & 2u) != 0u) {
+            let _e731 = phi_926_;
+            if ((_e722 & 2u) != 0u) {
                 if false {
-                    phi_919_ = bool();
-                    phi_920_ = true;
+                    phi_939_ = bool();
+                    phi_940_ = true;
                 } else {
                     if true {
-                        phi_917_ = !(_e704);
-                        phi_918_ = false;
+                        phi_937_ = !(_e731);
+                        phi_938_ = false;
                     } else {
-                        phi_917_ = bool();
-                        phi_918_ = true;
+                        phi_937_ = bool();
+                        phi_938_ = true;
                     }
-                    let _e707 = phi_917_;
-                    let _e709 = phi_918_;
-                    phi_919_ = _e707;
-                    phi_920_ = _e709;
+                    let _e734 = phi_937_;
+                    let _e736 = phi_938_;
+                    phi_939_ = _e734;
+                    phi_940_ = _e736;
                 }
-                let _e711 = phi_919_;
-                let _e713 = phi_920_;
-                phi_921_ = _e711;
-                phi_922_ = _e713;
+                let _e738 = phi_939_;
+                let _e740 = phi_940_;
+                phi_941_ = _e738;
+                phi_942_ = _e740;
             } else {
-                phi_921_ = bool();
-                phi_922_ = true;
+                phi_941_ = bool();
+                phi_942_ = true;
             }
-            let _e715 = phi_921_;
-            let _e717 = phi_922_;
-            if _e717 {
-                phi_926_ = false;
+            let _e742 = phi_941_;
+            let _e744 = phi_942_;
+            if _e744 {
+                phi_946_ = false;
             } else {
-                phi_926_ = _e715;
+                phi_946_ = _e742;
             }
-            let _e719 = phi_926_;
-            let _e720 = lt_mask_Neighbourhood(false, true);
-            if _e250 {
-                phi_931_ = _e719;
+            let _e746 = phi_946_;
+            let _e747 = lt_mask_Neighbourhood(false, true);
+            if _e277 {
+                phi_951_ = _e746;
             } else {
-                phi_931_ = true;
+                phi_951_ = true;
             }
-            let _e722 = phi_931_;
-            if _e722 {
-                if _e687 {
-                    if _e693.has_moved {
-                        let _e725 = p.member.moving_pattern;
-                        phi_946_ = _e725;
+            let _e749 = phi_951_;
+            if _e749 {
+                if _e714 {
+                    if _e720.has_moved {
+                        let _e752 = p.member.moving_pattern;
+                        phi_966_ = _e752;
                     } else {
-                        let _e727 = p.member.still_pattern;
-                        phi_946_ = _e727;
+                        let _e754 = p.member.still_pattern;
+                        phi_966_ = _e754;
                     }
-                    let _e729 = phi_946_;
-                    phi_948_ = 0u;
-                    phi_951_ = _e720;
+                    let _e756 = phi_966_;
+                    phi_968_ = 0u;
+                    phi_971_ = _e747;
                     loop {
-                        let _e731 = phi_948_;
-                        let _e733 = phi_951_;
-                        local_1 = _e733;
-                        if (1u <= _e729) {
-                            if (_e729 <= 4u) {
-                                phi_963_ = false;
+                        let _e758 = phi_968_;
+                        let _e760 = phi_971_;
+                        local_1 = _e760;
+                        if (1u <= _e756) {
+                            if (_e756 <= 4u) {
+                                phi_983_ = false;
                             } else {
-                                phi_963_ = true;
+                                phi_983_ = true;
                             }
-                            let _e737 = phi_963_;
-                            phi_964_ = _e737;
+                            let _e764 = phi_983_;
+                            phi_984_ = _e764;
                         } else {
-                            phi_964_ = true;
+                            phi_984_ = true;
                         }
-                        let _e739 = phi_964_;
-                        if _e739 {
-                            switch bitcast<i32>(_e729) {
+                        let _e766 = phi_984_;
+                        if _e766 {
+                            switch bitcast<i32>(_e756) {
                                 case 5: {
-                                    phi_973_ = 4u;
+                                    phi_993_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_973_ = 25u;
+                                    phi_993_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_973_ = 13u;
+                                    phi_993_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_973_ = 9u;
+                                    phi_993_ = 9u;
                                     break;
                                 }
                             }
-                            let _e742 = phi_973_;
-                            phi_974_ = _e742;
+                            let _e769 = phi_993_;
+                            phi_994_ = _e769;
                         } else {
-                            phi_974_ = 5u;
+                            phi_994_ = 5u;
                         }
-                        let _e744 = phi_974_;
-                        let _e745 = (_e731 < _e744);
-                        if _e745 {
-                            let _e751 = p.member.frame;
-                            let _e755 = p.member.current.size[0u];
-                            let _e757 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e729) {
+                        let _e771 = phi_994_;
+                        let _e772 = (_e758 < _e771);
+                        if _e772 {
+                            let _e778 = p.member.frame;
+                            let _e782 = p.member.current.size[0u];
+                            let _e784 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e756) {
                                 case 1: {
-                                    let _e767 = lt_mask_pattern_plus(_e731);
-                                    phi_1054_ = vec2<i32>(_e767.x, _e767.y);
+                                    let _e794 = lt_mask_pattern_plus(_e758);
+                                    phi_1074_ = vec2<i32>(_e794.x, _e794.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e771 = lt_mask_pattern_cross(_e731);
-                                    phi_1054_ = vec2<i32>(_e771.x, _e771.y);
+                                    let _e798 = lt_mask_pattern_cross(_e758);
+                                    phi_1074_ = vec2<i32>(_e798.x, _e798.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e777 = lt_mask_pattern_plus_or_cross(_e731, ((_e693.pixel.x + _e693.pixel.y) & 1u));
-                                    phi_1054_ = vec2<i32>(_e777.x, _e777.y);
+                                    let _e804 = lt_mask_pattern_plus_or_cross(_e758, ((_e720.pixel.x + _e720.pixel.y) & 1u));
+                                    phi_1074_ = vec2<i32>(_e804.x, _e804.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e782 = lt_mask_pattern_plus_or_cross(_e731, (_e751 & 1u));
-                                    phi_1054_ = vec2<i32>(_e782.x, _e782.y);
+                                    let _e809 = lt_mask_pattern_plus_or_cross(_e758, (_e778 & 1u));
+                                    phi_1074_ = vec2<i32>(_e809.x, _e809.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e751 & 3u)) {
+                                    switch bitcast<i32>((_e778 & 3u)) {
                                         case 0: {
-                                            phi_1034_ = vec2(-1i);
+                                            phi_1054_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_1034_ = vec2(0i);
+                                            phi_1054_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_1034_ = vec2<i32>(0i, -1i);
+                                            phi_1054_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_1034_ = vec2<i32>(-1i, 0i);
+                                            phi_1054_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e793 = phi_1034_;
-                                    phi_1054_ = (_e793 + vec2<i32>(bitcast<i32>((_e731 & 1u)), bitcast<i32>(((_e731 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e820 = phi_1054_;
+                                    phi_1074_ = (_e820 + vec2<i32>(bitcast<i32>((_e758 & 1u)), bitcast<i32>(((_e758 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_1054_ = vec2<i32>((bitcast<i32>((_e731 % 5u)) - 2i), (bitcast<i32>(((_e731 / 5u) % 5u)) - 2i));
+                                    phi_1074_ = vec2<i32>((bitcast<i32>((_e758 % 5u)) - 2i), (bitcast<i32>(((_e758 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e810 = lt_mask_pattern_diamond(_e731);
-                                    phi_1054_ = vec2<i32>(_e810.x, _e810.y);
+                                    let _e837 = lt_mask_pattern_diamond(_e758);
+                                    phi_1074_ = vec2<i32>(_e837.x, _e837.y);
                                     break;
                                 }
                                 default: {
-                                    phi_1054_ = vec2<i32>((bitcast<i32>((_e731 % 3u)) - 1i), (bitcast<i32>(((_e731 / 3u) % 3u)) - 1i));
+                                    phi_1074_ = vec2<i32>((bitcast<i32>((_e758 % 3u)) - 1i), (bitcast<i32>(((_e758 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e815 = phi_1054_;
-                            let _e818 = lt_mask_pattern_step_clamped(_e693.pixel.x, _e815.x, _e755);
-                            let _e819 = lt_mask_pattern_step_clamped(_e693.pixel.y, _e815.y, _e757);
-                            let _e821 = ((_e819 * _e83) + _e818);
-                            if (_e821 < arrayLength((&last_bits.member))) {
+                            let _e842 = phi_1074_;
+                            let _e845 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e842.x, _e782);
+                            let _e846 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e842.y, _e784);
+                            let _e853 = ((((_e846 * _e110) + _e845) * _e106.words) + _e106.light.word);
+                            if (_e106.light.shift > 29u) {
+                                let _e857 = (_e853 + 1u);
+                                if (_e857 < _e65) {
+                                } else {
+                                    return;
+                                }
+                                let _e861 = last_bits.member[(0u + _e857)];
+                                phi_1101_ = _e861;
+                            } else {
+                                phi_1101_ = 0u;
+                            }
+                            let _e863 = phi_1101_;
+                            if (_e853 < _e65) {
                             } else {
                                 return;
                             }
-                            let _e825 = last_bits.member[(0u + _e821)];
-                            if ((_e825 & 2u) == 0u) {
-                                phi_1077_ = (_e825 & 1u);
+                            let _e869 = last_bits.member[(0u + _e853)];
+                            let _e872 = (_e869 >> bitcast<u32>((_e106.light.shift & 31u)));
+                            if (_e106.light.shift > 29u) {
+                                phi_1120_ = (_e872 | (_e863 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                             } else {
-                                phi_1077_ = (_e825 & 7u);
+                                phi_1120_ = _e872;
                             }
-                            let _e831 = phi_1077_;
-                            if _e733.any_expands {
-                                phi_1103_ = true;
+                            let _e880 = phi_1120_;
+                            if ((_e880 & 2u) == 0u) {
+                                phi_1128_ = (_e880 & 1u);
                             } else {
-                                if ((_e831 & 2u) != 0u) {
-                                    if (((_e831 & 4u) != 0u) != _e246) {
-                                        phi_1094_ = false;
+                                phi_1128_ = (_e880 & 7u);
+                            }
+                            let _e886 = phi_1128_;
+                            if _e760.any_expands {
+                                phi_1154_ = true;
+                            } else {
+                                if ((_e886 & 2u) != 0u) {
+                                    if (((_e886 & 4u) != 0u) != _e273) {
+                                        phi_1145_ = false;
                                     } else {
-                                        phi_1094_ = true;
+                                        phi_1145_ = true;
                                     }
-                                    let _e840 = phi_1094_;
-                                    phi_1095_ = _e840;
+                                    let _e895 = phi_1145_;
+                                    phi_1146_ = _e895;
                                 } else {
-                                    phi_1095_ = true;
+                                    phi_1146_ = true;
                                 }
-                                let _e842 = phi_1095_;
-                                if _e842 {
-                                    phi_1102_ = (((_e831 & 1u) != 0u) != _e246);
+                                let _e897 = phi_1146_;
+                                if _e897 {
+                                    phi_1153_ = (((_e886 & 1u) != 0u) != _e273);
                                 } else {
-                                    phi_1102_ = true;
+                                    phi_1153_ = true;
                                 }
-                                let _e847 = phi_1102_;
-                                phi_1103_ = _e847;
+                                let _e902 = phi_1153_;
+                                phi_1154_ = _e902;
                             }
-                            let _e849 = phi_1103_;
-                            if _e733.all_remove {
-                                if (((_e831 & 1u) != 0u) == _e246) {
-                                    if ((_e831 & 2u) != 0u) {
-                                        phi_1121_ = (((_e831 & 4u) != 0u) == _e246);
+                            let _e904 = phi_1154_;
+                            if _e760.all_remove {
+                                if (((_e886 & 1u) != 0u) == _e273) {
+                                    if ((_e886 & 2u) != 0u) {
+                                        phi_1172_ = (((_e886 & 4u) != 0u) == _e273);
                                     } else {
-                                        phi_1121_ = true;
+                                        phi_1172_ = true;
                                     }
-                                    let _e859 = phi_1121_;
-                                    phi_1122_ = _e859;
+                                    let _e914 = phi_1172_;
+                                    phi_1173_ = _e914;
                                 } else {
-                                    phi_1122_ = false;
+                                    phi_1173_ = false;
                                 }
-                                let _e861 = phi_1122_;
-                                phi_1123_ = _e861;
+                                let _e916 = phi_1173_;
+                                phi_1174_ = _e916;
                             } else {
-                                phi_1123_ = false;
+                                phi_1174_ = false;
                             }
-                            let _e863 = phi_1123_;
-                            phi_949_ = (_e731 + 1u);
-                            phi_952_ = lt_mask_Neighbourhood(_e849, _e863);
+                            let _e918 = phi_1174_;
+                            phi_969_ = (_e758 + 1u);
+                            phi_972_ = lt_mask_Neighbourhood(_e904, _e918);
                         } else {
-                            phi_949_ = u32();
-                            phi_952_ = lt_mask_Neighbourhood();
+                            phi_969_ = u32();
+                            phi_972_ = lt_mask_Neighbourhood();
                         }
-                        let _e867 = phi_949_;
-                        let _e869 = phi_952_;
+                        let _e922 = phi_969_;
+                        let _e924 = phi_972_;
                         continue;
                         continuing {
-                            phi_948_ = _e867;
-                            phi_951_ = _e869;
-                            break if !(_e745);
+                            phi_968_ = _e922;
+                            phi_971_ = _e924;
+                            break if !(_e772);
                         }
                     }
-                    let _e1097 = local_1;
-                    phi_1126_ = _e1097;
+                    let _e1216 = local_1;
+                    phi_1177_ = _e1216;
                 } else {
-                    phi_1126_ = _e720;
+                    phi_1177_ = _e747;
                 }
-                let _e872 = phi_1126_;
-                phi_1127_ = _e872;
+                let _e927 = phi_1177_;
+                phi_1178_ = _e927;
             } else {
-                phi_1127_ = _e720;
+                phi_1178_ = _e747;
             }
-            let _e874 = phi_1127_;
-            if (_e88 != 0.5f) {
-                if _e687 {
-                    if _e250 {
-                        phi_1153_ = true;
-                    } else {
-                        if _e874.any_expands {
-                            phi_1152_ = false;
-                        } else {
-                            phi_1152_ = true;
-                        }
-                        let _e879 = phi_1152_;
-                        phi_1153_ = _e879;
+            let _e929 = phi_1178_;
+            let _e932 = p.member.frame;
+            let _e934 = p.member.refresh;
+            if (_e934 == 0u) {
+                phi_1211_ = false;
+            } else {
+                if (_e934 == 0u) {
+                    return;
+                }
+                let _e943 = ((_e59.x + (_e59.y * (((_e934 * 5u) / 8u) | 1u))) + (_e932 % _e934));
+                if (_e934 == 0u) {
+                    phi_1210_ = (_e943 == 0u);
+                } else {
+                    if (_e934 == 0u) {
+                        return;
                     }
-                    let _e881 = phi_1153_;
-                    if _e881 {
-                        if _e250 {
-                            if _e719 {
-                                if _e874.all_remove {
-                                    phi_1166_ = false;
+                    phi_1210_ = ((_e943 % _e934) == 0u);
+                }
+                let _e950 = phi_1210_;
+                phi_1211_ = _e950;
+            }
+            let _e952 = phi_1211_;
+            if (_e115 != 0.5f) {
+                if _e714 {
+                    if _e952 {
+                        phi_1266_ = 6u;
+                    } else {
+                        if _e277 {
+                            phi_1241_ = true;
+                        } else {
+                            if _e929.any_expands {
+                                phi_1240_ = false;
+                            } else {
+                                phi_1240_ = true;
+                            }
+                            let _e956 = phi_1240_;
+                            phi_1241_ = _e956;
+                        }
+                        let _e958 = phi_1241_;
+                        if _e958 {
+                            if _e277 {
+                                if _e746 {
+                                    if _e929.all_remove {
+                                        phi_1254_ = false;
+                                    } else {
+                                        phi_1254_ = true;
+                                    }
+                                    let _e960 = phi_1254_;
+                                    phi_1255_ = _e960;
                                 } else {
-                                    phi_1166_ = true;
+                                    phi_1255_ = true;
                                 }
-                                let _e883 = phi_1166_;
-                                phi_1167_ = _e883;
+                                let _e962 = phi_1255_;
+                                phi_1256_ = _e962;
                             } else {
-                                phi_1167_ = true;
+                                phi_1256_ = true;
                             }
-                            let _e885 = phi_1167_;
-                            phi_1168_ = _e885;
-                        } else {
-                            phi_1168_ = true;
-                        }
-                        let _e887 = phi_1168_;
-                        if _e887 {
-                            if _e250 {
-                                phi_1175_ = 1u;
+                            let _e964 = phi_1256_;
+                            if _e964 {
+                                if _e277 {
+                                    phi_1263_ = 1u;
+                                } else {
+                                    phi_1263_ = 0u;
+                                }
+                                let _e966 = phi_1263_;
+                                phi_1264_ = _e966;
                             } else {
-                                phi_1175_ = 0u;
+                                phi_1264_ = 5u;
                             }
-                            let _e889 = phi_1175_;
-                            phi_1176_ = _e889;
+                            let _e968 = phi_1264_;
+                            phi_1265_ = _e968;
                         } else {
-                            phi_1176_ = 5u;
+                            phi_1265_ = 4u;
                         }
-                        let _e891 = phi_1176_;
-                        phi_1177_ = _e891;
-                    } else {
-                        phi_1177_ = 4u;
+                        let _e970 = phi_1265_;
+                        phi_1266_ = _e970;
                     }
-                    let _e893 = phi_1177_;
-                    phi_1178_ = _e893;
+                    let _e972 = phi_1266_;
+                    phi_1267_ = _e972;
                 } else {
-                    phi_1178_ = 3u;
+                    phi_1267_ = 3u;
                 }
-                let _e895 = phi_1178_;
-                phi_1179_ = _e895;
+                let _e974 = phi_1267_;
+                phi_1268_ = _e974;
             } else {
-                phi_1179_ = 2u;
+                phi_1268_ = 2u;
             }
-            let _e897 = phi_1179_;
-            if !((_e897 == 0u)) {
-                phi_1187_ = !((_e897 == 5u));
+            let _e976 = phi_1268_;
+            if !((_e976 == 0u)) {
+                phi_1276_ = !((_e976 == 5u));
             } else {
-                phi_1187_ = false;
+                phi_1276_ = false;
             }
-            let _e903 = phi_1187_;
-            if _e903 {
-                if _e246 {
-                    phi_1195_ = (2u | 1u);
+            let _e982 = phi_1276_;
+            if _e982 {
+                if _e273 {
+                    phi_1284_ = (2u | 1u);
                 } else {
-                    phi_1195_ = 2u;
+                    phi_1284_ = 2u;
                 }
-                let _e906 = phi_1195_;
+                let _e985 = phi_1284_;
                 if false {
-                    phi_1200_ = (_e906 | 4u);
+                    phi_1289_ = (_e985 | 4u);
                 } else {
-                    phi_1200_ = _e906;
+                    phi_1289_ = _e985;
                 }
-                let _e909 = phi_1200_;
-                phi_1205_ = _e909;
+                let _e988 = phi_1289_;
+                phi_1294_ = _e988;
             } else {
-                if _e246 {
-                    phi_1204_ = 1u;
+                if _e273 {
+                    phi_1293_ = 1u;
                 } else {
-                    phi_1204_ = 0u;
+                    phi_1293_ = 0u;
                 }
-                let _e911 = phi_1204_;
-                phi_1205_ = _e911;
+                let _e990 = phi_1293_;
+                phi_1294_ = _e990;
             }
-            let _e913 = phi_1205_;
-            if _e246 {
-                phi_1209_ = 0f;
+            let _e992 = phi_1294_;
+            if _e273 {
+                phi_1298_ = 0f;
             } else {
-                phi_1209_ = 1f;
+                phi_1298_ = 1f;
             }
-            let _e915 = phi_1209_;
-            phi_1211_ = mask_Masked(_e915, _e913, _e903);
+            let _e994 = phi_1298_;
+            phi_1300_ = mask_Masked(_e994, _e992, _e982);
         }
-        let _e918 = phi_1211_;
-        visibility.member[_e75.first_primitive] = _e918.visibility;
-        bits.member[_e75.first_primitive] = _e918.bits;
-        let _e926 = samples.member[_e75.first_primitive].normal[0u];
-        let _e928 = global[0u];
-        if (_e926 == _e928) {
-            let _e931 = samples.member[_e75.first_primitive].normal[1u];
-            let _e933 = global[1u];
-            if (_e931 == _e933) {
-                let _e936 = samples.member[_e75.first_primitive].normal[2u];
-                let _e938 = global[2u];
-                phi_1239_ = (_e936 == _e938);
-                phi_1240_ = false;
+        let _e997 = phi_1300_;
+        visibility.member[_e79.shift] = _e997.visibility;
+        let _e1002 = p.member.light.number;
+        let _e1003 = (_e1002 * 3u);
+        let _e1005 = (_e1003 % 32u);
+        let _e1007 = p.member.light.mask_words;
+        let _e1009 = ((_e79.shift * _e1007) + (_e1003 / 32u));
+        let _e1011 = bits.member[_e1009];
+        bits.member[_e1009] = ((_e1011 & ~((7u << bitcast<u32>((_e1005 & 31u))))) | (_e997.bits << bitcast<u32>((_e1005 & 31u))));
+        if (_e1005 > 29u) {
+            let _e1026 = bits.member[(_e1009 + 1u)];
+            let _e1028 = (32u - _e1005);
+            bits.member[(_e1009 + 1u)] = ((_e1026 & ~((7u >> bitcast<u32>((_e1028 & 31u))))) | (_e997.bits >> bitcast<u32>((_e1028 & 31u))));
+        }
+        let _e1043 = samples.member[_e79.shift].normal[0u];
+        let _e1045 = global[0u];
+        if (_e1043 == _e1045) {
+            let _e1048 = samples.member[_e79.shift].normal[1u];
+            let _e1050 = global[1u];
+            if (_e1048 == _e1050) {
+                let _e1053 = samples.member[_e79.shift].normal[2u];
+                let _e1055 = global[2u];
+                phi_1372_ = (_e1053 == _e1055);
+                phi_1373_ = false;
             } else {
-                phi_1239_ = bool();
-                phi_1240_ = true;
+                phi_1372_ = bool();
+                phi_1373_ = true;
             }
-            let _e941 = phi_1239_;
-            let _e943 = phi_1240_;
-            phi_1241_ = _e941;
-            phi_1242_ = _e943;
+            let _e1058 = phi_1372_;
+            let _e1060 = phi_1373_;
+            phi_1374_ = _e1058;
+            phi_1375_ = _e1060;
         } else {
-            phi_1241_ = bool();
-            phi_1242_ = true;
+            phi_1374_ = bool();
+            phi_1375_ = true;
         }
-        let _e945 = phi_1241_;
-        let _e947 = phi_1242_;
-        if _e947 {
-            phi_1246_ = false;
+        let _e1062 = phi_1374_;
+        let _e1064 = phi_1375_;
+        if _e1064 {
+            phi_1379_ = false;
         } else {
-            phi_1246_ = _e945;
+            phi_1379_ = _e1062;
         }
-        let _e949 = phi_1246_;
-        if !(_e949) {
-            let _e952 = samples.member[_e75.first_primitive].position;
-            let _e954 = p.member.current.eye;
-            let _e965 = p.member.current.forward;
-            phi_1274_ = ((((_e952.x - _e954.x) * _e965.x) + ((_e952.y - _e954.y) * _e965.y)) + ((_e952.z - _e954.z) * _e965.z));
+        let _e1066 = phi_1379_;
+        if !(_e1066) {
+            let _e1069 = samples.member[_e79.shift].position;
+            let _e1071 = p.member.current.eye;
+            let _e1082 = p.member.current.forward;
+            phi_1407_ = ((((_e1069.x - _e1071.x) * _e1082.x) + ((_e1069.y - _e1071.y) * _e1082.y)) + ((_e1069.z - _e1071.z) * _e1082.z));
         } else {
-            phi_1274_ = 0f;
+            phi_1407_ = 0f;
         }
-        let _e975 = phi_1274_;
-        depths.member[_e75.first_primitive] = _e975;
-        phi_1277_ = _e918.needs_ray;
-        phi_1278_ = _e75.first_primitive;
+        let _e1092 = phi_1407_;
+        depths.member[_e79.shift] = _e1092;
+        phi_1410_ = _e997.needs_ray;
+        phi_1411_ = _e79.shift;
     } else {
-        phi_1277_ = false;
-        phi_1278_ = 0u;
+        phi_1410_ = false;
+        phi_1411_ = 0u;
     }
-    let _e979 = phi_1277_;
-    let _e981 = phi_1278_;
-    if (_e56 == 0u) {
+    let _e1096 = phi_1410_;
+    let _e1098 = phi_1411_;
+    if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e979 {
-        let _e985 = atomicAdd((&shared_[0u]), 1u);
-        phi_1289_ = _e985;
+    if _e1096 {
+        let _e1102 = atomicAdd((&shared_[0u]), 1u);
+        phi_1422_ = _e1102;
     } else {
-        phi_1289_ = 0u;
+        phi_1422_ = 0u;
     }
-    let _e987 = phi_1289_;
+    let _e1104 = phi_1422_;
     workgroupBarrier();
-    if (_e56 == 0u) {
-        let _e991 = atomicLoad((&shared_[0u]));
-        let _e992 = atomicAdd((&list.member[3u]), _e991);
-        atomicStore((&shared_[1u]), _e992);
+    if (_e60 == 0u) {
+        let _e1108 = atomicLoad((&shared_[0u]));
+        let _e1109 = atomicAdd((&list.member[3u]), _e1108);
+        atomicStore((&shared_[1u]), _e1109);
     }
     workgroupBarrier();
-    if _e979 {
-        let _e995 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e995) + _e987)]), _e981);
+    if _e1096 {
+        let _e1112 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1112) + _e1104)]), _e1098);
     }
     return;
 }

@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,14 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
+}
+
+struct mask_BitsPlace {
+    light: lt_mask_LightPlace,
+    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -116,1054 +122,1123 @@ var<storage> last_depths: type_21;
 @group(0) @binding(7) 
 var<storage, read_write> depths: type_21;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_168_: lt_bvh_traverse_Tree;
-    var phi_169_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
-    var phi_171_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_176_: lt_mask_LightPlace;
+    var phi_177_: bool;
+    var phi_178_: lt_mask_LightPlace;
+    var phi_179_: bool;
+    var phi_184_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_169_ = false;
+            phi_176_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_177_ = false;
         } else {
-            phi_168_ = lt_bvh_traverse_Tree();
-            phi_169_ = true;
+            phi_176_ = lt_mask_LightPlace();
+            phi_177_ = true;
         }
-        let _e68 = phi_168_;
-        let _e70 = phi_169_;
-        phi_170_ = _e68;
-        phi_171_ = _e70;
+        let _e72 = phi_176_;
+        let _e74 = phi_177_;
+        phi_178_ = _e72;
+        phi_179_ = _e74;
     } else {
-        phi_170_ = lt_bvh_traverse_Tree();
-        phi_171_ = true;
+        phi_178_ = lt_mask_LightPlace();
+        phi_179_ = true;
     }
-    let _e72 = phi_170_;
-    let _e74 = phi_171_;
-    if _e74 {
-        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e76 = phi_178_;
+    let _e78 = phi_179_;
+    if _e78 {
+        phi_184_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_176_ = _e72;
+        phi_184_ = _e76;
     }
-    let _e79 = phi_176_;
-    return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
+    let _e83 = phi_184_;
+    return lt_mask_LightPlace(_e83.word, _e83.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_194_: vec2<i32>;
+    var phi_202_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_194_ = vec2(0i);
+            phi_202_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_194_ = vec2<i32>(0i, -1i);
+            phi_202_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_194_ = vec2<i32>(-1i, 0i);
+            phi_202_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_194_ = vec2<i32>(1i, 0i);
+            phi_202_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_194_ = vec2<i32>(0i, 1i);
+            phi_202_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_194_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e68 = phi_202_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_212_: vec2<i32>;
+    var phi_220_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_212_ = vec2(0i);
+            phi_220_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_212_ = vec2(-1i);
+            phi_220_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_212_ = vec2<i32>(1i, -1i);
+            phi_220_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_212_ = vec2<i32>(-1i, 1i);
+            phi_220_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_212_ = vec2(1i);
+            phi_220_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_212_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e68 = phi_220_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_231_: vec2<i32>;
+    var phi_239_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e58 = lt_mask_pattern_plus(param_5);
-        phi_231_ = vec2<i32>(_e58.x, _e58.y);
+        let _e62 = lt_mask_pattern_plus(param_5);
+        phi_239_ = vec2<i32>(_e62.x, _e62.y);
     } else {
-        let _e62 = lt_mask_pattern_cross(param_5);
-        phi_231_ = vec2<i32>(_e62.x, _e62.y);
+        let _e66 = lt_mask_pattern_cross(param_5);
+        phi_239_ = vec2<i32>(_e66.x, _e66.y);
     }
-    let _e67 = phi_231_;
-    return vec2<i32>(_e67.x, _e67.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_256_: vec2<i32>;
-
-    let _e56 = (param_7 % 13u);
-    switch bitcast<i32>(_e56) {
-        case 9: {
-            phi_256_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_256_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_256_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_256_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_256_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e71 = phi_256_;
+    let _e71 = phi_239_;
     return vec2<i32>(_e71.x, _e71.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_277_: u32;
-    var phi_278_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_264_: vec2<i32>;
 
-    let _e59 = (bitcast<i32>(param_8) + param_9);
-    if (_e59 < 0i) {
-        phi_278_ = 0u;
-    } else {
-        if (_e59 >= bitcast<i32>(param_10)) {
-            phi_277_ = (param_10 - 1u);
-        } else {
-            phi_277_ = bitcast<u32>(_e59);
+    let _e60 = (param_7 % 13u);
+    switch bitcast<i32>(_e60) {
+        case 9: {
+            phi_264_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e66 = phi_277_;
-        phi_278_ = _e66;
+        case 10: {
+            phi_264_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_264_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_264_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_264_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e68 = phi_278_;
-    return _e68;
+    let _e75 = phi_264_;
+    return vec2<i32>(_e75.x, _e75.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_285_: u32;
+    var phi_286_: u32;
+
+    let _e63 = (bitcast<i32>(param_8) + param_9);
+    if (_e63 < 0i) {
+        phi_286_ = 0u;
+    } else {
+        if (_e63 >= bitcast<i32>(param_10)) {
+            phi_285_ = (param_10 - 1u);
+        } else {
+            phi_285_ = bitcast<u32>(_e63);
+        }
+        let _e70 = phi_285_;
+        phi_286_ = _e70;
+    }
+    let _e72 = phi_286_;
+    return _e72;
 }
 
 fn function_() {
-    var phi_343_: bool;
-    var phi_344_: bool;
-    var phi_345_: bool;
-    var phi_346_: bool;
-    var phi_350_: bool;
-    var phi_420_: bool;
-    var phi_421_: bool;
-    var phi_432_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_433_: bool;
-    var phi_434_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_435_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_446_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_459_: bool;
-    var phi_648_: f32;
-    var phi_653_: f32;
-    var phi_654_: bool;
-    var phi_655_: f32;
-    var phi_656_: bool;
-    var phi_660_: f32;
-    var phi_683_: f32;
-    var phi_688_: f32;
-    var phi_689_: bool;
-    var phi_690_: f32;
-    var phi_691_: bool;
-    var phi_695_: f32;
-    var phi_716_: bool;
-    var phi_735_: vec2<u32>;
+    var phi_363_: bool;
+    var phi_364_: bool;
+    var phi_365_: bool;
+    var phi_366_: bool;
+    var phi_370_: bool;
+    var phi_440_: bool;
+    var phi_441_: bool;
+    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_453_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_479_: bool;
+    var phi_668_: f32;
+    var phi_673_: f32;
+    var phi_674_: bool;
+    var phi_675_: f32;
+    var phi_676_: bool;
+    var phi_680_: f32;
+    var phi_703_: f32;
+    var phi_708_: f32;
+    var phi_709_: bool;
+    var phi_710_: f32;
+    var phi_711_: bool;
+    var phi_715_: f32;
     var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_739_: vec2<u32>;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_745_: bool;
-    var phi_746_: vec2<u32>;
-    var phi_747_: bool;
-    var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: vec2<u32>;
-    var phi_754_: bool;
-    var phi_755_: bool;
+    var phi_755_: vec2<u32>;
     var phi_756_: bool;
     var phi_757_: bool;
-    var phi_766_: bool;
+    var phi_758_: bool;
+    var phi_759_: vec2<u32>;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: vec2<u32>;
     var phi_767_: bool;
     var phi_768_: bool;
     var phi_769_: bool;
-    var phi_773_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: vec2<u32>;
     var phi_774_: bool;
-    var phi_775_: vec2<u32>;
-    var phi_864_: bool;
-    var phi_868_: f32;
-    var phi_872_: lt_mask_Reprojection;
-    var phi_881_: bool;
-    var phi_882_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: vec2<u32>;
     var phi_884_: bool;
-    var phi_885_: lt_mask_Reprojection;
-    var phi_886_: lt_mask_Reprojection;
-    var phi_887_: bool;
-    var phi_891_: bool;
+    var phi_888_: f32;
     var phi_892_: lt_mask_Reprojection;
-    var phi_920_: u32;
-    var phi_922_: u32;
-    var phi_925_: lt_mask_Neighbourhood;
-    var phi_937_: bool;
-    var phi_938_: bool;
-    var phi_947_: u32;
-    var phi_948_: u32;
-    var phi_1008_: vec2<i32>;
+    var phi_901_: bool;
+    var phi_902_: bool;
+    var phi_904_: bool;
+    var phi_905_: lt_mask_Reprojection;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: bool;
+    var phi_911_: bool;
+    var phi_912_: lt_mask_Reprojection;
+    var phi_940_: u32;
+    var phi_942_: u32;
+    var phi_945_: lt_mask_Neighbourhood;
+    var phi_957_: bool;
+    var phi_958_: bool;
+    var phi_967_: u32;
+    var phi_968_: u32;
     var phi_1028_: vec2<i32>;
-    var phi_1051_: u32;
-    var phi_1068_: bool;
-    var phi_1069_: bool;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1095_: bool;
-    var phi_1096_: bool;
-    var phi_1097_: bool;
-    var phi_923_: u32;
-    var phi_926_: lt_mask_Neighbourhood;
-    var phi_1100_: lt_mask_Neighbourhood;
-    var phi_1101_: lt_mask_Neighbourhood;
-    var phi_1102_: lt_mask_Neighbourhood;
+    var phi_1048_: vec2<i32>;
+    var phi_1075_: u32;
+    var phi_1094_: u32;
+    var phi_1102_: u32;
+    var phi_1119_: bool;
+    var phi_1120_: bool;
     var phi_1127_: bool;
     var phi_1128_: bool;
-    var phi_1141_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: bool;
-    var phi_1150_: u32;
-    var phi_1151_: u32;
-    var phi_1152_: u32;
-    var phi_1153_: u32;
-    var phi_1154_: u32;
-    var phi_1162_: bool;
-    var phi_1170_: u32;
-    var phi_1175_: u32;
-    var phi_1179_: u32;
-    var phi_1180_: u32;
-    var phi_1184_: f32;
-    var phi_1186_: mask_Masked;
-    var phi_1214_: bool;
+    var phi_1146_: bool;
+    var phi_1147_: bool;
+    var phi_1148_: bool;
+    var phi_943_: u32;
+    var phi_946_: lt_mask_Neighbourhood;
+    var phi_1151_: lt_mask_Neighbourhood;
+    var phi_1152_: lt_mask_Neighbourhood;
+    var phi_1153_: lt_mask_Neighbourhood;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
     var phi_1215_: bool;
     var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1221_: bool;
-    var phi_1249_: f32;
-    var phi_1252_: bool;
-    var phi_1253_: u32;
+    var phi_1229_: bool;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
+    var phi_1238_: u32;
+    var phi_1239_: u32;
+    var phi_1240_: u32;
+    var phi_1241_: u32;
+    var phi_1242_: u32;
+    var phi_1243_: u32;
+    var phi_1251_: bool;
+    var phi_1259_: u32;
     var phi_1264_: u32;
+    var phi_1268_: u32;
+    var phi_1269_: u32;
+    var phi_1273_: f32;
+    var phi_1275_: mask_Masked;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1354_: bool;
+    var phi_1382_: f32;
+    var phi_1385_: bool;
+    var phi_1386_: u32;
+    var phi_1397_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e55 = id_1;
-    let _e56 = local_2;
-    let _e72 = p.member.current.size[0u];
-    let _e74 = p.member.current.size[1u];
-    let _e75 = lt_shaders_entry_pixel_index(_e55, _e72, _e74);
-    if (bitcast<i32>(_e75.root) != 0i) {
-        let _e83 = p.member.current.size[0u];
-        let _e86 = samples.member[_e75.first_primitive].position;
-        let _e88 = visibility.member[_e75.first_primitive];
-        let _e94 = samples.member[_e75.first_primitive].normal[0u];
-        let _e96 = global[0u];
-        if (_e94 == _e96) {
-            let _e99 = samples.member[_e75.first_primitive].normal[1u];
-            let _e101 = global[1u];
-            if (_e99 == _e101) {
-                let _e104 = samples.member[_e75.first_primitive].normal[2u];
-                let _e106 = global[2u];
-                phi_343_ = (_e104 == _e106);
-                phi_344_ = false;
+    let _e59 = id_1;
+    let _e60 = local_2;
+    let _e65 = arrayLength((&last_bits.member));
+    let _e76 = p.member.current.size[0u];
+    let _e78 = p.member.current.size[1u];
+    let _e79 = lt_shaders_entry_pixel_index(_e59, _e76, _e78);
+    if (bitcast<i32>(_e79.word) != 0i) {
+        let _e86 = p.member.light.number;
+        let _e87 = (_e86 * 3u);
+        let _e91 = p.member.light.mask_words;
+        let _e97 = mask_BitsPlace(lt_mask_LightPlace((_e87 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e103 = mask_BitsPlace(lt_mask_LightPlace(_e97.light.word, (_e87 % 32u)), _e97.words);
+        let _e106 = mask_BitsPlace(_e103.light, _e91);
+        let _e110 = p.member.current.size[0u];
+        let _e113 = samples.member[_e79.shift].position;
+        let _e115 = visibility.member[_e79.shift];
+        let _e121 = samples.member[_e79.shift].normal[0u];
+        let _e123 = global[0u];
+        if (_e121 == _e123) {
+            let _e126 = samples.member[_e79.shift].normal[1u];
+            let _e128 = global[1u];
+            if (_e126 == _e128) {
+                let _e131 = samples.member[_e79.shift].normal[2u];
+                let _e133 = global[2u];
+                phi_363_ = (_e131 == _e133);
+                phi_364_ = false;
             } else {
-                phi_343_ = bool();
-                phi_344_ = true;
+                phi_363_ = bool();
+                phi_364_ = true;
             }
-            let _e109 = phi_343_;
-            let _e111 = phi_344_;
-            phi_345_ = _e109;
-            phi_346_ = _e111;
+            let _e136 = phi_363_;
+            let _e138 = phi_364_;
+            phi_365_ = _e136;
+            phi_366_ = _e138;
         } else {
-            phi_345_ = bool();
-            phi_346_ = true;
+            phi_365_ = bool();
+            phi_366_ = true;
         }
-        let _e113 = phi_345_;
-        let _e115 = phi_346_;
-        if _e115 {
-            phi_350_ = false;
+        let _e140 = phi_365_;
+        let _e142 = phi_366_;
+        if _e142 {
+            phi_370_ = false;
         } else {
-            phi_350_ = _e113;
+            phi_370_ = _e140;
         }
-        let _e117 = phi_350_;
-        if !(_e117) {
-            let _e120 = samples.member[_e75.first_primitive].position;
-            let _e122 = p.member.light.place;
-            let _e128 = p.member.light.place[3u];
-            let _e135 = (_e122.x - (_e120.x * _e128));
-            let _e136 = (_e122.y - (_e120.y * _e128));
-            let _e137 = (_e122.z - (_e120.z * _e128));
-            let _e139 = samples.member[_e75.first_primitive].normal;
-            if ((((_e139.x * _e135) + (_e139.y * _e136)) + (_e139.z * _e137)) > 0f) {
-                let _e153 = (((_e135 * _e135) + (_e136 * _e136)) + (_e137 * _e137));
-                let _e155 = p.member.light.axis;
-                let _e167 = p.member.light.place[3u];
-                if (_e167 == 0f) {
-                    phi_421_ = true;
+        let _e144 = phi_370_;
+        if !(_e144) {
+            let _e147 = samples.member[_e79.shift].position;
+            let _e149 = p.member.light.place;
+            let _e155 = p.member.light.place[3u];
+            let _e162 = (_e149.x - (_e147.x * _e155));
+            let _e163 = (_e149.y - (_e147.y * _e155));
+            let _e164 = (_e149.z - (_e147.z * _e155));
+            let _e166 = samples.member[_e79.shift].normal;
+            if ((((_e166.x * _e162) + (_e166.y * _e163)) + (_e166.z * _e164)) > 0f) {
+                let _e180 = (((_e162 * _e162) + (_e163 * _e163)) + (_e164 * _e164));
+                let _e182 = p.member.light.axis;
+                let _e194 = p.member.light.place[3u];
+                if (_e194 == 0f) {
+                    phi_441_ = true;
                 } else {
-                    let _e170 = p.member.light.range_squared;
-                    if (_e153 <= _e170) {
-                        let _e173 = p.member.light.cos_outer;
-                        phi_420_ = (-((((_e135 * _e155.x) + (_e136 * _e155.y)) + (_e137 * _e155.z))) >= (_e173 * sqrt(_e153)));
+                    let _e197 = p.member.light.range_squared;
+                    if (_e180 <= _e197) {
+                        let _e200 = p.member.light.cos_outer;
+                        phi_440_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
                     } else {
-                        phi_420_ = false;
+                        phi_440_ = false;
                     }
-                    let _e178 = phi_420_;
-                    phi_421_ = _e178;
+                    let _e205 = phi_440_;
+                    phi_441_ = _e205;
                 }
-                let _e180 = phi_421_;
-                if _e180 {
-                    let _e182 = samples.member[_e75.first_primitive].flags;
-                    let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
-                    phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, ((_e182 & 1u) == 0u));
-                    phi_433_ = false;
+                let _e207 = phi_441_;
+                if _e207 {
+                    let _e209 = samples.member[_e79.shift].flags;
+                    let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
+                    phi_453_ = false;
                 } else {
-                    phi_432_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_433_ = true;
+                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_453_ = true;
                 }
-                let _e201 = phi_432_;
-                let _e203 = phi_433_;
-                phi_434_ = _e201;
-                phi_435_ = _e203;
+                let _e228 = phi_452_;
+                let _e230 = phi_453_;
+                phi_454_ = _e228;
+                phi_455_ = _e230;
             } else {
-                phi_434_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_435_ = true;
+                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_455_ = true;
             }
-            let _e205 = phi_434_;
-            let _e207 = phi_435_;
-            if _e207 {
-                let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e232 = phi_454_;
+            let _e234 = phi_455_;
+            if _e234 {
+                let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
+                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
             } else {
-                phi_442_ = _e205;
+                phi_462_ = _e232;
             }
-            let _e224 = phi_442_;
-            phi_446_ = _e224;
+            let _e251 = phi_462_;
+            phi_466_ = _e251;
         } else {
-            let _e230 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e236 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e230.unnamed.visibility, false), _e230.unnamed_1);
-            phi_446_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e236.unnamed, true);
+            let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
+            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
         }
-        let _e241 = phi_446_;
-        if _e241.unnamed_1 {
-            phi_1186_ = mask_Masked(_e241.unnamed.visibility, 0u, false);
+        let _e268 = phi_466_;
+        if _e268.unnamed_1 {
+            phi_1275_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
         } else {
-            let _e246 = (_e88 < 0.5f);
-            if (_e88 > 0f) {
-                phi_459_ = (_e88 < 1f);
+            let _e273 = (_e115 < 0.5f);
+            if (_e115 > 0f) {
+                phi_479_ = (_e115 < 1f);
             } else {
-                phi_459_ = false;
+                phi_479_ = false;
             }
-            let _e250 = phi_459_;
-            let _e252 = samples.member[_e75.first_primitive].position;
-            let _e256 = p.member.previous.eye;
-            let _e259 = (_e86.x - _e256.x);
-            let _e262 = (_e86.y - _e256.y);
-            let _e265 = (_e86.z - _e256.z);
-            let _e267 = p.member.previous.forward;
-            let _e275 = (((_e259 * _e267.x) + (_e262 * _e267.y)) + (_e265 * _e267.z));
-            let _e277 = p.member.previous.right;
-            let _e287 = p.member.previous.right;
-            let _e302 = p.member.previous.up;
-            let _e312 = p.member.previous.up;
-            let _e327 = p.member.current.eye;
-            let _e330 = (_e252.x - _e327.x);
-            let _e333 = (_e252.y - _e327.y);
-            let _e336 = (_e252.z - _e327.z);
-            let _e338 = p.member.current.forward;
-            let _e346 = (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z));
-            let _e348 = p.member.current.right;
-            let _e358 = p.member.current.right;
-            let _e373 = p.member.current.up;
-            let _e383 = p.member.current.up;
-            let _e402 = p.member.current.size[0u];
-            let _e404 = (((((((_e259 * _e277.x) + (_e262 * _e277.y)) + (_e265 * _e277.z)) / ((((_e287.x * _e287.x) + (_e287.y * _e287.y)) + (_e287.z * _e287.z)) * _e275)) - ((((_e330 * _e348.x) + (_e333 * _e348.y)) + (_e336 * _e348.z)) / ((((_e358.x * _e358.x) + (_e358.y * _e358.y)) + (_e358.z * _e358.z)) * _e346))) * 0.5f) * f32(_e402));
-            let _e408 = p.member.current.size[1u];
-            let _e410 = (((((((_e259 * _e302.x) + (_e262 * _e302.y)) + (_e265 * _e302.z)) / ((((_e312.x * _e312.x) + (_e312.y * _e312.y)) + (_e312.z * _e312.z)) * _e275)) - ((((_e330 * _e373.x) + (_e333 * _e373.y)) + (_e336 * _e373.z)) / ((((_e383.x * _e383.x) + (_e383.y * _e383.y)) + (_e383.z * _e383.z)) * _e346))) * -0.5f) * f32(_e408));
-            let _e414 = p.member.current.size[0u];
-            let _e416 = p.member.current.size[1u];
-            let _e420 = ((f32(_e55.x) + 0.5f) + _e404);
-            if (_e420 > -8388608f) {
-                let _e432 = f32(select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420)));
-                if (_e432 > _e420) {
-                    phi_648_ = 1f;
+            let _e277 = phi_479_;
+            let _e279 = samples.member[_e79.shift].position;
+            let _e283 = p.member.previous.eye;
+            let _e286 = (_e113.x - _e283.x);
+            let _e289 = (_e113.y - _e283.y);
+            let _e292 = (_e113.z - _e283.z);
+            let _e294 = p.member.previous.forward;
+            let _e302 = (((_e286 * _e294.x) + (_e289 * _e294.y)) + (_e292 * _e294.z));
+            let _e304 = p.member.previous.right;
+            let _e314 = p.member.previous.right;
+            let _e329 = p.member.previous.up;
+            let _e339 = p.member.previous.up;
+            let _e354 = p.member.current.eye;
+            let _e357 = (_e279.x - _e354.x);
+            let _e360 = (_e279.y - _e354.y);
+            let _e363 = (_e279.z - _e354.z);
+            let _e365 = p.member.current.forward;
+            let _e373 = (((_e357 * _e365.x) + (_e360 * _e365.y)) + (_e363 * _e365.z));
+            let _e375 = p.member.current.right;
+            let _e385 = p.member.current.right;
+            let _e400 = p.member.current.up;
+            let _e410 = p.member.current.up;
+            let _e429 = p.member.current.size[0u];
+            let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
+            let _e435 = p.member.current.size[1u];
+            let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
+            let _e441 = p.member.current.size[0u];
+            let _e443 = p.member.current.size[1u];
+            let _e447 = ((f32(_e59.x) + 0.5f) + _e431);
+            if (_e447 > -8388608f) {
+                let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
+                if (_e459 > _e447) {
+                    phi_668_ = 1f;
                 } else {
-                    phi_648_ = 0f;
+                    phi_668_ = 0f;
                 }
-                let _e435 = phi_648_;
-                if (_e420 < 8388608f) {
-                    phi_653_ = (_e432 - _e435);
-                    phi_654_ = false;
+                let _e462 = phi_668_;
+                if (_e447 < 8388608f) {
+                    phi_673_ = (_e459 - _e462);
+                    phi_674_ = false;
                 } else {
-                    phi_653_ = f32();
-                    phi_654_ = true;
+                    phi_673_ = f32();
+                    phi_674_ = true;
                 }
-                let _e438 = phi_653_;
-                let _e440 = phi_654_;
-                phi_655_ = _e438;
-                phi_656_ = _e440;
+                let _e465 = phi_673_;
+                let _e467 = phi_674_;
+                phi_675_ = _e465;
+                phi_676_ = _e467;
             } else {
-                phi_655_ = f32();
-                phi_656_ = true;
+                phi_675_ = f32();
+                phi_676_ = true;
             }
-            let _e442 = phi_655_;
-            let _e444 = phi_656_;
-            if _e444 {
-                phi_660_ = _e420;
+            let _e469 = phi_675_;
+            let _e471 = phi_676_;
+            if _e471 {
+                phi_680_ = _e447;
             } else {
-                phi_660_ = _e442;
+                phi_680_ = _e469;
             }
-            let _e446 = phi_660_;
-            let _e449 = ((f32(_e55.y) + 0.5f) + _e410);
-            if (_e449 > -8388608f) {
-                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
-                if (_e461 > _e449) {
-                    phi_683_ = 1f;
+            let _e473 = phi_680_;
+            let _e476 = ((f32(_e59.y) + 0.5f) + _e437);
+            if (_e476 > -8388608f) {
+                let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
+                if (_e488 > _e476) {
+                    phi_703_ = 1f;
                 } else {
-                    phi_683_ = 0f;
+                    phi_703_ = 0f;
                 }
-                let _e464 = phi_683_;
-                if (_e449 < 8388608f) {
-                    phi_688_ = (_e461 - _e464);
-                    phi_689_ = false;
+                let _e491 = phi_703_;
+                if (_e476 < 8388608f) {
+                    phi_708_ = (_e488 - _e491);
+                    phi_709_ = false;
                 } else {
-                    phi_688_ = f32();
-                    phi_689_ = true;
+                    phi_708_ = f32();
+                    phi_709_ = true;
                 }
-                let _e467 = phi_688_;
-                let _e469 = phi_689_;
-                phi_690_ = _e467;
-                phi_691_ = _e469;
+                let _e494 = phi_708_;
+                let _e496 = phi_709_;
+                phi_710_ = _e494;
+                phi_711_ = _e496;
             } else {
-                phi_690_ = f32();
-                phi_691_ = true;
+                phi_710_ = f32();
+                phi_711_ = true;
             }
-            let _e471 = phi_690_;
-            let _e473 = phi_691_;
-            if _e473 {
-                phi_695_ = _e449;
+            let _e498 = phi_710_;
+            let _e500 = phi_711_;
+            if _e500 {
+                phi_715_ = _e476;
             } else {
-                phi_695_ = _e471;
+                phi_715_ = _e498;
             }
-            let _e475 = phi_695_;
-            if (_e446 >= 0f) {
-                if (_e475 >= 0f) {
-                    if (_e446 < f32(_e414)) {
-                        let _e481 = (_e475 < f32(_e416));
-                        if (_e404 == 0f) {
-                            phi_716_ = (_e410 == 0f);
+            let _e502 = phi_715_;
+            if (_e473 >= 0f) {
+                if (_e502 >= 0f) {
+                    if (_e473 < f32(_e441)) {
+                        let _e508 = (_e502 < f32(_e443));
+                        if (_e431 == 0f) {
+                            phi_736_ = (_e437 == 0f);
                         } else {
-                            phi_716_ = false;
-                        }
-                        let _e485 = phi_716_;
-                        if _e481 {
-                            phi_735_ = vec2<u32>(select(select(u32(_e446), 0u, (_e446 < bitcast<f32>(0u))), 4294967295u, (_e446 > bitcast<f32>(1333788671u))), select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))));
                             phi_736_ = false;
-                        } else {
-                            phi_735_ = vec2<u32>();
-                            phi_736_ = true;
                         }
-                        let _e502 = phi_735_;
-                        let _e504 = phi_736_;
-                        phi_737_ = _e485;
-                        phi_738_ = _e481;
-                        phi_739_ = _e502;
-                        phi_740_ = _e485;
-                        phi_741_ = _e481;
-                        phi_742_ = false;
-                        phi_743_ = _e504;
+                        let _e512 = phi_736_;
+                        if _e508 {
+                            phi_755_ = vec2<u32>(select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))), select(select(u32(_e502), 0u, (_e502 < bitcast<f32>(0u))), 4294967295u, (_e502 > bitcast<f32>(1333788671u))));
+                            phi_756_ = false;
+                        } else {
+                            phi_755_ = vec2<u32>();
+                            phi_756_ = true;
+                        }
+                        let _e529 = phi_755_;
+                        let _e531 = phi_756_;
+                        phi_757_ = _e512;
+                        phi_758_ = _e508;
+                        phi_759_ = _e529;
+                        phi_760_ = _e512;
+                        phi_761_ = _e508;
+                        phi_762_ = false;
+                        phi_763_ = _e531;
                     } else {
-                        phi_737_ = bool();
-                        phi_738_ = bool();
-                        phi_739_ = vec2<u32>();
-                        phi_740_ = bool();
-                        phi_741_ = bool();
-                        phi_742_ = true;
-                        phi_743_ = false;
+                        phi_757_ = bool();
+                        phi_758_ = bool();
+                        phi_759_ = vec2<u32>();
+                        phi_760_ = bool();
+                        phi_761_ = bool();
+                        phi_762_ = true;
+                        phi_763_ = false;
                     }
-                    let _e506 = phi_737_;
-                    let _e508 = phi_738_;
-                    let _e510 = phi_739_;
-                    let _e512 = phi_740_;
-                    let _e514 = phi_741_;
-                    let _e516 = phi_742_;
-                    let _e518 = phi_743_;
-                    phi_744_ = _e506;
-                    phi_745_ = _e508;
-                    phi_746_ = _e510;
-                    phi_747_ = _e512;
-                    phi_748_ = _e514;
-                    phi_749_ = _e516;
-                    phi_750_ = _e518;
+                    let _e533 = phi_757_;
+                    let _e535 = phi_758_;
+                    let _e537 = phi_759_;
+                    let _e539 = phi_760_;
+                    let _e541 = phi_761_;
+                    let _e543 = phi_762_;
+                    let _e545 = phi_763_;
+                    phi_764_ = _e533;
+                    phi_765_ = _e535;
+                    phi_766_ = _e537;
+                    phi_767_ = _e539;
+                    phi_768_ = _e541;
+                    phi_769_ = _e543;
+                    phi_770_ = _e545;
                 } else {
-                    phi_744_ = bool();
-                    phi_745_ = bool();
-                    phi_746_ = vec2<u32>();
-                    phi_747_ = bool();
-                    phi_748_ = bool();
-                    phi_749_ = true;
-                    phi_750_ = false;
+                    phi_764_ = bool();
+                    phi_765_ = bool();
+                    phi_766_ = vec2<u32>();
+                    phi_767_ = bool();
+                    phi_768_ = bool();
+                    phi_769_ = true;
+                    phi_770_ = false;
                 }
-                let _e520 = phi_744_;
-                let _e522 = phi_745_;
-                let _e524 = phi_746_;
-                let _e526 = phi_747_;
-                let _e528 = phi_748_;
-                let _e530 = phi_749_;
-                let _e532 = phi_750_;
-                phi_751_ = _e520;
-                phi_752_ = _e522;
-                phi_753_ = _e524;
-                phi_754_ = _e526;
-                phi_755_ = _e528;
-                phi_756_ = _e530;
-                phi_757_ = _e532;
+                let _e547 = phi_764_;
+                let _e549 = phi_765_;
+                let _e551 = phi_766_;
+                let _e553 = phi_767_;
+                let _e555 = phi_768_;
+                let _e557 = phi_769_;
+                let _e559 = phi_770_;
+                phi_771_ = _e547;
+                phi_772_ = _e549;
+                phi_773_ = _e551;
+                phi_774_ = _e553;
+                phi_775_ = _e555;
+                phi_776_ = _e557;
+                phi_777_ = _e559;
             } else {
-                phi_751_ = bool();
-                phi_752_ = bool();
-                phi_753_ = vec2<u32>();
-                phi_754_ = bool();
-                phi_755_ = bool();
-                phi_756_ = true;
-                phi_757_ = false;
+                phi_771_ = bool();
+                phi_772_ = bool();
+                phi_773_ = vec2<u32>();
+                phi_774_ = bool();
+                phi_775_ = bool();
+                phi_776_ = true;
+                phi_777_ = false;
             }
-            let _e534 = phi_751_;
-            let _e536 = phi_752_;
-            let _e538 = phi_753_;
-            let _e540 = phi_754_;
-            let _e542 = phi_755_;
-            let _e544 = phi_756_;
-            let _e546 = phi_757_;
-            if _e544 {
-                if (_e404 == 0f) {
-                    phi_766_ = (_e410 == 0f);
+            let _e561 = phi_771_;
+            let _e563 = phi_772_;
+            let _e565 = phi_773_;
+            let _e567 = phi_774_;
+            let _e569 = phi_775_;
+            let _e571 = phi_776_;
+            let _e573 = phi_777_;
+            if _e571 {
+                if (_e431 == 0f) {
+                    phi_786_ = (_e437 == 0f);
                 } else {
-                    phi_766_ = false;
+                    phi_786_ = false;
                 }
-                let _e550 = phi_766_;
-                phi_767_ = _e550;
-                phi_768_ = false;
-                phi_769_ = true;
+                let _e577 = phi_786_;
+                phi_787_ = _e577;
+                phi_788_ = false;
+                phi_789_ = true;
             } else {
-                phi_767_ = _e540;
-                phi_768_ = _e542;
-                phi_769_ = _e546;
+                phi_787_ = _e567;
+                phi_788_ = _e569;
+                phi_789_ = _e573;
             }
-            let _e552 = phi_767_;
-            let _e554 = phi_768_;
-            let _e556 = phi_769_;
-            if _e556 {
-                phi_773_ = _e552;
-                phi_774_ = _e554;
-                phi_775_ = vec2<u32>(_e55.x, _e55.y);
+            let _e579 = phi_787_;
+            let _e581 = phi_788_;
+            let _e583 = phi_789_;
+            if _e583 {
+                phi_793_ = _e579;
+                phi_794_ = _e581;
+                phi_795_ = vec2<u32>(_e59.x, _e59.y);
             } else {
-                phi_773_ = _e534;
-                phi_774_ = _e536;
-                phi_775_ = _e538;
+                phi_793_ = _e561;
+                phi_794_ = _e563;
+                phi_795_ = _e565;
             }
-            let _e558 = phi_773_;
-            let _e560 = phi_774_;
-            let _e562 = phi_775_;
-            let _e572 = lt_mask_Reprojection(vec2<u32>(_e562.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e579 = lt_mask_Reprojection(vec2<u32>(_e572.pixel.x, _e562.y), _e572.is_valid, _e572.has_moved);
-            let _e583 = lt_mask_Reprojection(_e579.pixel, _e560, _e579.has_moved);
-            let _e587 = lt_mask_Reprojection(_e583.pixel, _e583.is_valid, !(_e558));
-            if _e560 {
-                let _e590 = p.member.previous.eye;
-                let _e601 = p.member.previous.forward;
-                let _e610 = (((((_e86.x - _e590.x) * _e601.x) + ((_e86.y - _e590.y) * _e601.y)) + ((_e86.z - _e590.z) * _e601.z)) > 0f);
-                let _e614 = lt_mask_Reprojection(_e587.pixel, _e610, _e587.has_moved);
-                if _e610 {
-                    let _e617 = p.member.previous.eye;
-                    let _e628 = p.member.previous.forward;
-                    let _e636 = ((((_e86.x - _e617.x) * _e628.x) + ((_e86.y - _e617.y) * _e628.y)) + ((_e86.z - _e617.z) * _e628.z));
-                    let _e638 = ((_e562.y * _e83) + _e562.x);
-                    if (_e638 < arrayLength((&last_depths.member))) {
+            let _e585 = phi_793_;
+            let _e587 = phi_794_;
+            let _e589 = phi_795_;
+            let _e599 = lt_mask_Reprojection(vec2<u32>(_e589.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e606 = lt_mask_Reprojection(vec2<u32>(_e599.pixel.x, _e589.y), _e599.is_valid, _e599.has_moved);
+            let _e610 = lt_mask_Reprojection(_e606.pixel, _e587, _e606.has_moved);
+            let _e614 = lt_mask_Reprojection(_e610.pixel, _e610.is_valid, !(_e585));
+            if _e587 {
+                let _e617 = p.member.previous.eye;
+                let _e628 = p.member.previous.forward;
+                let _e637 = (((((_e113.x - _e617.x) * _e628.x) + ((_e113.y - _e617.y) * _e628.y)) + ((_e113.z - _e617.z) * _e628.z)) > 0f);
+                let _e641 = lt_mask_Reprojection(_e614.pixel, _e637, _e614.has_moved);
+                if _e637 {
+                    let _e644 = p.member.previous.eye;
+                    let _e655 = p.member.previous.forward;
+                    let _e663 = ((((_e113.x - _e644.x) * _e655.x) + ((_e113.y - _e644.y) * _e655.y)) + ((_e113.z - _e644.z) * _e655.z));
+                    let _e665 = ((_e589.y * _e110) + _e589.x);
+                    if (_e665 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e642 = last_depths.member[(0u + _e638)];
-                    let _e644 = p.member.depth_tolerance;
-                    let _e647 = abs(_e636);
-                    let _e648 = abs(_e642);
-                    if ((bitcast<u32>(_e648) & 2147483647u) > 2139095040u) {
-                        phi_864_ = true;
+                    let _e669 = last_depths.member[(0u + _e665)];
+                    let _e671 = p.member.depth_tolerance;
+                    let _e674 = abs(_e663);
+                    let _e675 = abs(_e669);
+                    if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
+                        phi_884_ = true;
                     } else {
-                        let _e652 = (_e648 > _e647);
-                        if _e652 {
+                        let _e679 = (_e675 > _e674);
+                        if _e679 {
                         }
-                        phi_864_ = _e652;
+                        phi_884_ = _e679;
                     }
-                    let _e654 = phi_864_;
-                    if _e654 {
-                        phi_868_ = _e648;
+                    let _e681 = phi_884_;
+                    if _e681 {
+                        phi_888_ = _e675;
                     } else {
-                        phi_868_ = _e647;
+                        phi_888_ = _e674;
                     }
-                    let _e656 = phi_868_;
-                    phi_872_ = lt_mask_Reprojection(_e614.pixel, (abs((_e636 - _e642)) <= (_e644 * _e656)), _e614.has_moved);
+                    let _e683 = phi_888_;
+                    phi_892_ = lt_mask_Reprojection(_e641.pixel, (abs((_e663 - _e669)) <= (_e671 * _e683)), _e641.has_moved);
                 } else {
-                    phi_872_ = _e614;
+                    phi_892_ = _e641;
                 }
-                let _e664 = phi_872_;
-                if _e664.is_valid {
-                    let _e667 = p.member.flags;
-                    phi_881_ = ((_e667 & 1u) != 0u);
-                    phi_882_ = false;
+                let _e691 = phi_892_;
+                if _e691.is_valid {
+                    let _e694 = p.member.flags;
+                    phi_901_ = ((_e694 & 1u) != 0u);
+                    phi_902_ = false;
                 } else {
-                    phi_881_ = bool();
-                    phi_882_ = true;
+                    phi_901_ = bool();
+                    phi_902_ = true;
                 }
-                let _e671 = phi_881_;
-                let _e673 = phi_882_;
-                phi_884_ = _e671;
-                phi_885_ = _e664;
-                phi_886_ = _e664;
-                phi_887_ = _e673;
+                let _e698 = phi_901_;
+                let _e700 = phi_902_;
+                phi_904_ = _e698;
+                phi_905_ = _e691;
+                phi_906_ = _e691;
+                phi_907_ = _e700;
             } else {
-                phi_884_ = bool();
-                phi_885_ = lt_mask_Reprojection();
-                phi_886_ = lt_mask_Reprojection(_e587.pixel, false, _e587.has_moved);
-                phi_887_ = true;
+                phi_904_ = bool();
+                phi_905_ = lt_mask_Reprojection();
+                phi_906_ = lt_mask_Reprojection(_e614.pixel, false, _e614.has_moved);
+                phi_907_ = true;
             }
-            let _e679 = phi_884_;
-            let _e681 = phi_885_;
-            let _e683 = phi_886_;
-            let _e685 = phi_887_;
-            if _e685 {
-                phi_891_ = false;
-                phi_892_ = _e683;
+            let _e706 = phi_904_;
+            let _e708 = phi_905_;
+            let _e710 = phi_906_;
+            let _e712 = phi_907_;
+            if _e712 {
+                phi_911_ = false;
+                phi_912_ = _e710;
             } else {
-                phi_891_ = _e679;
-                phi_892_ = _e681;
+                phi_911_ = _e706;
+                phi_912_ = _e708;
             }
-            let _e687 = phi_891_;
-            let _e689 = phi_892_;
-            let _e693 = lt_mask_Reprojection(_e689.pixel, _e687, _e689.has_moved);
-            if _e693.has_moved {
+            let _e714 = phi_911_;
+            let _e716 = phi_912_;
+            let _e720 = lt_mask_Reprojection(_e716.pixel, _e714, _e716.has_moved);
+            if _e720.has_moved {
             }
-            let _e699 = lt_mask_Neighbourhood(false, true);
-            if _e250 {
-                phi_1102_ = _e699;
+            let _e726 = lt_mask_Neighbourhood(false, true);
+            if _e277 {
+                phi_1153_ = _e726;
             } else {
                 if true {
-                    if _e687 {
-                        if _e693.has_moved {
-                            let _e702 = p.member.moving_pattern;
-                            phi_920_ = _e702;
+                    if _e714 {
+                        if _e720.has_moved {
+                            let _e729 = p.member.moving_pattern;
+                            phi_940_ = _e729;
                         } else {
-                            let _e704 = p.member.still_pattern;
-                            phi_920_ = _e704;
+                            let _e731 = p.member.still_pattern;
+                            phi_940_ = _e731;
                         }
-                        let _e706 = phi_920_;
-                        phi_922_ = 0u;
-                        phi_925_ = _e699;
+                        let _e733 = phi_940_;
+                        phi_942_ = 0u;
+                        phi_945_ = _e726;
                         loop {
-                            let _e708 = phi_922_;
-                            let _e710 = phi_925_;
-                            local_1 = _e710;
-                            if (1u <= _e706) {
-                                if (_e706 <= 4u) {
-                                    phi_937_ = false;
+                            let _e735 = phi_942_;
+                            let _e737 = phi_945_;
+                            local_1 = _e737;
+                            if (1u <= _e733) {
+                                if (_e733 <= 4u) {
+                                    phi_957_ = false;
                                 } else {
-                                    phi_937_ = true;
+                                    phi_957_ = true;
                                 }
-                                let _e714 = phi_937_;
-                                phi_938_ = _e714;
+                                let _e741 = phi_957_;
+                                phi_958_ = _e741;
                             } else {
-                                phi_938_ = true;
+                                phi_958_ = true;
                             }
-                            let _e716 = phi_938_;
-                            if _e716 {
-                                switch bitcast<i32>(_e706) {
+                            let _e743 = phi_958_;
+                            if _e743 {
+                                switch bitcast<i32>(_e733) {
                                     case 5: {
-                                        phi_947_ = 4u;
+                                        phi_967_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_947_ = 25u;
+                                        phi_967_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_947_ = 13u;
+                                        phi_967_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_947_ = 9u;
+                                        phi_967_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e719 = phi_947_;
-                                phi_948_ = _e719;
+                                let _e746 = phi_967_;
+                                phi_968_ = _e746;
                             } else {
-                                phi_948_ = 5u;
+                                phi_968_ = 5u;
                             }
-                            let _e721 = phi_948_;
-                            let _e722 = (_e708 < _e721);
-                            if _e722 {
-                                let _e728 = p.member.frame;
-                                let _e732 = p.member.current.size[0u];
-                                let _e734 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e706) {
+                            let _e748 = phi_968_;
+                            let _e749 = (_e735 < _e748);
+                            if _e749 {
+                                let _e755 = p.member.frame;
+                                let _e759 = p.member.current.size[0u];
+                                let _e761 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e733) {
                                     case 1: {
-                                        let _e744 = lt_mask_pattern_plus(_e708);
-                                        phi_1028_ = vec2<i32>(_e744.x, _e744.y);
+                                        let _e771 = lt_mask_pattern_plus(_e735);
+                                        phi_1048_ = vec2<i32>(_e771.x, _e771.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e748 = lt_mask_pattern_cross(_e708);
-                                        phi_1028_ = vec2<i32>(_e748.x, _e748.y);
+                                        let _e775 = lt_mask_pattern_cross(_e735);
+                                        phi_1048_ = vec2<i32>(_e775.x, _e775.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e754 = lt_mask_pattern_plus_or_cross(_e708, ((_e693.pixel.x + _e693.pixel.y) & 1u));
-                                        phi_1028_ = vec2<i32>(_e754.x, _e754.y);
+                                        let _e781 = lt_mask_pattern_plus_or_cross(_e735, ((_e720.pixel.x + _e720.pixel.y) & 1u));
+                                        phi_1048_ = vec2<i32>(_e781.x, _e781.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e759 = lt_mask_pattern_plus_or_cross(_e708, (_e728 & 1u));
-                                        phi_1028_ = vec2<i32>(_e759.x, _e759.y);
+                                        let _e786 = lt_mask_pattern_plus_or_cross(_e735, (_e755 & 1u));
+                                        phi_1048_ = vec2<i32>(_e786.x, _e786.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e728 & 3u)) {
+                                        switch bitcast<i32>((_e755 & 3u)) {
                                             case 0: {
-                                                phi_1008_ = vec2(-1i);
+                                                phi_1028_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1008_ = vec2(0i);
+                                                phi_1028_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1008_ = vec2<i32>(0i, -1i);
+                                                phi_1028_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1008_ = vec2<i32>(-1i, 0i);
+                                                phi_1028_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e770 = phi_1008_;
-                                        phi_1028_ = (_e770 + vec2<i32>(bitcast<i32>((_e708 & 1u)), bitcast<i32>(((_e708 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e797 = phi_1028_;
+                                        phi_1048_ = (_e797 + vec2<i32>(bitcast<i32>((_e735 & 1u)), bitcast<i32>(((_e735 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1028_ = vec2<i32>((bitcast<i32>((_e708 % 5u)) - 2i), (bitcast<i32>(((_e708 / 5u) % 5u)) - 2i));
+                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e735 % 5u)) - 2i), (bitcast<i32>(((_e735 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e787 = lt_mask_pattern_diamond(_e708);
-                                        phi_1028_ = vec2<i32>(_e787.x, _e787.y);
+                                        let _e814 = lt_mask_pattern_diamond(_e735);
+                                        phi_1048_ = vec2<i32>(_e814.x, _e814.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1028_ = vec2<i32>((bitcast<i32>((_e708 % 3u)) - 1i), (bitcast<i32>(((_e708 / 3u) % 3u)) - 1i));
+                                        phi_1048_ = vec2<i32>((bitcast<i32>((_e735 % 3u)) - 1i), (bitcast<i32>(((_e735 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e792 = phi_1028_;
-                                let _e795 = lt_mask_pattern_step_clamped(_e693.pixel.x, _e792.x, _e732);
-                                let _e796 = lt_mask_pattern_step_clamped(_e693.pixel.y, _e792.y, _e734);
-                                let _e798 = ((_e796 * _e83) + _e795);
-                                if (_e798 < arrayLength((&last_bits.member))) {
+                                let _e819 = phi_1048_;
+                                let _e822 = lt_mask_pattern_step_clamped(_e720.pixel.x, _e819.x, _e759);
+                                let _e823 = lt_mask_pattern_step_clamped(_e720.pixel.y, _e819.y, _e761);
+                                let _e830 = ((((_e823 * _e110) + _e822) * _e106.words) + _e106.light.word);
+                                if (_e106.light.shift > 29u) {
+                                    let _e834 = (_e830 + 1u);
+                                    if (_e834 < _e65) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e838 = last_bits.member[(0u + _e834)];
+                                    phi_1075_ = _e838;
+                                } else {
+                                    phi_1075_ = 0u;
+                                }
+                                let _e840 = phi_1075_;
+                                if (_e830 < _e65) {
                                 } else {
                                     return;
                                 }
-                                let _e802 = last_bits.member[(0u + _e798)];
-                                if ((_e802 & 2u) == 0u) {
-                                    phi_1051_ = (_e802 & 1u);
+                                let _e846 = last_bits.member[(0u + _e830)];
+                                let _e849 = (_e846 >> bitcast<u32>((_e106.light.shift & 31u)));
+                                if (_e106.light.shift > 29u) {
+                                    phi_1094_ = (_e849 | (_e840 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
                                 } else {
-                                    phi_1051_ = (_e802 & 7u);
+                                    phi_1094_ = _e849;
                                 }
-                                let _e808 = phi_1051_;
-                                if _e710.any_expands {
-                                    phi_1077_ = true;
+                                let _e857 = phi_1094_;
+                                if ((_e857 & 2u) == 0u) {
+                                    phi_1102_ = (_e857 & 1u);
                                 } else {
-                                    if ((_e808 & 2u) != 0u) {
-                                        if (((_e808 & 4u) != 0u) != _e246) {
-                                            phi_1068_ = false;
+                                    phi_1102_ = (_e857 & 7u);
+                                }
+                                let _e863 = phi_1102_;
+                                if _e737.any_expands {
+                                    phi_1128_ = true;
+                                } else {
+                                    if ((_e863 & 2u) != 0u) {
+                                        if (((_e863 & 4u) != 0u) != _e273) {
+                                            phi_1119_ = false;
                                         } else {
-                                            phi_1068_ = true;
+                                            phi_1119_ = true;
                                         }
-                                        let _e817 = phi_1068_;
-                                        phi_1069_ = _e817;
+                                        let _e872 = phi_1119_;
+                                        phi_1120_ = _e872;
                                     } else {
-                                        phi_1069_ = true;
+                                        phi_1120_ = true;
                                     }
-                                    let _e819 = phi_1069_;
-                                    if _e819 {
-                                        phi_1076_ = (((_e808 & 1u) != 0u) != _e246);
+                                    let _e874 = phi_1120_;
+                                    if _e874 {
+                                        phi_1127_ = (((_e863 & 1u) != 0u) != _e273);
                                     } else {
-                                        phi_1076_ = true;
+                                        phi_1127_ = true;
                                     }
-                                    let _e824 = phi_1076_;
-                                    phi_1077_ = _e824;
+                                    let _e879 = phi_1127_;
+                                    phi_1128_ = _e879;
                                 }
-                                let _e826 = phi_1077_;
-                                if _e710.all_remove {
-                                    if (((_e808 & 1u) != 0u) == _e246) {
-                                        if ((_e808 & 2u) != 0u) {
-                                            phi_1095_ = (((_e808 & 4u) != 0u) == _e246);
+                                let _e881 = phi_1128_;
+                                if _e737.all_remove {
+                                    if (((_e863 & 1u) != 0u) == _e273) {
+                                        if ((_e863 & 2u) != 0u) {
+                                            phi_1146_ = (((_e863 & 4u) != 0u) == _e273);
                                         } else {
-                                            phi_1095_ = true;
+                                            phi_1146_ = true;
                                         }
-                                        let _e836 = phi_1095_;
-                                        phi_1096_ = _e836;
+                                        let _e891 = phi_1146_;
+                                        phi_1147_ = _e891;
                                     } else {
-                                        phi_1096_ = false;
+                                        phi_1147_ = false;
                                     }
-                                    let _e838 = phi_1096_;
-                                    phi_1097_ = _e838;
+                                    let _e893 = phi_1147_;
+                                    phi_1148_ = _e893;
                                 } else {
-                                    phi_1097_ = false;
+                                    phi_1148_ = false;
                                 }
-                                let _e840 = phi_1097_;
-                                phi_923_ = (_e708 + 1u);
-                                phi_926_ = lt_mask_Neighbourhood(_e826, _e840);
+                                let _e895 = phi_1148_;
+                                phi_943_ = (_e735 + 1u);
+                                phi_946_ = lt_mask_Neighbourhood(_e881, _e895);
                             } else {
-                                phi_923_ = u32();
-                                phi_926_ = lt_mask_Neighbourhood();
+                                phi_943_ = u32();
+                                phi_946_ = lt_mask_Neighbourhood();
                             }
-                            let _e844 = phi_923_;
-                            let _e846 = phi_926_;
+                            let _e899 = phi_943_;
+                            let _e901 = phi_946_;
                             continue;
                             continuing {
-                                phi_922_ = _e844;
-                                phi_925_ = _e846;
-                                break if !(_e722);
+                                phi_942_ = _e899;
+                                phi_945_ = _e901;
+                                break if !(_e749);
                             }
                         }
-                        let _e1067 = local_1;
-                        phi_1100_ = _e1067;
+                        let _e1186 = local_1;
+                        phi_1151_ = _e1186;
                     } else {
-                        phi_1100_ = _e699;
+                        phi_1151_ = _e726;
                     }
-                    let _e849 = phi_1100_;
-                    phi_1101_ = _e849;
+                    let _e904 = phi_1151_;
+                    phi_1152_ = _e904;
                 } else {
-                    phi_1101_ = _e699;
+                    phi_1152_ = _e726;
                 }
-                let _e851 = phi_1101_;
-                phi_1102_ = _e851;
+                let _e906 = phi_1152_;
+                phi_1153_ = _e906;
             }
-            let _e853 = phi_1102_;
-            if (_e88 != 0.5f) {
-                if _e687 {
-                    if _e250 {
-                        phi_1128_ = true;
-                    } else {
-                        if _e853.any_expands {
-                            phi_1127_ = false;
-                        } else {
-                            phi_1127_ = true;
-                        }
-                        let _e858 = phi_1127_;
-                        phi_1128_ = _e858;
+            let _e908 = phi_1153_;
+            let _e911 = p.member.frame;
+            let _e913 = p.member.refresh;
+            if (_e913 == 0u) {
+                phi_1186_ = false;
+            } else {
+                if (_e913 == 0u) {
+                    return;
+                }
+                let _e922 = ((_e59.x + (_e59.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
+                if (_e913 == 0u) {
+                    phi_1185_ = (_e922 == 0u);
+                } else {
+                    if (_e913 == 0u) {
+                        return;
                     }
-                    let _e860 = phi_1128_;
-                    if _e860 {
-                        if _e250 {
-                            if false {
-                                if _e853.all_remove {
-                                    phi_1141_ = false;
+                    phi_1185_ = ((_e922 % _e913) == 0u);
+                }
+                let _e929 = phi_1185_;
+                phi_1186_ = _e929;
+            }
+            let _e931 = phi_1186_;
+            if (_e115 != 0.5f) {
+                if _e714 {
+                    if _e931 {
+                        phi_1241_ = 6u;
+                    } else {
+                        if _e277 {
+                            phi_1216_ = true;
+                        } else {
+                            if _e908.any_expands {
+                                phi_1215_ = false;
+                            } else {
+                                phi_1215_ = true;
+                            }
+                            let _e935 = phi_1215_;
+                            phi_1216_ = _e935;
+                        }
+                        let _e937 = phi_1216_;
+                        if _e937 {
+                            if _e277 {
+                                if false {
+                                    if _e908.all_remove {
+                                        phi_1229_ = false;
+                                    } else {
+                                        phi_1229_ = true;
+                                    }
+                                    let _e939 = phi_1229_;
+                                    phi_1230_ = _e939;
                                 } else {
-                                    phi_1141_ = true;
+                                    phi_1230_ = true;
                                 }
-                                let _e862 = phi_1141_;
-                                phi_1142_ = _e862;
+                                let _e941 = phi_1230_;
+                                phi_1231_ = _e941;
                             } else {
-                                phi_1142_ = true;
+                                phi_1231_ = true;
                             }
-                            let _e864 = phi_1142_;
-                            phi_1143_ = _e864;
-                        } else {
-                            phi_1143_ = true;
-                        }
-                        let _e866 = phi_1143_;
-                        if _e866 {
-                            if _e250 {
-                                phi_1150_ = 1u;
+                            let _e943 = phi_1231_;
+                            if _e943 {
+                                if _e277 {
+                                    phi_1238_ = 1u;
+                                } else {
+                                    phi_1238_ = 0u;
+                                }
+                                let _e945 = phi_1238_;
+                                phi_1239_ = _e945;
                             } else {
-                                phi_1150_ = 0u;
+                                phi_1239_ = 5u;
                             }
-                            let _e868 = phi_1150_;
-                            phi_1151_ = _e868;
+                            let _e947 = phi_1239_;
+                            phi_1240_ = _e947;
                         } else {
-                            phi_1151_ = 5u;
+                            phi_1240_ = 4u;
                         }
-                        let _e870 = phi_1151_;
-                        phi_1152_ = _e870;
-                    } else {
-                        phi_1152_ = 4u;
+                        let _e949 = phi_1240_;
+                        phi_1241_ = _e949;
                     }
-                    let _e872 = phi_1152_;
-                    phi_1153_ = _e872;
+                    let _e951 = phi_1241_;
+                    phi_1242_ = _e951;
                 } else {
-                    phi_1153_ = 3u;
+                    phi_1242_ = 3u;
                 }
-                let _e874 = phi_1153_;
-                phi_1154_ = _e874;
+                let _e953 = phi_1242_;
+                phi_1243_ = _e953;
             } else {
-                phi_1154_ = 2u;
+                phi_1243_ = 2u;
             }
-            let _e876 = phi_1154_;
-            if !((_e876 == 0u)) {
-                phi_1162_ = !((_e876 == 5u));
+            let _e955 = phi_1243_;
+            if !((_e955 == 0u)) {
+                phi_1251_ = !((_e955 == 5u));
             } else {
-                phi_1162_ = false;
+                phi_1251_ = false;
             }
-            let _e882 = phi_1162_;
-            if _e882 {
-                if _e246 {
-                    phi_1170_ = (2u | 1u);
+            let _e961 = phi_1251_;
+            if _e961 {
+                if _e273 {
+                    phi_1259_ = (2u | 1u);
                 } else {
-                    phi_1170_ = 2u;
+                    phi_1259_ = 2u;
                 }
-                let _e885 = phi_1170_;
+                let _e964 = phi_1259_;
                 if false {
-                    phi_1175_ = (_e885 | 4u);
+                    phi_1264_ = (_e964 | 4u);
                 } else {
-                    phi_1175_ = _e885;
+                    phi_1264_ = _e964;
                 }
-                let _e888 = phi_1175_;
-                phi_1180_ = _e888;
+                let _e967 = phi_1264_;
+                phi_1269_ = _e967;
             } else {
-                if _e246 {
-                    phi_1179_ = 1u;
+                if _e273 {
+                    phi_1268_ = 1u;
                 } else {
-                    phi_1179_ = 0u;
+                    phi_1268_ = 0u;
                 }
-                let _e890 = phi_1179_;
-                phi_1180_ = _e890;
+                let _e969 = phi_1268_;
+                phi_1269_ = _e969;
             }
-            let _e892 = phi_1180_;
-            if _e246 {
-                phi_1184_ = 0f;
+            let _e971 = phi_1269_;
+            if _e273 {
+                phi_1273_ = 0f;
             } else {
-                phi_1184_ = 1f;
+                phi_1273_ = 1f;
             }
-            let _e894 = phi_1184_;
-            phi_1186_ = mask_Masked(_e894, _e892, _e882);
+            let _e973 = phi_1273_;
+            phi_1275_ = mask_Masked(_e973, _e971, _e961);
         }
-        let _e897 = phi_1186_;
-        visibility.member[_e75.first_primitive] = _e897.visibility;
-        bits.member[_e75.first_primitive] = _e897.bits;
-        let _e905 = samples.member[_e75.first_primitive].normal[0u];
-        let _e907 = global[0u];
-        if (_e905 == _e907) {
-            let _e910 = samples.member[_e75.first_primitive].normal[1u];
-            let _e912 = global[1u];
-            if (_e910 == _e912) {
-                let _e915 = samples.member[_e75.first_primitive].normal[2u];
-                let _e917 = global[2u];
-                phi_1214_ = (_e915 == _e917);
-                phi_1215_ = false;
+        let _e976 = phi_1275_;
+        visibility.member[_e79.shift] = _e976.visibility;
+        let _e981 = p.member.light.number;
+        let _e982 = (_e981 * 3u);
+        let _e984 = (_e982 % 32u);
+        let _e986 = p.member.light.mask_words;
+        let _e988 = ((_e79.shift * _e986) + (_e982 / 32u));
+        let _e990 = bits.member[_e988];
+        bits.member[_e988] = ((_e990 & ~((7u << bitcast<u32>((_e984 & 31u))))) | (_e976.bits << bitcast<u32>((_e984 & 31u))));
+        if (_e984 > 29u) {
+            let _e1005 = bits.member[(_e988 + 1u)];
+            let _e1007 = (32u - _e984);
+            bits.member[(_e988 + 1u)] = ((_e1005 & ~((7u >> bitcast<u32>((_e1007 & 31u))))) | (_e976.bits >> bitcast<u32>((_e1007 & 31u))));
+        }
+        let _e1022 = samples.member[_e79.shift].normal[0u];
+        let _e1024 = global[0u];
+        if (_e1022 == _e1024) {
+            let _e1027 = samples.member[_e79.shift].normal[1u];
+            let _e1029 = global[1u];
+            if (_e1027 == _e1029) {
+                let _e1032 = samples.member[_e79.shift].normal[2u];
+                let _e1034 = global[2u];
+                phi_1347_ = (_e1032 == _e1034);
+                phi_1348_ = false;
             } else {
-                phi_1214_ = bool();
-                phi_1215_ = true;
+                phi_1347_ = bool();
+                phi_1348_ = true;
             }
-            let _e920 = phi_1214_;
-            let _e922 = phi_1215_;
-            phi_1216_ = _e920;
-            phi_1217_ = _e922;
+            let _e1037 = phi_1347_;
+            let _e1039 = phi_1348_;
+            phi_1349_ = _e1037;
+            phi_1350_ = _e1039;
         } else {
-            phi_1216_ = bool();
-            phi_1217_ = true;
+            phi_1349_ = bool();
+            phi_1350_ = true;
         }
-        let _e924 = phi_1216_;
-        let _e926 = phi_1217_;
-        if _e926 {
-            phi_1221_ = false;
+        let _e1041 = phi_1349_;
+        let _e1043 = phi_1350_;
+        if _e1043 {
+            phi_1354_ = false;
         } else {
-            phi_1221_ = _e924;
+            phi_1354_ = _e1041;
         }
-        let _e928 = phi_1221_;
-        if !(_e928) {
-            let _e931 = samples.member[_e75.first_primitive].position;
-            let _e933 = p.member.current.eye;
-            let _e944 = p.member.current.forward;
-            phi_1249_ = ((((_e931.x - _e933.x) * _e944.x) + ((_e931.y - _e933.y) * _e944.y)) + ((_e931.z - _e933.z) * _e944.z));
+        let _e1045 = phi_1354_;
+        if !(_e1045) {
+            let _e1048 = samples.member[_e79.shift].position;
+            let _e1050 = p.member.current.eye;
+            let _e1061 = p.member.current.forward;
+            phi_1382_ = ((((_e1048.x - _e1050.x) * _e1061.x) + ((_e1048.y - _e1050.y) * _e1061.y)) + ((_e1048.z - _e1050.z) * _e1061.z));
         } else {
-            phi_1249_ = 0f;
+            phi_1382_ = 0f;
         }
-        let _e954 = phi_1249_;
-        depths.member[_e75.first_primitive] = _e954;
-        phi_1252_ = _e897.needs_ray;
-        phi_1253_ = _e75.first_primitive;
+        let _e1071 = phi_1382_;
+        depths.member[_e79.shift] = _e1071;
+        phi_1385_ = _e976.needs_ray;
+        phi_1386_ = _e79.shift;
     } else {
-        phi_1252_ = false;
-        phi_1253_ = 0u;
+        phi_1385_ = false;
+        phi_1386_ = 0u;
     }
-    let _e958 = phi_1252_;
-    let _e960 = phi_1253_;
-    if (_e56 == 0u) {
+    let _e1075 = phi_1385_;
+    let _e1077 = phi_1386_;
+    if (_e60 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e958 {
-        let _e964 = atomicAdd((&shared_[0u]), 1u);
-        phi_1264_ = _e964;
+    if _e1075 {
+        let _e1081 = atomicAdd((&shared_[0u]), 1u);
+        phi_1397_ = _e1081;
     } else {
-        phi_1264_ = 0u;
+        phi_1397_ = 0u;
     }
-    let _e966 = phi_1264_;
+    let _e1083 = phi_1397_;
     workgroupBarrier();
-    if (_e56 == 0u) {
-        let _e970 = atomicLoad((&shared_[0u]));
-        let _e971 = atomicAdd((&list.member[3u]), _e970);
-        atomicStore((&shared_[1u]), _e971);
+    if (_e60 == 0u) {
+        let _e1087 = atomicLoad((&shared_[0u]));
+        let _e1088 = atomicAdd((&list.member[3u]), _e1087);
+        atomicStore((&shared_[1u]), _e1088);
     }
     workgroupBarrier();
-    if _e958 {
-        let _e974 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e974) + _e966)]), _e960);
+    if _e1075 {
+        let _e1091 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1091) + _e1083)]), _e1077);
     }
     return;
 }

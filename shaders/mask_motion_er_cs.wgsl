@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,9 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -112,972 +113,1039 @@ var<storage, read_write> list: type_44;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_170_: lt_mask_LightPlace;
+    var phi_171_: bool;
+    var phi_172_: lt_mask_LightPlace;
+    var phi_173_: bool;
+    var phi_178_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_163_ = false;
+            phi_170_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_171_ = false;
         } else {
-            phi_162_ = lt_bvh_traverse_Tree();
-            phi_163_ = true;
+            phi_170_ = lt_mask_LightPlace();
+            phi_171_ = true;
         }
-        let _e64 = phi_162_;
-        let _e66 = phi_163_;
-        phi_164_ = _e64;
-        phi_165_ = _e66;
+        let _e67 = phi_170_;
+        let _e69 = phi_171_;
+        phi_172_ = _e67;
+        phi_173_ = _e69;
     } else {
-        phi_164_ = lt_bvh_traverse_Tree();
-        phi_165_ = true;
+        phi_172_ = lt_mask_LightPlace();
+        phi_173_ = true;
     }
-    let _e68 = phi_164_;
-    let _e70 = phi_165_;
-    if _e70 {
-        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e71 = phi_172_;
+    let _e73 = phi_173_;
+    if _e73 {
+        phi_178_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_170_ = _e68;
+        phi_178_ = _e71;
     }
-    let _e75 = phi_170_;
-    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
+    let _e78 = phi_178_;
+    return lt_mask_LightPlace(_e78.word, _e78.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_188_: vec2<i32>;
+    var phi_196_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_188_ = vec2(0i);
+            phi_196_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_188_ = vec2<i32>(0i, -1i);
+            phi_196_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_188_ = vec2<i32>(-1i, 0i);
+            phi_196_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_188_ = vec2<i32>(1i, 0i);
+            phi_196_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_188_ = vec2<i32>(0i, 1i);
+            phi_196_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e60 = phi_188_;
-    return vec2<i32>(_e60.x, _e60.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_206_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_206_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_206_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_206_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_206_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_206_ = vec2(1i);
-            break;
-        }
-    }
-    let _e60 = phi_206_;
-    return vec2<i32>(_e60.x, _e60.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_225_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e54 = lt_mask_pattern_plus(param_5);
-        phi_225_ = vec2<i32>(_e54.x, _e54.y);
-    } else {
-        let _e58 = lt_mask_pattern_cross(param_5);
-        phi_225_ = vec2<i32>(_e58.x, _e58.y);
-    }
-    let _e63 = phi_225_;
+    let _e63 = phi_196_;
     return vec2<i32>(_e63.x, _e63.y);
 }
 
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_250_: vec2<i32>;
+fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
+    var phi_214_: vec2<i32>;
 
-    let _e52 = (param_7 % 13u);
-    switch bitcast<i32>(_e52) {
-        case 9: {
-            phi_250_ = vec2<i32>(0i, -2i);
+    switch bitcast<i32>((param_4 % 5u)) {
+        case 0: {
+            phi_214_ = vec2(0i);
             break;
         }
-        case 10: {
-            phi_250_ = vec2<i32>(-2i, 0i);
+        case 1: {
+            phi_214_ = vec2(-1i);
             break;
         }
-        case 11: {
-            phi_250_ = vec2<i32>(2i, 0i);
+        case 2: {
+            phi_214_ = vec2<i32>(1i, -1i);
             break;
         }
-        case 12: {
-            phi_250_ = vec2<i32>(0i, 2i);
+        case 3: {
+            phi_214_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_250_ = vec2<i32>((bitcast<i32>((_e52 % 3u)) - 1i), (bitcast<i32>(((_e52 / 3u) % 3u)) - 1i));
+            phi_214_ = vec2(1i);
             break;
         }
     }
-    let _e67 = phi_250_;
-    return vec2<i32>(_e67.x, _e67.y);
+    let _e63 = phi_214_;
+    return vec2<i32>(_e63.x, _e63.y);
+}
+
+fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
+    var phi_233_: vec2<i32>;
+
+    if (param_6 == 0u) {
+        let _e57 = lt_mask_pattern_plus(param_5);
+        phi_233_ = vec2<i32>(_e57.x, _e57.y);
+    } else {
+        let _e61 = lt_mask_pattern_cross(param_5);
+        phi_233_ = vec2<i32>(_e61.x, _e61.y);
+    }
+    let _e66 = phi_233_;
+    return vec2<i32>(_e66.x, _e66.y);
+}
+
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_258_: vec2<i32>;
+
+    let _e55 = (param_7 % 13u);
+    switch bitcast<i32>(_e55) {
+        case 9: {
+            phi_258_ = vec2<i32>(0i, -2i);
+            break;
+        }
+        case 10: {
+            phi_258_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_258_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_258_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_258_ = vec2<i32>((bitcast<i32>((_e55 % 3u)) - 1i), (bitcast<i32>(((_e55 / 3u) % 3u)) - 1i));
+            break;
+        }
+    }
+    let _e70 = phi_258_;
+    return vec2<i32>(_e70.x, _e70.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_271_: u32;
-    var phi_272_: u32;
+    var phi_279_: u32;
+    var phi_280_: u32;
 
-    let _e55 = (bitcast<i32>(param_8) + param_9);
-    if (_e55 < 0i) {
-        phi_272_ = 0u;
+    let _e58 = (bitcast<i32>(param_8) + param_9);
+    if (_e58 < 0i) {
+        phi_280_ = 0u;
     } else {
-        if (_e55 >= bitcast<i32>(param_10)) {
-            phi_271_ = (param_10 - 1u);
+        if (_e58 >= bitcast<i32>(param_10)) {
+            phi_279_ = (param_10 - 1u);
         } else {
-            phi_271_ = bitcast<u32>(_e55);
+            phi_279_ = bitcast<u32>(_e58);
         }
-        let _e62 = phi_271_;
-        phi_272_ = _e62;
+        let _e65 = phi_279_;
+        phi_280_ = _e65;
     }
-    let _e64 = phi_272_;
-    return _e64;
+    let _e67 = phi_280_;
+    return _e67;
 }
 
 fn function_() {
-    var phi_332_: bool;
-    var phi_333_: bool;
-    var phi_334_: bool;
-    var phi_335_: bool;
-    var phi_339_: bool;
-    var phi_409_: bool;
-    var phi_410_: bool;
-    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_422_: bool;
-    var phi_423_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_424_: bool;
-    var phi_431_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_435_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_448_: bool;
-    var phi_637_: f32;
-    var phi_642_: f32;
-    var phi_643_: bool;
-    var phi_644_: f32;
-    var phi_645_: bool;
-    var phi_649_: f32;
-    var phi_672_: f32;
-    var phi_677_: f32;
-    var phi_678_: bool;
-    var phi_679_: f32;
-    var phi_680_: bool;
-    var phi_684_: f32;
-    var phi_705_: bool;
-    var phi_724_: vec2<u32>;
+    var phi_352_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
+    var phi_355_: bool;
+    var phi_359_: bool;
+    var phi_429_: bool;
+    var phi_430_: bool;
+    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_442_: bool;
+    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_444_: bool;
+    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_468_: bool;
+    var phi_657_: f32;
+    var phi_662_: f32;
+    var phi_663_: bool;
+    var phi_664_: f32;
+    var phi_665_: bool;
+    var phi_669_: f32;
+    var phi_692_: f32;
+    var phi_697_: f32;
+    var phi_698_: bool;
+    var phi_699_: f32;
+    var phi_700_: bool;
+    var phi_704_: f32;
     var phi_725_: bool;
-    var phi_726_: bool;
-    var phi_727_: bool;
-    var phi_728_: vec2<u32>;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_735_: vec2<u32>;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_739_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: vec2<u32>;
-    var phi_743_: bool;
-    var phi_744_: bool;
+    var phi_744_: vec2<u32>;
     var phi_745_: bool;
     var phi_746_: bool;
-    var phi_755_: bool;
+    var phi_747_: bool;
+    var phi_748_: vec2<u32>;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_754_: bool;
+    var phi_755_: vec2<u32>;
     var phi_756_: bool;
     var phi_757_: bool;
     var phi_758_: bool;
-    var phi_762_: bool;
+    var phi_759_: bool;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: vec2<u32>;
     var phi_763_: bool;
-    var phi_764_: vec2<u32>;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_809_: bool;
-    var phi_810_: lt_mask_Reprojection;
-    var phi_811_: lt_mask_Reprojection;
-    var phi_812_: bool;
-    var phi_816_: bool;
-    var phi_817_: lt_mask_Reprojection;
-    var phi_845_: u32;
-    var phi_847_: u32;
-    var phi_850_: lt_mask_Neighbourhood;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_872_: u32;
-    var phi_873_: u32;
-    var phi_933_: vec2<i32>;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: vec2<u32>;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_829_: bool;
+    var phi_830_: lt_mask_Reprojection;
+    var phi_831_: lt_mask_Reprojection;
+    var phi_832_: bool;
+    var phi_836_: bool;
+    var phi_837_: lt_mask_Reprojection;
+    var phi_865_: u32;
+    var phi_867_: u32;
+    var phi_870_: lt_mask_Neighbourhood;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_892_: u32;
+    var phi_893_: u32;
     var phi_953_: vec2<i32>;
-    var phi_976_: u32;
-    var phi_993_: bool;
-    var phi_994_: bool;
-    var phi_1001_: bool;
-    var phi_1002_: bool;
-    var phi_1020_: bool;
-    var phi_1021_: bool;
-    var phi_1022_: bool;
-    var phi_848_: u32;
-    var phi_851_: lt_mask_Neighbourhood;
-    var phi_1025_: lt_mask_Neighbourhood;
-    var phi_1026_: lt_mask_Neighbourhood;
-    var phi_1027_: lt_mask_Neighbourhood;
-    var phi_1052_: bool;
-    var phi_1053_: bool;
-    var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1075_: u32;
-    var phi_1076_: u32;
-    var phi_1077_: u32;
-    var phi_1078_: u32;
-    var phi_1079_: u32;
-    var phi_1087_: bool;
-    var phi_1095_: u32;
-    var phi_1100_: u32;
-    var phi_1104_: u32;
-    var phi_1105_: u32;
-    var phi_1109_: f32;
-    var phi_1111_: mask_Masked;
-    var phi_1117_: bool;
-    var phi_1118_: u32;
-    var phi_1129_: u32;
+    var phi_973_: vec2<i32>;
+    var phi_998_: u32;
+    var phi_1017_: u32;
+    var phi_1025_: u32;
+    var phi_1042_: bool;
+    var phi_1043_: bool;
+    var phi_1050_: bool;
+    var phi_1051_: bool;
+    var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1071_: bool;
+    var phi_868_: u32;
+    var phi_871_: lt_mask_Neighbourhood;
+    var phi_1074_: lt_mask_Neighbourhood;
+    var phi_1075_: lt_mask_Neighbourhood;
+    var phi_1076_: lt_mask_Neighbourhood;
+    var phi_1108_: bool;
+    var phi_1109_: bool;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1161_: u32;
+    var phi_1162_: u32;
+    var phi_1163_: u32;
+    var phi_1164_: u32;
+    var phi_1165_: u32;
+    var phi_1166_: u32;
+    var phi_1174_: bool;
+    var phi_1182_: u32;
+    var phi_1187_: u32;
+    var phi_1191_: u32;
+    var phi_1192_: u32;
+    var phi_1196_: f32;
+    var phi_1198_: mask_Masked;
+    var phi_1248_: bool;
+    var phi_1249_: u32;
+    var phi_1260_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e51 = id_1;
-    let _e52 = local_2;
-    let _e64 = p.member.current.size[0u];
-    let _e66 = p.member.current.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e51, _e64, _e66);
-    if (bitcast<i32>(_e67.root) != 0i) {
-        let _e75 = p.member.current.size[0u];
-        let _e78 = samples.member[_e67.first_primitive].position;
-        let _e80 = visibility.member[_e67.first_primitive];
-        let _e86 = samples.member[_e67.first_primitive].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[_e67.first_primitive].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[_e67.first_primitive].normal[2u];
-                let _e98 = global[2u];
-                phi_332_ = (_e96 == _e98);
-                phi_333_ = false;
+    let _e54 = id_1;
+    let _e55 = local_2;
+    let _e60 = arrayLength((&last_bits.member));
+    let _e67 = p.member.current.size[0u];
+    let _e69 = p.member.current.size[1u];
+    let _e70 = lt_shaders_entry_pixel_index(_e54, _e67, _e69);
+    if (bitcast<i32>(_e70.word) != 0i) {
+        let _e77 = p.member.light.number;
+        let _e78 = (_e77 * 3u);
+        let _e80 = (_e78 % 32u);
+        let _e82 = p.member.light.mask_words;
+        let _e86 = p.member.current.size[0u];
+        let _e89 = samples.member[_e70.shift].position;
+        let _e91 = visibility.member[_e70.shift];
+        let _e97 = samples.member[_e70.shift].normal[0u];
+        let _e99 = global[0u];
+        if (_e97 == _e99) {
+            let _e102 = samples.member[_e70.shift].normal[1u];
+            let _e104 = global[1u];
+            if (_e102 == _e104) {
+                let _e107 = samples.member[_e70.shift].normal[2u];
+                let _e109 = global[2u];
+                phi_352_ = (_e107 == _e109);
+                phi_353_ = false;
             } else {
-                phi_332_ = bool();
-                phi_333_ = true;
+                phi_352_ = bool();
+                phi_353_ = true;
             }
-            let _e101 = phi_332_;
-            let _e103 = phi_333_;
-            phi_334_ = _e101;
-            phi_335_ = _e103;
+            let _e112 = phi_352_;
+            let _e114 = phi_353_;
+            phi_354_ = _e112;
+            phi_355_ = _e114;
         } else {
-            phi_334_ = bool();
-            phi_335_ = true;
+            phi_354_ = bool();
+            phi_355_ = true;
         }
-        let _e105 = phi_334_;
-        let _e107 = phi_335_;
-        if _e107 {
-            phi_339_ = false;
+        let _e116 = phi_354_;
+        let _e118 = phi_355_;
+        if _e118 {
+            phi_359_ = false;
         } else {
-            phi_339_ = _e105;
+            phi_359_ = _e116;
         }
-        let _e109 = phi_339_;
-        if !(_e109) {
-            let _e112 = samples.member[_e67.first_primitive].position;
-            let _e114 = p.member.light.place;
-            let _e120 = p.member.light.place[3u];
-            let _e127 = (_e114.x - (_e112.x * _e120));
-            let _e128 = (_e114.y - (_e112.y * _e120));
-            let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[_e67.first_primitive].normal;
-            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
-                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
-                let _e147 = p.member.light.axis;
-                let _e159 = p.member.light.place[3u];
-                if (_e159 == 0f) {
-                    phi_410_ = true;
+        let _e120 = phi_359_;
+        if !(_e120) {
+            let _e123 = samples.member[_e70.shift].position;
+            let _e125 = p.member.light.place;
+            let _e131 = p.member.light.place[3u];
+            let _e138 = (_e125.x - (_e123.x * _e131));
+            let _e139 = (_e125.y - (_e123.y * _e131));
+            let _e140 = (_e125.z - (_e123.z * _e131));
+            let _e142 = samples.member[_e70.shift].normal;
+            if ((((_e142.x * _e138) + (_e142.y * _e139)) + (_e142.z * _e140)) > 0f) {
+                let _e156 = (((_e138 * _e138) + (_e139 * _e139)) + (_e140 * _e140));
+                let _e158 = p.member.light.axis;
+                let _e170 = p.member.light.place[3u];
+                if (_e170 == 0f) {
+                    phi_430_ = true;
                 } else {
-                    let _e162 = p.member.light.range_squared;
-                    if (_e145 <= _e162) {
-                        let _e165 = p.member.light.cos_outer;
-                        phi_409_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
+                    let _e173 = p.member.light.range_squared;
+                    if (_e156 <= _e173) {
+                        let _e176 = p.member.light.cos_outer;
+                        phi_429_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
                     } else {
-                        phi_409_ = false;
+                        phi_429_ = false;
                     }
-                    let _e170 = phi_409_;
-                    phi_410_ = _e170;
+                    let _e181 = phi_429_;
+                    phi_430_ = _e181;
                 }
-                let _e172 = phi_410_;
-                if _e172 {
-                    let _e174 = samples.member[_e67.first_primitive].flags;
-                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
-                    phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
-                    phi_422_ = false;
+                let _e183 = phi_430_;
+                if _e183 {
+                    let _e185 = samples.member[_e70.shift].flags;
+                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
+                    phi_442_ = false;
                 } else {
-                    phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_422_ = true;
+                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_442_ = true;
                 }
-                let _e193 = phi_421_;
-                let _e195 = phi_422_;
-                phi_423_ = _e193;
-                phi_424_ = _e195;
+                let _e204 = phi_441_;
+                let _e206 = phi_442_;
+                phi_443_ = _e204;
+                phi_444_ = _e206;
             } else {
-                phi_423_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_424_ = true;
+                phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_444_ = true;
             }
-            let _e197 = phi_423_;
-            let _e199 = phi_424_;
-            if _e199 {
-                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
+            let _e208 = phi_443_;
+            let _e210 = phi_444_;
+            if _e210 {
+                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
+                phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
             } else {
-                phi_431_ = _e197;
+                phi_451_ = _e208;
             }
-            let _e216 = phi_431_;
-            phi_435_ = _e216;
+            let _e227 = phi_451_;
+            phi_455_ = _e227;
         } else {
-            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-            phi_435_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
+            phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
         }
-        let _e233 = phi_435_;
-        if _e233.unnamed_1 {
-            phi_1111_ = mask_Masked(_e233.unnamed.visibility, 0u, false);
+        let _e244 = phi_455_;
+        if _e244.unnamed_1 {
+            phi_1198_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
         } else {
-            let _e238 = (_e80 < 0.5f);
-            if (_e80 > 0f) {
-                phi_448_ = (_e80 < 1f);
+            let _e249 = (_e91 < 0.5f);
+            if (_e91 > 0f) {
+                phi_468_ = (_e91 < 1f);
             } else {
-                phi_448_ = false;
+                phi_468_ = false;
             }
-            let _e242 = phi_448_;
-            let _e244 = samples.member[_e67.first_primitive].position;
-            let _e248 = p.member.previous.eye;
-            let _e251 = (_e78.x - _e248.x);
-            let _e254 = (_e78.y - _e248.y);
-            let _e257 = (_e78.z - _e248.z);
-            let _e259 = p.member.previous.forward;
-            let _e267 = (((_e251 * _e259.x) + (_e254 * _e259.y)) + (_e257 * _e259.z));
-            let _e269 = p.member.previous.right;
-            let _e279 = p.member.previous.right;
-            let _e294 = p.member.previous.up;
-            let _e304 = p.member.previous.up;
-            let _e319 = p.member.current.eye;
-            let _e322 = (_e244.x - _e319.x);
-            let _e325 = (_e244.y - _e319.y);
-            let _e328 = (_e244.z - _e319.z);
-            let _e330 = p.member.current.forward;
-            let _e338 = (((_e322 * _e330.x) + (_e325 * _e330.y)) + (_e328 * _e330.z));
-            let _e340 = p.member.current.right;
-            let _e350 = p.member.current.right;
-            let _e365 = p.member.current.up;
-            let _e375 = p.member.current.up;
-            let _e394 = p.member.current.size[0u];
-            let _e396 = (((((((_e251 * _e269.x) + (_e254 * _e269.y)) + (_e257 * _e269.z)) / ((((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)) * _e267)) - ((((_e322 * _e340.x) + (_e325 * _e340.y)) + (_e328 * _e340.z)) / ((((_e350.x * _e350.x) + (_e350.y * _e350.y)) + (_e350.z * _e350.z)) * _e338))) * 0.5f) * f32(_e394));
-            let _e400 = p.member.current.size[1u];
-            let _e402 = (((((((_e251 * _e294.x) + (_e254 * _e294.y)) + (_e257 * _e294.z)) / ((((_e304.x * _e304.x) + (_e304.y * _e304.y)) + (_e304.z * _e304.z)) * _e267)) - ((((_e322 * _e365.x) + (_e325 * _e365.y)) + (_e328 * _e365.z)) / ((((_e375.x * _e375.x) + (_e375.y * _e375.y)) + (_e375.z * _e375.z)) * _e338))) * -0.5f) * f32(_e400));
-            let _e406 = p.member.current.size[0u];
-            let _e408 = p.member.current.size[1u];
-            let _e412 = ((f32(_e51.x) + 0.5f) + _e396);
-            if (_e412 > -8388608f) {
-                let _e424 = f32(select(0i, select(select(i32(_e412), i32(-2147483648), (_e412 < bitcast<f32>(3472883712u))), 2147483647i, (_e412 > bitcast<f32>(1325400063u))), (_e412 == _e412)));
-                if (_e424 > _e412) {
-                    phi_637_ = 1f;
+            let _e253 = phi_468_;
+            let _e255 = samples.member[_e70.shift].position;
+            let _e259 = p.member.previous.eye;
+            let _e262 = (_e89.x - _e259.x);
+            let _e265 = (_e89.y - _e259.y);
+            let _e268 = (_e89.z - _e259.z);
+            let _e270 = p.member.previous.forward;
+            let _e278 = (((_e262 * _e270.x) + (_e265 * _e270.y)) + (_e268 * _e270.z));
+            let _e280 = p.member.previous.right;
+            let _e290 = p.member.previous.right;
+            let _e305 = p.member.previous.up;
+            let _e315 = p.member.previous.up;
+            let _e330 = p.member.current.eye;
+            let _e333 = (_e255.x - _e330.x);
+            let _e336 = (_e255.y - _e330.y);
+            let _e339 = (_e255.z - _e330.z);
+            let _e341 = p.member.current.forward;
+            let _e349 = (((_e333 * _e341.x) + (_e336 * _e341.y)) + (_e339 * _e341.z));
+            let _e351 = p.member.current.right;
+            let _e361 = p.member.current.right;
+            let _e376 = p.member.current.up;
+            let _e386 = p.member.current.up;
+            let _e405 = p.member.current.size[0u];
+            let _e407 = (((((((_e262 * _e280.x) + (_e265 * _e280.y)) + (_e268 * _e280.z)) / ((((_e290.x * _e290.x) + (_e290.y * _e290.y)) + (_e290.z * _e290.z)) * _e278)) - ((((_e333 * _e351.x) + (_e336 * _e351.y)) + (_e339 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e349))) * 0.5f) * f32(_e405));
+            let _e411 = p.member.current.size[1u];
+            let _e413 = (((((((_e262 * _e305.x) + (_e265 * _e305.y)) + (_e268 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e278)) - ((((_e333 * _e376.x) + (_e336 * _e376.y)) + (_e339 * _e376.z)) / ((((_e386.x * _e386.x) + (_e386.y * _e386.y)) + (_e386.z * _e386.z)) * _e349))) * -0.5f) * f32(_e411));
+            let _e417 = p.member.current.size[0u];
+            let _e419 = p.member.current.size[1u];
+            let _e423 = ((f32(_e54.x) + 0.5f) + _e407);
+            if (_e423 > -8388608f) {
+                let _e435 = f32(select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423)));
+                if (_e435 > _e423) {
+                    phi_657_ = 1f;
                 } else {
-                    phi_637_ = 0f;
+                    phi_657_ = 0f;
                 }
-                let _e427 = phi_637_;
-                if (_e412 < 8388608f) {
-                    phi_642_ = (_e424 - _e427);
-                    phi_643_ = false;
+                let _e438 = phi_657_;
+                if (_e423 < 8388608f) {
+                    phi_662_ = (_e435 - _e438);
+                    phi_663_ = false;
                 } else {
-                    phi_642_ = f32();
-                    phi_643_ = true;
+                    phi_662_ = f32();
+                    phi_663_ = true;
                 }
-                let _e430 = phi_642_;
-                let _e432 = phi_643_;
-                phi_644_ = _e430;
-                phi_645_ = _e432;
+                let _e441 = phi_662_;
+                let _e443 = phi_663_;
+                phi_664_ = _e441;
+                phi_665_ = _e443;
             } else {
-                phi_644_ = f32();
-                phi_645_ = true;
+                phi_664_ = f32();
+                phi_665_ = true;
             }
-            let _e434 = phi_644_;
-            let _e436 = phi_645_;
-            if _e436 {
-                phi_649_ = _e412;
+            let _e445 = phi_664_;
+            let _e447 = phi_665_;
+            if _e447 {
+                phi_669_ = _e423;
             } else {
-                phi_649_ = _e434;
+                phi_669_ = _e445;
             }
-            let _e438 = phi_649_;
-            let _e441 = ((f32(_e51.y) + 0.5f) + _e402);
-            if (_e441 > -8388608f) {
-                let _e453 = f32(select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < bitcast<f32>(3472883712u))), 2147483647i, (_e441 > bitcast<f32>(1325400063u))), (_e441 == _e441)));
-                if (_e453 > _e441) {
-                    phi_672_ = 1f;
+            let _e449 = phi_669_;
+            let _e452 = ((f32(_e54.y) + 0.5f) + _e413);
+            if (_e452 > -8388608f) {
+                let _e464 = f32(select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < bitcast<f32>(3472883712u))), 2147483647i, (_e452 > bitcast<f32>(1325400063u))), (_e452 == _e452)));
+                if (_e464 > _e452) {
+                    phi_692_ = 1f;
                 } else {
-                    phi_672_ = 0f;
+                    phi_692_ = 0f;
                 }
-                let _e456 = phi_672_;
-                if (_e441 < 8388608f) {
-                    phi_677_ = (_e453 - _e456);
-                    phi_678_ = false;
+                let _e467 = phi_692_;
+                if (_e452 < 8388608f) {
+                    phi_697_ = (_e464 - _e467);
+                    phi_698_ = false;
                 } else {
-                    phi_677_ = f32();
-                    phi_678_ = true;
+                    phi_697_ = f32();
+                    phi_698_ = true;
                 }
-                let _e459 = phi_677_;
-                let _e461 = phi_678_;
-                phi_679_ = _e459;
-                phi_680_ = _e461;
+                let _e470 = phi_697_;
+                let _e472 = phi_698_;
+                phi_699_ = _e470;
+                phi_700_ = _e472;
             } else {
-                phi_679_ = f32();
-                phi_680_ = true;
+                phi_699_ = f32();
+                phi_700_ = true;
             }
-            let _e463 = phi_679_;
-            let _e465 = phi_680_;
-            if _e465 {
-                phi_684_ = _e441;
+            let _e474 = phi_699_;
+            let _e476 = phi_700_;
+            if _e476 {
+                phi_704_ = _e452;
             } else {
-                phi_684_ = _e463;
+                phi_704_ = _e474;
             }
-            let _e467 = phi_684_;
-            if (_e438 >= 0f) {
-                if (_e467 >= 0f) {
-                    if (_e438 < f32(_e406)) {
-                        let _e473 = (_e467 < f32(_e408));
-                        if (_e396 == 0f) {
-                            phi_705_ = (_e402 == 0f);
+            let _e478 = phi_704_;
+            if (_e449 >= 0f) {
+                if (_e478 >= 0f) {
+                    if (_e449 < f32(_e417)) {
+                        let _e484 = (_e478 < f32(_e419));
+                        if (_e407 == 0f) {
+                            phi_725_ = (_e413 == 0f);
                         } else {
-                            phi_705_ = false;
-                        }
-                        let _e477 = phi_705_;
-                        if _e473 {
-                            phi_724_ = vec2<u32>(select(select(u32(_e438), 0u, (_e438 < bitcast<f32>(0u))), 4294967295u, (_e438 > bitcast<f32>(1333788671u))), select(select(u32(_e467), 0u, (_e467 < bitcast<f32>(0u))), 4294967295u, (_e467 > bitcast<f32>(1333788671u))));
                             phi_725_ = false;
-                        } else {
-                            phi_724_ = vec2<u32>();
-                            phi_725_ = true;
                         }
-                        let _e494 = phi_724_;
-                        let _e496 = phi_725_;
-                        phi_726_ = _e477;
-                        phi_727_ = _e473;
-                        phi_728_ = _e494;
-                        phi_729_ = _e477;
-                        phi_730_ = _e473;
-                        phi_731_ = false;
-                        phi_732_ = _e496;
+                        let _e488 = phi_725_;
+                        if _e484 {
+                            phi_744_ = vec2<u32>(select(select(u32(_e449), 0u, (_e449 < bitcast<f32>(0u))), 4294967295u, (_e449 > bitcast<f32>(1333788671u))), select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))));
+                            phi_745_ = false;
+                        } else {
+                            phi_744_ = vec2<u32>();
+                            phi_745_ = true;
+                        }
+                        let _e505 = phi_744_;
+                        let _e507 = phi_745_;
+                        phi_746_ = _e488;
+                        phi_747_ = _e484;
+                        phi_748_ = _e505;
+                        phi_749_ = _e488;
+                        phi_750_ = _e484;
+                        phi_751_ = false;
+                        phi_752_ = _e507;
                     } else {
-                        phi_726_ = bool();
-                        phi_727_ = bool();
-                        phi_728_ = vec2<u32>();
-                        phi_729_ = bool();
-                        phi_730_ = bool();
-                        phi_731_ = true;
-                        phi_732_ = false;
+                        phi_746_ = bool();
+                        phi_747_ = bool();
+                        phi_748_ = vec2<u32>();
+                        phi_749_ = bool();
+                        phi_750_ = bool();
+                        phi_751_ = true;
+                        phi_752_ = false;
                     }
-                    let _e498 = phi_726_;
-                    let _e500 = phi_727_;
-                    let _e502 = phi_728_;
-                    let _e504 = phi_729_;
-                    let _e506 = phi_730_;
-                    let _e508 = phi_731_;
-                    let _e510 = phi_732_;
-                    phi_733_ = _e498;
-                    phi_734_ = _e500;
-                    phi_735_ = _e502;
-                    phi_736_ = _e504;
-                    phi_737_ = _e506;
-                    phi_738_ = _e508;
-                    phi_739_ = _e510;
+                    let _e509 = phi_746_;
+                    let _e511 = phi_747_;
+                    let _e513 = phi_748_;
+                    let _e515 = phi_749_;
+                    let _e517 = phi_750_;
+                    let _e519 = phi_751_;
+                    let _e521 = phi_752_;
+                    phi_753_ = _e509;
+                    phi_754_ = _e511;
+                    phi_755_ = _e513;
+                    phi_756_ = _e515;
+                    phi_757_ = _e517;
+                    phi_758_ = _e519;
+                    phi_759_ = _e521;
                 } else {
-                    phi_733_ = bool();
-                    phi_734_ = bool();
-                    phi_735_ = vec2<u32>();
-                    phi_736_ = bool();
-                    phi_737_ = bool();
-                    phi_738_ = true;
-                    phi_739_ = false;
+                    phi_753_ = bool();
+                    phi_754_ = bool();
+                    phi_755_ = vec2<u32>();
+                    phi_756_ = bool();
+                    phi_757_ = bool();
+                    phi_758_ = true;
+                    phi_759_ = false;
                 }
-                let _e512 = phi_733_;
-                let _e514 = phi_734_;
-                let _e516 = phi_735_;
-                let _e518 = phi_736_;
-                let _e520 = phi_737_;
-                let _e522 = phi_738_;
-                let _e524 = phi_739_;
-                phi_740_ = _e512;
-                phi_741_ = _e514;
-                phi_742_ = _e516;
-                phi_743_ = _e518;
-                phi_744_ = _e520;
-                phi_745_ = _e522;
-                phi_746_ = _e524;
+                let _e523 = phi_753_;
+                let _e525 = phi_754_;
+                let _e527 = phi_755_;
+                let _e529 = phi_756_;
+                let _e531 = phi_757_;
+                let _e533 = phi_758_;
+                let _e535 = phi_759_;
+                phi_760_ = _e523;
+                phi_761_ = _e525;
+                phi_762_ = _e527;
+                phi_763_ = _e529;
+                phi_764_ = _e531;
+                phi_765_ = _e533;
+                phi_766_ = _e535;
             } else {
-                phi_740_ = bool();
-                phi_741_ = bool();
-                phi_742_ = vec2<u32>();
-                phi_743_ = bool();
-                phi_744_ = bool();
-                phi_745_ = true;
-                phi_746_ = false;
+                phi_760_ = bool();
+                phi_761_ = bool();
+                phi_762_ = vec2<u32>();
+                phi_763_ = bool();
+                phi_764_ = bool();
+                phi_765_ = true;
+                phi_766_ = false;
             }
-            let _e526 = phi_740_;
-            let _e528 = phi_741_;
-            let _e530 = phi_742_;
-            let _e532 = phi_743_;
-            let _e534 = phi_744_;
-            let _e536 = phi_745_;
-            let _e538 = phi_746_;
-            if _e536 {
-                if (_e396 == 0f) {
-                    phi_755_ = (_e402 == 0f);
+            let _e537 = phi_760_;
+            let _e539 = phi_761_;
+            let _e541 = phi_762_;
+            let _e543 = phi_763_;
+            let _e545 = phi_764_;
+            let _e547 = phi_765_;
+            let _e549 = phi_766_;
+            if _e547 {
+                if (_e407 == 0f) {
+                    phi_775_ = (_e413 == 0f);
                 } else {
-                    phi_755_ = false;
+                    phi_775_ = false;
                 }
-                let _e542 = phi_755_;
-                phi_756_ = _e542;
-                phi_757_ = false;
-                phi_758_ = true;
+                let _e553 = phi_775_;
+                phi_776_ = _e553;
+                phi_777_ = false;
+                phi_778_ = true;
             } else {
-                phi_756_ = _e532;
-                phi_757_ = _e534;
-                phi_758_ = _e538;
+                phi_776_ = _e543;
+                phi_777_ = _e545;
+                phi_778_ = _e549;
             }
-            let _e544 = phi_756_;
-            let _e546 = phi_757_;
-            let _e548 = phi_758_;
-            if _e548 {
-                phi_762_ = _e544;
-                phi_763_ = _e546;
-                phi_764_ = vec2<u32>(_e51.x, _e51.y);
+            let _e555 = phi_776_;
+            let _e557 = phi_777_;
+            let _e559 = phi_778_;
+            if _e559 {
+                phi_782_ = _e555;
+                phi_783_ = _e557;
+                phi_784_ = vec2<u32>(_e54.x, _e54.y);
             } else {
-                phi_762_ = _e526;
-                phi_763_ = _e528;
-                phi_764_ = _e530;
+                phi_782_ = _e537;
+                phi_783_ = _e539;
+                phi_784_ = _e541;
             }
-            let _e550 = phi_762_;
-            let _e552 = phi_763_;
-            let _e554 = phi_764_;
-            let _e564 = lt_mask_Reprojection(vec2<u32>(_e554.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e571 = lt_mask_Reprojection(vec2<u32>(_e564.pixel.x, _e554.y), _e564.is_valid, _e564.has_moved);
-            let _e575 = lt_mask_Reprojection(_e571.pixel, _e552, _e571.has_moved);
-            let _e579 = lt_mask_Reprojection(_e575.pixel, _e575.is_valid, !(_e550));
-            if _e552 {
-                let _e582 = p.member.previous.eye;
-                let _e593 = p.member.previous.forward;
-                let _e602 = (((((_e78.x - _e582.x) * _e593.x) + ((_e78.y - _e582.y) * _e593.y)) + ((_e78.z - _e582.z) * _e593.z)) > 0f);
-                let _e606 = lt_mask_Reprojection(_e579.pixel, _e602, _e579.has_moved);
-                if _e602 {
-                    let _e608 = p.member.flags;
-                    phi_806_ = ((_e608 & 1u) != 0u);
-                    phi_807_ = false;
+            let _e561 = phi_782_;
+            let _e563 = phi_783_;
+            let _e565 = phi_784_;
+            let _e575 = lt_mask_Reprojection(vec2<u32>(_e565.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e582 = lt_mask_Reprojection(vec2<u32>(_e575.pixel.x, _e565.y), _e575.is_valid, _e575.has_moved);
+            let _e586 = lt_mask_Reprojection(_e582.pixel, _e563, _e582.has_moved);
+            let _e590 = lt_mask_Reprojection(_e586.pixel, _e586.is_valid, !(_e561));
+            if _e563 {
+                let _e593 = p.member.previous.eye;
+                let _e604 = p.member.previous.forward;
+                let _e613 = (((((_e89.x - _e593.x) * _e604.x) + ((_e89.y - _e593.y) * _e604.y)) + ((_e89.z - _e593.z) * _e604.z)) > 0f);
+                let _e617 = lt_mask_Reprojection(_e590.pixel, _e613, _e590.has_moved);
+                if _e613 {
+                    let _e619 = p.member.flags;
+                    phi_826_ = ((_e619 & 1u) != 0u);
+                    phi_827_ = false;
                 } else {
-                    phi_806_ = bool();
-                    phi_807_ = true;
+                    phi_826_ = bool();
+                    phi_827_ = true;
                 }
-                let _e612 = phi_806_;
-                let _e614 = phi_807_;
-                phi_809_ = _e612;
-                phi_810_ = _e606;
-                phi_811_ = _e606;
-                phi_812_ = _e614;
+                let _e623 = phi_826_;
+                let _e625 = phi_827_;
+                phi_829_ = _e623;
+                phi_830_ = _e617;
+                phi_831_ = _e617;
+                phi_832_ = _e625;
             } else {
-                phi_809_ = bool();
-                phi_810_ = lt_mask_Reprojection();
-                phi_811_ = lt_mask_Reprojection(_e579.pixel, false, _e579.has_moved);
-                phi_812_ = true;
+                phi_829_ = bool();
+                phi_830_ = lt_mask_Reprojection();
+                phi_831_ = lt_mask_Reprojection(_e590.pixel, false, _e590.has_moved);
+                phi_832_ = true;
             }
-            let _e620 = phi_809_;
-            let _e622 = phi_810_;
-            let _e624 = phi_811_;
-            let _e626 = phi_812_;
-            if _e626 {
-                phi_816_ = false;
-                phi_817_ = _e624;
+            let _e631 = phi_829_;
+            let _e633 = phi_830_;
+            let _e635 = phi_831_;
+            let _e637 = phi_832_;
+            if _e637 {
+                phi_836_ = false;
+                phi_837_ = _e635;
             } else {
-                phi_816_ = _e620;
-                phi_817_ = _e622;
+                phi_836_ = _e631;
+                phi_837_ = _e633;
             }
-            let _e628 = phi_816_;
-            let _e630 = phi_817_;
-            let _e634 = lt_mask_Reprojection(_e630.pixel, _e628, _e630.has_moved);
-            if _e634.has_moved {
+            let _e639 = phi_836_;
+            let _e641 = phi_837_;
+            let _e645 = lt_mask_Reprojection(_e641.pixel, _e639, _e641.has_moved);
+            if _e645.has_moved {
             }
-            let _e640 = lt_mask_Neighbourhood(false, true);
-            if _e242 {
-                phi_1027_ = _e640;
+            let _e651 = lt_mask_Neighbourhood(false, true);
+            if _e253 {
+                phi_1076_ = _e651;
             } else {
                 if true {
-                    if _e628 {
-                        if _e634.has_moved {
-                            let _e643 = p.member.moving_pattern;
-                            phi_845_ = _e643;
+                    if _e639 {
+                        if _e645.has_moved {
+                            let _e654 = p.member.moving_pattern;
+                            phi_865_ = _e654;
                         } else {
-                            let _e645 = p.member.still_pattern;
-                            phi_845_ = _e645;
+                            let _e656 = p.member.still_pattern;
+                            phi_865_ = _e656;
                         }
-                        let _e647 = phi_845_;
-                        phi_847_ = 0u;
-                        phi_850_ = _e640;
+                        let _e658 = phi_865_;
+                        phi_867_ = 0u;
+                        phi_870_ = _e651;
                         loop {
-                            let _e649 = phi_847_;
-                            let _e651 = phi_850_;
-                            local_1 = _e651;
-                            if (1u <= _e647) {
-                                if (_e647 <= 4u) {
-                                    phi_862_ = false;
+                            let _e660 = phi_867_;
+                            let _e662 = phi_870_;
+                            local_1 = _e662;
+                            if (1u <= _e658) {
+                                if (_e658 <= 4u) {
+                                    phi_882_ = false;
                                 } else {
-                                    phi_862_ = true;
+                                    phi_882_ = true;
                                 }
-                                let _e655 = phi_862_;
-                                phi_863_ = _e655;
+                                let _e666 = phi_882_;
+                                phi_883_ = _e666;
                             } else {
-                                phi_863_ = true;
+                                phi_883_ = true;
                             }
-                            let _e657 = phi_863_;
-                            if _e657 {
-                                switch bitcast<i32>(_e647) {
+                            let _e668 = phi_883_;
+                            if _e668 {
+                                switch bitcast<i32>(_e658) {
                                     case 5: {
-                                        phi_872_ = 4u;
+                                        phi_892_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_872_ = 25u;
+                                        phi_892_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_872_ = 13u;
+                                        phi_892_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_872_ = 9u;
+                                        phi_892_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e660 = phi_872_;
-                                phi_873_ = _e660;
+                                let _e671 = phi_892_;
+                                phi_893_ = _e671;
                             } else {
-                                phi_873_ = 5u;
+                                phi_893_ = 5u;
                             }
-                            let _e662 = phi_873_;
-                            let _e663 = (_e649 < _e662);
-                            if _e663 {
-                                let _e669 = p.member.frame;
-                                let _e673 = p.member.current.size[0u];
-                                let _e675 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e647) {
+                            let _e673 = phi_893_;
+                            let _e674 = (_e660 < _e673);
+                            if _e674 {
+                                let _e680 = p.member.frame;
+                                let _e684 = p.member.current.size[0u];
+                                let _e686 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e658) {
                                     case 1: {
-                                        let _e685 = lt_mask_pattern_plus(_e649);
-                                        phi_953_ = vec2<i32>(_e685.x, _e685.y);
+                                        let _e696 = lt_mask_pattern_plus(_e660);
+                                        phi_973_ = vec2<i32>(_e696.x, _e696.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e689 = lt_mask_pattern_cross(_e649);
-                                        phi_953_ = vec2<i32>(_e689.x, _e689.y);
+                                        let _e700 = lt_mask_pattern_cross(_e660);
+                                        phi_973_ = vec2<i32>(_e700.x, _e700.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e695 = lt_mask_pattern_plus_or_cross(_e649, ((_e634.pixel.x + _e634.pixel.y) & 1u));
-                                        phi_953_ = vec2<i32>(_e695.x, _e695.y);
+                                        let _e706 = lt_mask_pattern_plus_or_cross(_e660, ((_e645.pixel.x + _e645.pixel.y) & 1u));
+                                        phi_973_ = vec2<i32>(_e706.x, _e706.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e700 = lt_mask_pattern_plus_or_cross(_e649, (_e669 & 1u));
-                                        phi_953_ = vec2<i32>(_e700.x, _e700.y);
+                                        let _e711 = lt_mask_pattern_plus_or_cross(_e660, (_e680 & 1u));
+                                        phi_973_ = vec2<i32>(_e711.x, _e711.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e669 & 3u)) {
+                                        switch bitcast<i32>((_e680 & 3u)) {
                                             case 0: {
-                                                phi_933_ = vec2(-1i);
+                                                phi_953_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_933_ = vec2(0i);
+                                                phi_953_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_933_ = vec2<i32>(0i, -1i);
+                                                phi_953_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_933_ = vec2<i32>(-1i, 0i);
+                                                phi_953_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e711 = phi_933_;
-                                        phi_953_ = (_e711 + vec2<i32>(bitcast<i32>((_e649 & 1u)), bitcast<i32>(((_e649 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e722 = phi_953_;
+                                        phi_973_ = (_e722 + vec2<i32>(bitcast<i32>((_e660 & 1u)), bitcast<i32>(((_e660 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_953_ = vec2<i32>((bitcast<i32>((_e649 % 5u)) - 2i), (bitcast<i32>(((_e649 / 5u) % 5u)) - 2i));
+                                        phi_973_ = vec2<i32>((bitcast<i32>((_e660 % 5u)) - 2i), (bitcast<i32>(((_e660 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e728 = lt_mask_pattern_diamond(_e649);
-                                        phi_953_ = vec2<i32>(_e728.x, _e728.y);
+                                        let _e739 = lt_mask_pattern_diamond(_e660);
+                                        phi_973_ = vec2<i32>(_e739.x, _e739.y);
                                         break;
                                     }
                                     default: {
-                                        phi_953_ = vec2<i32>((bitcast<i32>((_e649 % 3u)) - 1i), (bitcast<i32>(((_e649 / 3u) % 3u)) - 1i));
+                                        phi_973_ = vec2<i32>((bitcast<i32>((_e660 % 3u)) - 1i), (bitcast<i32>(((_e660 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e733 = phi_953_;
-                                let _e736 = lt_mask_pattern_step_clamped(_e634.pixel.x, _e733.x, _e673);
-                                let _e737 = lt_mask_pattern_step_clamped(_e634.pixel.y, _e733.y, _e675);
-                                let _e739 = ((_e737 * _e75) + _e736);
-                                if (_e739 < arrayLength((&last_bits.member))) {
+                                let _e744 = phi_973_;
+                                let _e747 = lt_mask_pattern_step_clamped(_e645.pixel.x, _e744.x, _e684);
+                                let _e748 = lt_mask_pattern_step_clamped(_e645.pixel.y, _e744.y, _e686);
+                                let _e752 = ((((_e748 * _e86) + _e747) * _e82) + (_e78 / 32u));
+                                if (_e80 > 29u) {
+                                    let _e754 = (_e752 + 1u);
+                                    if (_e754 < _e60) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e758 = last_bits.member[(0u + _e754)];
+                                    phi_998_ = _e758;
+                                } else {
+                                    phi_998_ = 0u;
+                                }
+                                let _e760 = phi_998_;
+                                if (_e752 < _e60) {
                                 } else {
                                     return;
                                 }
-                                let _e743 = last_bits.member[(0u + _e739)];
-                                if ((_e743 & 2u) == 0u) {
-                                    phi_976_ = (_e743 & 1u);
+                                let _e764 = last_bits.member[(0u + _e752)];
+                                let _e767 = (_e764 >> bitcast<u32>((_e80 & 31u)));
+                                if (_e80 > 29u) {
+                                    phi_1017_ = (_e767 | (_e760 << bitcast<u32>(((32u - _e80) & 31u))));
                                 } else {
-                                    phi_976_ = (_e743 & 7u);
+                                    phi_1017_ = _e767;
                                 }
-                                let _e749 = phi_976_;
-                                if _e651.any_expands {
-                                    phi_1002_ = true;
+                                let _e775 = phi_1017_;
+                                if ((_e775 & 2u) == 0u) {
+                                    phi_1025_ = (_e775 & 1u);
                                 } else {
-                                    if ((_e749 & 2u) != 0u) {
-                                        if (((_e749 & 4u) != 0u) != _e238) {
-                                            phi_993_ = false;
+                                    phi_1025_ = (_e775 & 7u);
+                                }
+                                let _e781 = phi_1025_;
+                                if _e662.any_expands {
+                                    phi_1051_ = true;
+                                } else {
+                                    if ((_e781 & 2u) != 0u) {
+                                        if (((_e781 & 4u) != 0u) != _e249) {
+                                            phi_1042_ = false;
                                         } else {
-                                            phi_993_ = true;
+                                            phi_1042_ = true;
                                         }
-                                        let _e758 = phi_993_;
-                                        phi_994_ = _e758;
+                                        let _e790 = phi_1042_;
+                                        phi_1043_ = _e790;
                                     } else {
-                                        phi_994_ = true;
+                                        phi_1043_ = true;
                                     }
-                                    let _e760 = phi_994_;
-                                    if _e760 {
-                                        phi_1001_ = (((_e749 & 1u) != 0u) != _e238);
+                                    let _e792 = phi_1043_;
+                                    if _e792 {
+                                        phi_1050_ = (((_e781 & 1u) != 0u) != _e249);
                                     } else {
-                                        phi_1001_ = true;
+                                        phi_1050_ = true;
                                     }
-                                    let _e765 = phi_1001_;
-                                    phi_1002_ = _e765;
+                                    let _e797 = phi_1050_;
+                                    phi_1051_ = _e797;
                                 }
-                                let _e767 = phi_1002_;
-                                if _e651.all_remove {
-                                    if (((_e749 & 1u) != 0u) == _e238) {
-                                        if ((_e749 & 2u) != 0u) {
-                                            phi_1020_ = (((_e749 & 4u) != 0u) == _e238);
+                                let _e799 = phi_1051_;
+                                if _e662.all_remove {
+                                    if (((_e781 & 1u) != 0u) == _e249) {
+                                        if ((_e781 & 2u) != 0u) {
+                                            phi_1069_ = (((_e781 & 4u) != 0u) == _e249);
                                         } else {
-                                            phi_1020_ = true;
+                                            phi_1069_ = true;
                                         }
-                                        let _e777 = phi_1020_;
-                                        phi_1021_ = _e777;
+                                        let _e809 = phi_1069_;
+                                        phi_1070_ = _e809;
                                     } else {
-                                        phi_1021_ = false;
+                                        phi_1070_ = false;
                                     }
-                                    let _e779 = phi_1021_;
-                                    phi_1022_ = _e779;
+                                    let _e811 = phi_1070_;
+                                    phi_1071_ = _e811;
                                 } else {
-                                    phi_1022_ = false;
+                                    phi_1071_ = false;
                                 }
-                                let _e781 = phi_1022_;
-                                phi_848_ = (_e649 + 1u);
-                                phi_851_ = lt_mask_Neighbourhood(_e767, _e781);
+                                let _e813 = phi_1071_;
+                                phi_868_ = (_e660 + 1u);
+                                phi_871_ = lt_mask_Neighbourhood(_e799, _e813);
                             } else {
-                                phi_848_ = u32();
-                                phi_851_ = lt_mask_Neighbourhood();
+                                phi_868_ = u32();
+                                phi_871_ = lt_mask_Neighbourhood();
                             }
-                            let _e785 = phi_848_;
-                            let _e787 = phi_851_;
+                            let _e817 = phi_868_;
+                            let _e819 = phi_871_;
                             continue;
                             continuing {
-                                phi_847_ = _e785;
-                                phi_850_ = _e787;
-                                break if !(_e663);
+                                phi_867_ = _e817;
+                                phi_870_ = _e819;
+                                break if !(_e674);
                             }
                         }
-                        let _e951 = local_1;
-                        phi_1025_ = _e951;
+                        let _e1047 = local_1;
+                        phi_1074_ = _e1047;
                     } else {
-                        phi_1025_ = _e640;
+                        phi_1074_ = _e651;
                     }
-                    let _e790 = phi_1025_;
-                    phi_1026_ = _e790;
+                    let _e822 = phi_1074_;
+                    phi_1075_ = _e822;
                 } else {
-                    phi_1026_ = _e640;
+                    phi_1075_ = _e651;
                 }
-                let _e792 = phi_1026_;
-                phi_1027_ = _e792;
+                let _e824 = phi_1075_;
+                phi_1076_ = _e824;
             }
-            let _e794 = phi_1027_;
-            if (_e80 != 0.5f) {
-                if _e628 {
-                    if _e242 {
-                        phi_1053_ = true;
-                    } else {
-                        if _e794.any_expands {
-                            phi_1052_ = false;
-                        } else {
-                            phi_1052_ = true;
-                        }
-                        let _e799 = phi_1052_;
-                        phi_1053_ = _e799;
+            let _e826 = phi_1076_;
+            let _e829 = p.member.frame;
+            let _e831 = p.member.refresh;
+            if (_e831 == 0u) {
+                phi_1109_ = false;
+            } else {
+                if (_e831 == 0u) {
+                    return;
+                }
+                let _e840 = ((_e54.x + (_e54.y * (((_e831 * 5u) / 8u) | 1u))) + (_e829 % _e831));
+                if (_e831 == 0u) {
+                    phi_1108_ = (_e840 == 0u);
+                } else {
+                    if (_e831 == 0u) {
+                        return;
                     }
-                    let _e801 = phi_1053_;
-                    if _e801 {
-                        if _e242 {
-                            if false {
-                                if _e794.all_remove {
-                                    phi_1066_ = false;
+                    phi_1108_ = ((_e840 % _e831) == 0u);
+                }
+                let _e847 = phi_1108_;
+                phi_1109_ = _e847;
+            }
+            let _e849 = phi_1109_;
+            if (_e91 != 0.5f) {
+                if _e639 {
+                    if _e849 {
+                        phi_1164_ = 6u;
+                    } else {
+                        if _e253 {
+                            phi_1139_ = true;
+                        } else {
+                            if _e826.any_expands {
+                                phi_1138_ = false;
+                            } else {
+                                phi_1138_ = true;
+                            }
+                            let _e853 = phi_1138_;
+                            phi_1139_ = _e853;
+                        }
+                        let _e855 = phi_1139_;
+                        if _e855 {
+                            if _e253 {
+                                if false {
+                                    if _e826.all_remove {
+                                        phi_1152_ = false;
+                                    } else {
+                                        phi_1152_ = true;
+                                    }
+                                    let _e857 = phi_1152_;
+                                    phi_1153_ = _e857;
                                 } else {
-                                    phi_1066_ = true;
+                                    phi_1153_ = true;
                                 }
-                                let _e803 = phi_1066_;
-                                phi_1067_ = _e803;
+                                let _e859 = phi_1153_;
+                                phi_1154_ = _e859;
                             } else {
-                                phi_1067_ = true;
+                                phi_1154_ = true;
                             }
-                            let _e805 = phi_1067_;
-                            phi_1068_ = _e805;
-                        } else {
-                            phi_1068_ = true;
-                        }
-                        let _e807 = phi_1068_;
-                        if _e807 {
-                            if _e242 {
-                                phi_1075_ = 1u;
+                            let _e861 = phi_1154_;
+                            if _e861 {
+                                if _e253 {
+                                    phi_1161_ = 1u;
+                                } else {
+                                    phi_1161_ = 0u;
+                                }
+                                let _e863 = phi_1161_;
+                                phi_1162_ = _e863;
                             } else {
-                                phi_1075_ = 0u;
+                                phi_1162_ = 5u;
                             }
-                            let _e809 = phi_1075_;
-                            phi_1076_ = _e809;
+                            let _e865 = phi_1162_;
+                            phi_1163_ = _e865;
                         } else {
-                            phi_1076_ = 5u;
+                            phi_1163_ = 4u;
                         }
-                        let _e811 = phi_1076_;
-                        phi_1077_ = _e811;
-                    } else {
-                        phi_1077_ = 4u;
+                        let _e867 = phi_1163_;
+                        phi_1164_ = _e867;
                     }
-                    let _e813 = phi_1077_;
-                    phi_1078_ = _e813;
+                    let _e869 = phi_1164_;
+                    phi_1165_ = _e869;
                 } else {
-                    phi_1078_ = 3u;
+                    phi_1165_ = 3u;
                 }
-                let _e815 = phi_1078_;
-                phi_1079_ = _e815;
+                let _e871 = phi_1165_;
+                phi_1166_ = _e871;
             } else {
-                phi_1079_ = 2u;
+                phi_1166_ = 2u;
             }
-            let _e817 = phi_1079_;
-            if !((_e817 == 0u)) {
-                phi_1087_ = !((_e817 == 5u));
+            let _e873 = phi_1166_;
+            if !((_e873 == 0u)) {
+                phi_1174_ = !((_e873 == 5u));
             } else {
-                phi_1087_ = false;
+                phi_1174_ = false;
             }
-            let _e823 = phi_1087_;
-            if _e823 {
-                if _e238 {
-                    phi_1095_ = (2u | 1u);
+            let _e879 = phi_1174_;
+            if _e879 {
+                if _e249 {
+                    phi_1182_ = (2u | 1u);
                 } else {
-                    phi_1095_ = 2u;
+                    phi_1182_ = 2u;
                 }
-                let _e826 = phi_1095_;
+                let _e882 = phi_1182_;
                 if false {
-                    phi_1100_ = (_e826 | 4u);
+                    phi_1187_ = (_e882 | 4u);
                 } else {
-                    phi_1100_ = _e826;
+                    phi_1187_ = _e882;
                 }
-                let _e829 = phi_1100_;
-                phi_1105_ = _e829;
+                let _e885 = phi_1187_;
+                phi_1192_ = _e885;
             } else {
-                if _e238 {
-                    phi_1104_ = 1u;
+                if _e249 {
+                    phi_1191_ = 1u;
                 } else {
-                    phi_1104_ = 0u;
+                    phi_1191_ = 0u;
                 }
-                let _e831 = phi_1104_;
-                phi_1105_ = _e831;
+                let _e887 = phi_1191_;
+                phi_1192_ = _e887;
             }
-            let _e833 = phi_1105_;
-            if _e238 {
-                phi_1109_ = 0f;
+            let _e889 = phi_1192_;
+            if _e249 {
+                phi_1196_ = 0f;
             } else {
-                phi_1109_ = 1f;
+                phi_1196_ = 1f;
             }
-            let _e835 = phi_1109_;
-            phi_1111_ = mask_Masked(_e835, _e833, _e823);
+            let _e891 = phi_1196_;
+            phi_1198_ = mask_Masked(_e891, _e889, _e879);
         }
-        let _e838 = phi_1111_;
-        visibility.member[_e67.first_primitive] = _e838.visibility;
-        bits.member[_e67.first_primitive] = _e838.bits;
-        phi_1117_ = _e838.needs_ray;
-        phi_1118_ = _e67.first_primitive;
+        let _e894 = phi_1198_;
+        visibility.member[_e70.shift] = _e894.visibility;
+        let _e899 = p.member.light.number;
+        let _e900 = (_e899 * 3u);
+        let _e902 = (_e900 % 32u);
+        let _e904 = p.member.light.mask_words;
+        let _e906 = ((_e70.shift * _e904) + (_e900 / 32u));
+        let _e908 = bits.member[_e906];
+        bits.member[_e906] = ((_e908 & ~((7u << bitcast<u32>((_e902 & 31u))))) | (_e894.bits << bitcast<u32>((_e902 & 31u))));
+        if (_e902 > 29u) {
+            let _e923 = bits.member[(_e906 + 1u)];
+            let _e925 = (32u - _e902);
+            bits.member[(_e906 + 1u)] = ((_e923 & ~((7u >> bitcast<u32>((_e925 & 31u))))) | (_e894.bits >> bitcast<u32>((_e925 & 31u))));
+        }
+        phi_1248_ = _e894.needs_ray;
+        phi_1249_ = _e70.shift;
     } else {
-        phi_1117_ = false;
-        phi_1118_ = 0u;
+        phi_1248_ = false;
+        phi_1249_ = 0u;
     }
-    let _e845 = phi_1117_;
-    let _e847 = phi_1118_;
-    if (_e52 == 0u) {
+    let _e939 = phi_1248_;
+    let _e941 = phi_1249_;
+    if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e845 {
-        let _e851 = atomicAdd((&shared_[0u]), 1u);
-        phi_1129_ = _e851;
+    if _e939 {
+        let _e945 = atomicAdd((&shared_[0u]), 1u);
+        phi_1260_ = _e945;
     } else {
-        phi_1129_ = 0u;
+        phi_1260_ = 0u;
     }
-    let _e853 = phi_1129_;
+    let _e947 = phi_1260_;
     workgroupBarrier();
-    if (_e52 == 0u) {
-        let _e857 = atomicLoad((&shared_[0u]));
-        let _e858 = atomicAdd((&list.member[3u]), _e857);
-        atomicStore((&shared_[1u]), _e858);
+    if (_e55 == 0u) {
+        let _e951 = atomicLoad((&shared_[0u]));
+        let _e952 = atomicAdd((&list.member[3u]), _e951);
+        atomicStore((&shared_[1u]), _e952);
     }
     workgroupBarrier();
-    if _e845 {
-        let _e861 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e861) + _e853)]), _e847);
+    if _e939 {
+        let _e955 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e955) + _e947)]), _e941);
     }
     return;
 }

@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,14 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
+}
+
+struct mask_BitsPlace {
+    light: lt_mask_LightPlace,
+    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -122,1054 +128,1123 @@ var<storage, read_write> depths: type_21;
 @group(0) @binding(8) 
 var<storage> past: type_44;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_174_: lt_bvh_traverse_Tree;
-    var phi_175_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
-    var phi_177_: bool;
-    var phi_182_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_182_: lt_mask_LightPlace;
+    var phi_183_: bool;
+    var phi_184_: lt_mask_LightPlace;
+    var phi_185_: bool;
+    var phi_190_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_174_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_175_ = false;
+            phi_182_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_183_ = false;
         } else {
-            phi_174_ = lt_bvh_traverse_Tree();
-            phi_175_ = true;
+            phi_182_ = lt_mask_LightPlace();
+            phi_183_ = true;
         }
-        let _e69 = phi_174_;
-        let _e71 = phi_175_;
-        phi_176_ = _e69;
-        phi_177_ = _e71;
+        let _e73 = phi_182_;
+        let _e75 = phi_183_;
+        phi_184_ = _e73;
+        phi_185_ = _e75;
     } else {
-        phi_176_ = lt_bvh_traverse_Tree();
-        phi_177_ = true;
+        phi_184_ = lt_mask_LightPlace();
+        phi_185_ = true;
     }
-    let _e73 = phi_176_;
-    let _e75 = phi_177_;
-    if _e75 {
-        phi_182_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e77 = phi_184_;
+    let _e79 = phi_185_;
+    if _e79 {
+        phi_190_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_182_ = _e73;
+        phi_190_ = _e77;
     }
-    let _e80 = phi_182_;
-    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
+    let _e84 = phi_190_;
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_200_: vec2<i32>;
+    var phi_208_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_200_ = vec2(0i);
+            phi_208_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_200_ = vec2<i32>(0i, -1i);
+            phi_208_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_200_ = vec2<i32>(-1i, 0i);
+            phi_208_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_200_ = vec2<i32>(1i, 0i);
+            phi_208_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_200_ = vec2<i32>(0i, 1i);
+            phi_208_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e65 = phi_200_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e69 = phi_208_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_218_: vec2<i32>;
+    var phi_226_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_218_ = vec2(0i);
+            phi_226_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_218_ = vec2(-1i);
+            phi_226_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_218_ = vec2<i32>(1i, -1i);
+            phi_226_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_218_ = vec2<i32>(-1i, 1i);
+            phi_226_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_218_ = vec2(1i);
+            phi_226_ = vec2(1i);
             break;
         }
     }
-    let _e65 = phi_218_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e69 = phi_226_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_237_: vec2<i32>;
+    var phi_245_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e59 = lt_mask_pattern_plus(param_5);
-        phi_237_ = vec2<i32>(_e59.x, _e59.y);
+        let _e63 = lt_mask_pattern_plus(param_5);
+        phi_245_ = vec2<i32>(_e63.x, _e63.y);
     } else {
-        let _e63 = lt_mask_pattern_cross(param_5);
-        phi_237_ = vec2<i32>(_e63.x, _e63.y);
+        let _e67 = lt_mask_pattern_cross(param_5);
+        phi_245_ = vec2<i32>(_e67.x, _e67.y);
     }
-    let _e68 = phi_237_;
-    return vec2<i32>(_e68.x, _e68.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_262_: vec2<i32>;
-
-    let _e57 = (param_7 % 13u);
-    switch bitcast<i32>(_e57) {
-        case 9: {
-            phi_262_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_262_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_262_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_262_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_262_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e72 = phi_262_;
+    let _e72 = phi_245_;
     return vec2<i32>(_e72.x, _e72.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_283_: u32;
-    var phi_284_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_270_: vec2<i32>;
 
-    let _e60 = (bitcast<i32>(param_8) + param_9);
-    if (_e60 < 0i) {
-        phi_284_ = 0u;
-    } else {
-        if (_e60 >= bitcast<i32>(param_10)) {
-            phi_283_ = (param_10 - 1u);
-        } else {
-            phi_283_ = bitcast<u32>(_e60);
+    let _e61 = (param_7 % 13u);
+    switch bitcast<i32>(_e61) {
+        case 9: {
+            phi_270_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e67 = phi_283_;
-        phi_284_ = _e67;
+        case 10: {
+            phi_270_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_270_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_270_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_270_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e69 = phi_284_;
-    return _e69;
+    let _e76 = phi_270_;
+    return vec2<i32>(_e76.x, _e76.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_291_: u32;
+    var phi_292_: u32;
+
+    let _e64 = (bitcast<i32>(param_8) + param_9);
+    if (_e64 < 0i) {
+        phi_292_ = 0u;
+    } else {
+        if (_e64 >= bitcast<i32>(param_10)) {
+            phi_291_ = (param_10 - 1u);
+        } else {
+            phi_291_ = bitcast<u32>(_e64);
+        }
+        let _e71 = phi_291_;
+        phi_292_ = _e71;
+    }
+    let _e73 = phi_292_;
+    return _e73;
 }
 
 fn function_() {
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_360_: bool;
-    var phi_430_: bool;
-    var phi_431_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_443_: bool;
-    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_445_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_469_: bool;
-    var phi_655_: f32;
-    var phi_660_: f32;
-    var phi_661_: bool;
-    var phi_662_: f32;
-    var phi_663_: bool;
-    var phi_667_: f32;
-    var phi_690_: f32;
-    var phi_695_: f32;
-    var phi_696_: bool;
-    var phi_697_: f32;
-    var phi_698_: bool;
-    var phi_702_: f32;
-    var phi_723_: bool;
-    var phi_742_: vec2<u32>;
+    var phi_373_: bool;
+    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_380_: bool;
+    var phi_450_: bool;
+    var phi_451_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_463_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
+    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_476_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_489_: bool;
+    var phi_675_: f32;
+    var phi_680_: f32;
+    var phi_681_: bool;
+    var phi_682_: f32;
+    var phi_683_: bool;
+    var phi_687_: f32;
+    var phi_710_: f32;
+    var phi_715_: f32;
+    var phi_716_: bool;
+    var phi_717_: f32;
+    var phi_718_: bool;
+    var phi_722_: f32;
     var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_745_: bool;
-    var phi_746_: vec2<u32>;
-    var phi_747_: bool;
-    var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: vec2<u32>;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: vec2<u32>;
-    var phi_761_: bool;
-    var phi_762_: bool;
+    var phi_762_: vec2<u32>;
     var phi_763_: bool;
     var phi_764_: bool;
-    var phi_773_: bool;
+    var phi_765_: bool;
+    var phi_766_: vec2<u32>;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: vec2<u32>;
     var phi_774_: bool;
     var phi_775_: bool;
     var phi_776_: bool;
-    var phi_780_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: vec2<u32>;
     var phi_781_: bool;
-    var phi_782_: vec2<u32>;
-    var phi_865_: bool;
-    var phi_869_: f32;
-    var phi_873_: lt_mask_Reprojection;
-    var phi_882_: bool;
-    var phi_883_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: vec2<u32>;
     var phi_885_: bool;
-    var phi_886_: lt_mask_Reprojection;
-    var phi_887_: lt_mask_Reprojection;
-    var phi_888_: bool;
-    var phi_892_: bool;
+    var phi_889_: f32;
     var phi_893_: lt_mask_Reprojection;
-    var phi_921_: u32;
-    var phi_923_: u32;
-    var phi_926_: lt_mask_Neighbourhood;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_1009_: vec2<i32>;
+    var phi_902_: bool;
+    var phi_903_: bool;
+    var phi_905_: bool;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_908_: bool;
+    var phi_912_: bool;
+    var phi_913_: lt_mask_Reprojection;
+    var phi_941_: u32;
+    var phi_943_: u32;
+    var phi_946_: lt_mask_Neighbourhood;
+    var phi_958_: bool;
+    var phi_959_: bool;
+    var phi_968_: u32;
+    var phi_969_: u32;
     var phi_1029_: vec2<i32>;
-    var phi_1052_: u32;
-    var phi_1069_: bool;
-    var phi_1070_: bool;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1096_: bool;
-    var phi_1097_: bool;
-    var phi_1098_: bool;
-    var phi_924_: u32;
-    var phi_927_: lt_mask_Neighbourhood;
-    var phi_1101_: lt_mask_Neighbourhood;
-    var phi_1102_: lt_mask_Neighbourhood;
-    var phi_1103_: lt_mask_Neighbourhood;
+    var phi_1049_: vec2<i32>;
+    var phi_1076_: u32;
+    var phi_1095_: u32;
+    var phi_1103_: u32;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
     var phi_1128_: bool;
     var phi_1129_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: bool;
-    var phi_1144_: bool;
-    var phi_1151_: u32;
-    var phi_1152_: u32;
-    var phi_1153_: u32;
-    var phi_1154_: u32;
-    var phi_1155_: u32;
-    var phi_1163_: bool;
-    var phi_1171_: u32;
-    var phi_1176_: u32;
-    var phi_1180_: u32;
-    var phi_1181_: u32;
-    var phi_1185_: f32;
-    var phi_1187_: mask_Masked;
-    var phi_1215_: bool;
+    var phi_1147_: bool;
+    var phi_1148_: bool;
+    var phi_1149_: bool;
+    var phi_944_: u32;
+    var phi_947_: lt_mask_Neighbourhood;
+    var phi_1152_: lt_mask_Neighbourhood;
+    var phi_1153_: lt_mask_Neighbourhood;
+    var phi_1154_: lt_mask_Neighbourhood;
+    var phi_1186_: bool;
+    var phi_1187_: bool;
     var phi_1216_: bool;
     var phi_1217_: bool;
-    var phi_1218_: bool;
-    var phi_1222_: bool;
-    var phi_1250_: f32;
-    var phi_1253_: bool;
-    var phi_1254_: u32;
+    var phi_1230_: bool;
+    var phi_1231_: bool;
+    var phi_1232_: bool;
+    var phi_1239_: u32;
+    var phi_1240_: u32;
+    var phi_1241_: u32;
+    var phi_1242_: u32;
+    var phi_1243_: u32;
+    var phi_1244_: u32;
+    var phi_1252_: bool;
+    var phi_1260_: u32;
     var phi_1265_: u32;
+    var phi_1269_: u32;
+    var phi_1270_: u32;
+    var phi_1274_: f32;
+    var phi_1276_: mask_Masked;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1355_: bool;
+    var phi_1383_: f32;
+    var phi_1386_: bool;
+    var phi_1387_: u32;
+    var phi_1398_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e56 = id_1;
-    let _e57 = local_2;
-    let _e74 = p.member.current.size[0u];
-    let _e76 = p.member.current.size[1u];
-    let _e77 = lt_shaders_entry_pixel_index(_e56, _e74, _e76);
-    if (bitcast<i32>(_e77.root) != 0i) {
-        let _e85 = p.member.current.size[0u];
-        let _e88 = past.member[_e77.first_primitive];
-        let _e93 = visibility.member[_e77.first_primitive];
-        let _e99 = samples.member[_e77.first_primitive].normal[0u];
-        let _e101 = global[0u];
-        if (_e99 == _e101) {
-            let _e104 = samples.member[_e77.first_primitive].normal[1u];
-            let _e106 = global[1u];
-            if (_e104 == _e106) {
-                let _e109 = samples.member[_e77.first_primitive].normal[2u];
-                let _e111 = global[2u];
-                phi_353_ = (_e109 == _e111);
-                phi_354_ = false;
+    let _e60 = id_1;
+    let _e61 = local_2;
+    let _e66 = arrayLength((&last_bits.member));
+    let _e78 = p.member.current.size[0u];
+    let _e80 = p.member.current.size[1u];
+    let _e81 = lt_shaders_entry_pixel_index(_e60, _e78, _e80);
+    if (bitcast<i32>(_e81.word) != 0i) {
+        let _e88 = p.member.light.number;
+        let _e89 = (_e88 * 3u);
+        let _e93 = p.member.light.mask_words;
+        let _e99 = mask_BitsPlace(lt_mask_LightPlace((_e89 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e105 = mask_BitsPlace(lt_mask_LightPlace(_e99.light.word, (_e89 % 32u)), _e99.words);
+        let _e108 = mask_BitsPlace(_e105.light, _e93);
+        let _e112 = p.member.current.size[0u];
+        let _e115 = past.member[_e81.shift];
+        let _e120 = visibility.member[_e81.shift];
+        let _e126 = samples.member[_e81.shift].normal[0u];
+        let _e128 = global[0u];
+        if (_e126 == _e128) {
+            let _e131 = samples.member[_e81.shift].normal[1u];
+            let _e133 = global[1u];
+            if (_e131 == _e133) {
+                let _e136 = samples.member[_e81.shift].normal[2u];
+                let _e138 = global[2u];
+                phi_373_ = (_e136 == _e138);
+                phi_374_ = false;
             } else {
-                phi_353_ = bool();
-                phi_354_ = true;
+                phi_373_ = bool();
+                phi_374_ = true;
             }
-            let _e114 = phi_353_;
-            let _e116 = phi_354_;
-            phi_355_ = _e114;
-            phi_356_ = _e116;
+            let _e141 = phi_373_;
+            let _e143 = phi_374_;
+            phi_375_ = _e141;
+            phi_376_ = _e143;
         } else {
-            phi_355_ = bool();
-            phi_356_ = true;
+            phi_375_ = bool();
+            phi_376_ = true;
         }
-        let _e118 = phi_355_;
-        let _e120 = phi_356_;
-        if _e120 {
-            phi_360_ = false;
+        let _e145 = phi_375_;
+        let _e147 = phi_376_;
+        if _e147 {
+            phi_380_ = false;
         } else {
-            phi_360_ = _e118;
+            phi_380_ = _e145;
         }
-        let _e122 = phi_360_;
-        if !(_e122) {
-            let _e125 = samples.member[_e77.first_primitive].position;
-            let _e127 = p.member.light.place;
-            let _e133 = p.member.light.place[3u];
-            let _e140 = (_e127.x - (_e125.x * _e133));
-            let _e141 = (_e127.y - (_e125.y * _e133));
-            let _e142 = (_e127.z - (_e125.z * _e133));
-            let _e144 = samples.member[_e77.first_primitive].normal;
-            if ((((_e144.x * _e140) + (_e144.y * _e141)) + (_e144.z * _e142)) > 0f) {
-                let _e158 = (((_e140 * _e140) + (_e141 * _e141)) + (_e142 * _e142));
-                let _e160 = p.member.light.axis;
-                let _e172 = p.member.light.place[3u];
-                if (_e172 == 0f) {
-                    phi_431_ = true;
+        let _e149 = phi_380_;
+        if !(_e149) {
+            let _e152 = samples.member[_e81.shift].position;
+            let _e154 = p.member.light.place;
+            let _e160 = p.member.light.place[3u];
+            let _e167 = (_e154.x - (_e152.x * _e160));
+            let _e168 = (_e154.y - (_e152.y * _e160));
+            let _e169 = (_e154.z - (_e152.z * _e160));
+            let _e171 = samples.member[_e81.shift].normal;
+            if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
+                let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
+                let _e187 = p.member.light.axis;
+                let _e199 = p.member.light.place[3u];
+                if (_e199 == 0f) {
+                    phi_451_ = true;
                 } else {
-                    let _e175 = p.member.light.range_squared;
-                    if (_e158 <= _e175) {
-                        let _e178 = p.member.light.cos_outer;
-                        phi_430_ = (-((((_e140 * _e160.x) + (_e141 * _e160.y)) + (_e142 * _e160.z))) >= (_e178 * sqrt(_e158)));
+                    let _e202 = p.member.light.range_squared;
+                    if (_e185 <= _e202) {
+                        let _e205 = p.member.light.cos_outer;
+                        phi_450_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
                     } else {
-                        phi_430_ = false;
+                        phi_450_ = false;
                     }
-                    let _e183 = phi_430_;
-                    phi_431_ = _e183;
+                    let _e210 = phi_450_;
+                    phi_451_ = _e210;
                 }
-                let _e185 = phi_431_;
-                if _e185 {
-                    let _e187 = samples.member[_e77.first_primitive].flags;
-                    let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, ((_e187 & 1u) == 0u));
-                    phi_443_ = false;
+                let _e212 = phi_451_;
+                if _e212 {
+                    let _e214 = samples.member[_e81.shift].flags;
+                    let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
+                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
+                    phi_463_ = false;
                 } else {
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_443_ = true;
+                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_463_ = true;
                 }
-                let _e206 = phi_442_;
-                let _e208 = phi_443_;
-                phi_444_ = _e206;
-                phi_445_ = _e208;
+                let _e233 = phi_462_;
+                let _e235 = phi_463_;
+                phi_464_ = _e233;
+                phi_465_ = _e235;
             } else {
-                phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_445_ = true;
+                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_465_ = true;
             }
-            let _e210 = phi_444_;
-            let _e212 = phi_445_;
-            if _e212 {
-                let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
-                phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
+            let _e237 = phi_464_;
+            let _e239 = phi_465_;
+            if _e239 {
+                let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
+                phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
             } else {
-                phi_452_ = _e210;
+                phi_472_ = _e237;
             }
-            let _e229 = phi_452_;
-            phi_456_ = _e229;
+            let _e256 = phi_472_;
+            phi_476_ = _e256;
         } else {
-            let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e235.unnamed.visibility, false), _e235.unnamed_1);
-            phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e241.unnamed, true);
+            let _e262 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e268 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e262.unnamed.visibility, false), _e262.unnamed_1);
+            phi_476_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
         }
-        let _e246 = phi_456_;
-        if _e246.unnamed_1 {
-            phi_1187_ = mask_Masked(_e246.unnamed.visibility, 0u, false);
+        let _e273 = phi_476_;
+        if _e273.unnamed_1 {
+            phi_1276_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
-            let _e251 = (_e93 < 0.5f);
-            if (_e93 > 0f) {
-                phi_469_ = (_e93 < 1f);
+            let _e278 = (_e120 < 0.5f);
+            if (_e120 > 0f) {
+                phi_489_ = (_e120 < 1f);
             } else {
-                phi_469_ = false;
+                phi_489_ = false;
             }
-            let _e255 = phi_469_;
-            let _e257 = samples.member[_e77.first_primitive].position;
-            let _e261 = p.member.previous.eye;
-            let _e263 = (_e88.x - _e261.x);
-            let _e265 = (_e88.y - _e261.y);
-            let _e267 = (_e88.z - _e261.z);
-            let _e269 = p.member.previous.forward;
-            let _e277 = (((_e263 * _e269.x) + (_e265 * _e269.y)) + (_e267 * _e269.z));
-            let _e279 = p.member.previous.right;
-            let _e289 = p.member.previous.right;
-            let _e304 = p.member.previous.up;
-            let _e314 = p.member.previous.up;
-            let _e329 = p.member.current.eye;
-            let _e332 = (_e257.x - _e329.x);
-            let _e335 = (_e257.y - _e329.y);
-            let _e338 = (_e257.z - _e329.z);
-            let _e340 = p.member.current.forward;
-            let _e348 = (((_e332 * _e340.x) + (_e335 * _e340.y)) + (_e338 * _e340.z));
-            let _e350 = p.member.current.right;
-            let _e360 = p.member.current.right;
-            let _e375 = p.member.current.up;
-            let _e385 = p.member.current.up;
-            let _e404 = p.member.current.size[0u];
-            let _e406 = (((((((_e263 * _e279.x) + (_e265 * _e279.y)) + (_e267 * _e279.z)) / ((((_e289.x * _e289.x) + (_e289.y * _e289.y)) + (_e289.z * _e289.z)) * _e277)) - ((((_e332 * _e350.x) + (_e335 * _e350.y)) + (_e338 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e348))) * 0.5f) * f32(_e404));
-            let _e410 = p.member.current.size[1u];
-            let _e412 = (((((((_e263 * _e304.x) + (_e265 * _e304.y)) + (_e267 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e277)) - ((((_e332 * _e375.x) + (_e335 * _e375.y)) + (_e338 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e348))) * -0.5f) * f32(_e410));
-            let _e416 = p.member.current.size[0u];
-            let _e418 = p.member.current.size[1u];
-            let _e422 = ((f32(_e56.x) + 0.5f) + _e406);
-            if (_e422 > -8388608f) {
-                let _e434 = f32(select(0i, select(select(i32(_e422), i32(-2147483648), (_e422 < bitcast<f32>(3472883712u))), 2147483647i, (_e422 > bitcast<f32>(1325400063u))), (_e422 == _e422)));
-                if (_e434 > _e422) {
-                    phi_655_ = 1f;
+            let _e282 = phi_489_;
+            let _e284 = samples.member[_e81.shift].position;
+            let _e288 = p.member.previous.eye;
+            let _e290 = (_e115.x - _e288.x);
+            let _e292 = (_e115.y - _e288.y);
+            let _e294 = (_e115.z - _e288.z);
+            let _e296 = p.member.previous.forward;
+            let _e304 = (((_e290 * _e296.x) + (_e292 * _e296.y)) + (_e294 * _e296.z));
+            let _e306 = p.member.previous.right;
+            let _e316 = p.member.previous.right;
+            let _e331 = p.member.previous.up;
+            let _e341 = p.member.previous.up;
+            let _e356 = p.member.current.eye;
+            let _e359 = (_e284.x - _e356.x);
+            let _e362 = (_e284.y - _e356.y);
+            let _e365 = (_e284.z - _e356.z);
+            let _e367 = p.member.current.forward;
+            let _e375 = (((_e359 * _e367.x) + (_e362 * _e367.y)) + (_e365 * _e367.z));
+            let _e377 = p.member.current.right;
+            let _e387 = p.member.current.right;
+            let _e402 = p.member.current.up;
+            let _e412 = p.member.current.up;
+            let _e431 = p.member.current.size[0u];
+            let _e433 = (((((((_e290 * _e306.x) + (_e292 * _e306.y)) + (_e294 * _e306.z)) / ((((_e316.x * _e316.x) + (_e316.y * _e316.y)) + (_e316.z * _e316.z)) * _e304)) - ((((_e359 * _e377.x) + (_e362 * _e377.y)) + (_e365 * _e377.z)) / ((((_e387.x * _e387.x) + (_e387.y * _e387.y)) + (_e387.z * _e387.z)) * _e375))) * 0.5f) * f32(_e431));
+            let _e437 = p.member.current.size[1u];
+            let _e439 = (((((((_e290 * _e331.x) + (_e292 * _e331.y)) + (_e294 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e304)) - ((((_e359 * _e402.x) + (_e362 * _e402.y)) + (_e365 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e375))) * -0.5f) * f32(_e437));
+            let _e443 = p.member.current.size[0u];
+            let _e445 = p.member.current.size[1u];
+            let _e449 = ((f32(_e60.x) + 0.5f) + _e433);
+            if (_e449 > -8388608f) {
+                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
+                if (_e461 > _e449) {
+                    phi_675_ = 1f;
                 } else {
-                    phi_655_ = 0f;
+                    phi_675_ = 0f;
                 }
-                let _e437 = phi_655_;
-                if (_e422 < 8388608f) {
-                    phi_660_ = (_e434 - _e437);
-                    phi_661_ = false;
+                let _e464 = phi_675_;
+                if (_e449 < 8388608f) {
+                    phi_680_ = (_e461 - _e464);
+                    phi_681_ = false;
                 } else {
-                    phi_660_ = f32();
-                    phi_661_ = true;
+                    phi_680_ = f32();
+                    phi_681_ = true;
                 }
-                let _e440 = phi_660_;
-                let _e442 = phi_661_;
-                phi_662_ = _e440;
-                phi_663_ = _e442;
+                let _e467 = phi_680_;
+                let _e469 = phi_681_;
+                phi_682_ = _e467;
+                phi_683_ = _e469;
             } else {
-                phi_662_ = f32();
-                phi_663_ = true;
+                phi_682_ = f32();
+                phi_683_ = true;
             }
-            let _e444 = phi_662_;
-            let _e446 = phi_663_;
-            if _e446 {
-                phi_667_ = _e422;
+            let _e471 = phi_682_;
+            let _e473 = phi_683_;
+            if _e473 {
+                phi_687_ = _e449;
             } else {
-                phi_667_ = _e444;
+                phi_687_ = _e471;
             }
-            let _e448 = phi_667_;
-            let _e451 = ((f32(_e56.y) + 0.5f) + _e412);
-            if (_e451 > -8388608f) {
-                let _e463 = f32(select(0i, select(select(i32(_e451), i32(-2147483648), (_e451 < bitcast<f32>(3472883712u))), 2147483647i, (_e451 > bitcast<f32>(1325400063u))), (_e451 == _e451)));
-                if (_e463 > _e451) {
-                    phi_690_ = 1f;
+            let _e475 = phi_687_;
+            let _e478 = ((f32(_e60.y) + 0.5f) + _e439);
+            if (_e478 > -8388608f) {
+                let _e490 = f32(select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < bitcast<f32>(3472883712u))), 2147483647i, (_e478 > bitcast<f32>(1325400063u))), (_e478 == _e478)));
+                if (_e490 > _e478) {
+                    phi_710_ = 1f;
                 } else {
-                    phi_690_ = 0f;
+                    phi_710_ = 0f;
                 }
-                let _e466 = phi_690_;
-                if (_e451 < 8388608f) {
-                    phi_695_ = (_e463 - _e466);
-                    phi_696_ = false;
+                let _e493 = phi_710_;
+                if (_e478 < 8388608f) {
+                    phi_715_ = (_e490 - _e493);
+                    phi_716_ = false;
                 } else {
-                    phi_695_ = f32();
-                    phi_696_ = true;
+                    phi_715_ = f32();
+                    phi_716_ = true;
                 }
-                let _e469 = phi_695_;
-                let _e471 = phi_696_;
-                phi_697_ = _e469;
-                phi_698_ = _e471;
+                let _e496 = phi_715_;
+                let _e498 = phi_716_;
+                phi_717_ = _e496;
+                phi_718_ = _e498;
             } else {
-                phi_697_ = f32();
-                phi_698_ = true;
+                phi_717_ = f32();
+                phi_718_ = true;
             }
-            let _e473 = phi_697_;
-            let _e475 = phi_698_;
-            if _e475 {
-                phi_702_ = _e451;
+            let _e500 = phi_717_;
+            let _e502 = phi_718_;
+            if _e502 {
+                phi_722_ = _e478;
             } else {
-                phi_702_ = _e473;
+                phi_722_ = _e500;
             }
-            let _e477 = phi_702_;
-            if (_e448 >= 0f) {
-                if (_e477 >= 0f) {
-                    if (_e448 < f32(_e416)) {
-                        let _e483 = (_e477 < f32(_e418));
-                        if (_e406 == 0f) {
-                            phi_723_ = (_e412 == 0f);
+            let _e504 = phi_722_;
+            if (_e475 >= 0f) {
+                if (_e504 >= 0f) {
+                    if (_e475 < f32(_e443)) {
+                        let _e510 = (_e504 < f32(_e445));
+                        if (_e433 == 0f) {
+                            phi_743_ = (_e439 == 0f);
                         } else {
-                            phi_723_ = false;
-                        }
-                        let _e487 = phi_723_;
-                        if _e483 {
-                            phi_742_ = vec2<u32>(select(select(u32(_e448), 0u, (_e448 < bitcast<f32>(0u))), 4294967295u, (_e448 > bitcast<f32>(1333788671u))), select(select(u32(_e477), 0u, (_e477 < bitcast<f32>(0u))), 4294967295u, (_e477 > bitcast<f32>(1333788671u))));
                             phi_743_ = false;
-                        } else {
-                            phi_742_ = vec2<u32>();
-                            phi_743_ = true;
                         }
-                        let _e504 = phi_742_;
-                        let _e506 = phi_743_;
-                        phi_744_ = _e487;
-                        phi_745_ = _e483;
-                        phi_746_ = _e504;
-                        phi_747_ = _e487;
-                        phi_748_ = _e483;
-                        phi_749_ = false;
-                        phi_750_ = _e506;
+                        let _e514 = phi_743_;
+                        if _e510 {
+                            phi_762_ = vec2<u32>(select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))), select(select(u32(_e504), 0u, (_e504 < bitcast<f32>(0u))), 4294967295u, (_e504 > bitcast<f32>(1333788671u))));
+                            phi_763_ = false;
+                        } else {
+                            phi_762_ = vec2<u32>();
+                            phi_763_ = true;
+                        }
+                        let _e531 = phi_762_;
+                        let _e533 = phi_763_;
+                        phi_764_ = _e514;
+                        phi_765_ = _e510;
+                        phi_766_ = _e531;
+                        phi_767_ = _e514;
+                        phi_768_ = _e510;
+                        phi_769_ = false;
+                        phi_770_ = _e533;
                     } else {
-                        phi_744_ = bool();
-                        phi_745_ = bool();
-                        phi_746_ = vec2<u32>();
-                        phi_747_ = bool();
-                        phi_748_ = bool();
-                        phi_749_ = true;
-                        phi_750_ = false;
+                        phi_764_ = bool();
+                        phi_765_ = bool();
+                        phi_766_ = vec2<u32>();
+                        phi_767_ = bool();
+                        phi_768_ = bool();
+                        phi_769_ = true;
+                        phi_770_ = false;
                     }
-                    let _e508 = phi_744_;
-                    let _e510 = phi_745_;
-                    let _e512 = phi_746_;
-                    let _e514 = phi_747_;
-                    let _e516 = phi_748_;
-                    let _e518 = phi_749_;
-                    let _e520 = phi_750_;
-                    phi_751_ = _e508;
-                    phi_752_ = _e510;
-                    phi_753_ = _e512;
-                    phi_754_ = _e514;
-                    phi_755_ = _e516;
-                    phi_756_ = _e518;
-                    phi_757_ = _e520;
+                    let _e535 = phi_764_;
+                    let _e537 = phi_765_;
+                    let _e539 = phi_766_;
+                    let _e541 = phi_767_;
+                    let _e543 = phi_768_;
+                    let _e545 = phi_769_;
+                    let _e547 = phi_770_;
+                    phi_771_ = _e535;
+                    phi_772_ = _e537;
+                    phi_773_ = _e539;
+                    phi_774_ = _e541;
+                    phi_775_ = _e543;
+                    phi_776_ = _e545;
+                    phi_777_ = _e547;
                 } else {
-                    phi_751_ = bool();
-                    phi_752_ = bool();
-                    phi_753_ = vec2<u32>();
-                    phi_754_ = bool();
-                    phi_755_ = bool();
-                    phi_756_ = true;
-                    phi_757_ = false;
+                    phi_771_ = bool();
+                    phi_772_ = bool();
+                    phi_773_ = vec2<u32>();
+                    phi_774_ = bool();
+                    phi_775_ = bool();
+                    phi_776_ = true;
+                    phi_777_ = false;
                 }
-                let _e522 = phi_751_;
-                let _e524 = phi_752_;
-                let _e526 = phi_753_;
-                let _e528 = phi_754_;
-                let _e530 = phi_755_;
-                let _e532 = phi_756_;
-                let _e534 = phi_757_;
-                phi_758_ = _e522;
-                phi_759_ = _e524;
-                phi_760_ = _e526;
-                phi_761_ = _e528;
-                phi_762_ = _e530;
-                phi_763_ = _e532;
-                phi_764_ = _e534;
+                let _e549 = phi_771_;
+                let _e551 = phi_772_;
+                let _e553 = phi_773_;
+                let _e555 = phi_774_;
+                let _e557 = phi_775_;
+                let _e559 = phi_776_;
+                let _e561 = phi_777_;
+                phi_778_ = _e549;
+                phi_779_ = _e551;
+                phi_780_ = _e553;
+                phi_781_ = _e555;
+                phi_782_ = _e557;
+                phi_783_ = _e559;
+                phi_784_ = _e561;
             } else {
-                phi_758_ = bool();
-                phi_759_ = bool();
-                phi_760_ = vec2<u32>();
-                phi_761_ = bool();
-                phi_762_ = bool();
-                phi_763_ = true;
-                phi_764_ = false;
+                phi_778_ = bool();
+                phi_779_ = bool();
+                phi_780_ = vec2<u32>();
+                phi_781_ = bool();
+                phi_782_ = bool();
+                phi_783_ = true;
+                phi_784_ = false;
             }
-            let _e536 = phi_758_;
-            let _e538 = phi_759_;
-            let _e540 = phi_760_;
-            let _e542 = phi_761_;
-            let _e544 = phi_762_;
-            let _e546 = phi_763_;
-            let _e548 = phi_764_;
-            if _e546 {
-                if (_e406 == 0f) {
-                    phi_773_ = (_e412 == 0f);
+            let _e563 = phi_778_;
+            let _e565 = phi_779_;
+            let _e567 = phi_780_;
+            let _e569 = phi_781_;
+            let _e571 = phi_782_;
+            let _e573 = phi_783_;
+            let _e575 = phi_784_;
+            if _e573 {
+                if (_e433 == 0f) {
+                    phi_793_ = (_e439 == 0f);
                 } else {
-                    phi_773_ = false;
+                    phi_793_ = false;
                 }
-                let _e552 = phi_773_;
-                phi_774_ = _e552;
-                phi_775_ = false;
-                phi_776_ = true;
+                let _e579 = phi_793_;
+                phi_794_ = _e579;
+                phi_795_ = false;
+                phi_796_ = true;
             } else {
-                phi_774_ = _e542;
-                phi_775_ = _e544;
-                phi_776_ = _e548;
+                phi_794_ = _e569;
+                phi_795_ = _e571;
+                phi_796_ = _e575;
             }
-            let _e554 = phi_774_;
-            let _e556 = phi_775_;
-            let _e558 = phi_776_;
-            if _e558 {
-                phi_780_ = _e554;
-                phi_781_ = _e556;
-                phi_782_ = vec2<u32>(_e56.x, _e56.y);
+            let _e581 = phi_794_;
+            let _e583 = phi_795_;
+            let _e585 = phi_796_;
+            if _e585 {
+                phi_800_ = _e581;
+                phi_801_ = _e583;
+                phi_802_ = vec2<u32>(_e60.x, _e60.y);
             } else {
-                phi_780_ = _e536;
-                phi_781_ = _e538;
-                phi_782_ = _e540;
+                phi_800_ = _e563;
+                phi_801_ = _e565;
+                phi_802_ = _e567;
             }
-            let _e560 = phi_780_;
-            let _e562 = phi_781_;
-            let _e564 = phi_782_;
-            let _e574 = lt_mask_Reprojection(vec2<u32>(_e564.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e581 = lt_mask_Reprojection(vec2<u32>(_e574.pixel.x, _e564.y), _e574.is_valid, _e574.has_moved);
-            let _e585 = lt_mask_Reprojection(_e581.pixel, _e562, _e581.has_moved);
-            let _e589 = lt_mask_Reprojection(_e585.pixel, _e585.is_valid, !(_e560));
-            if _e562 {
-                let _e592 = p.member.previous.eye;
-                let _e600 = p.member.previous.forward;
-                let _e609 = (((((_e88.x - _e592.x) * _e600.x) + ((_e88.y - _e592.y) * _e600.y)) + ((_e88.z - _e592.z) * _e600.z)) > 0f);
-                let _e613 = lt_mask_Reprojection(_e589.pixel, _e609, _e589.has_moved);
-                if _e609 {
-                    let _e616 = p.member.previous.eye;
-                    let _e624 = p.member.previous.forward;
-                    let _e632 = ((((_e88.x - _e616.x) * _e624.x) + ((_e88.y - _e616.y) * _e624.y)) + ((_e88.z - _e616.z) * _e624.z));
-                    let _e634 = ((_e564.y * _e85) + _e564.x);
-                    if (_e634 < arrayLength((&last_depths.member))) {
+            let _e587 = phi_800_;
+            let _e589 = phi_801_;
+            let _e591 = phi_802_;
+            let _e601 = lt_mask_Reprojection(vec2<u32>(_e591.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e608 = lt_mask_Reprojection(vec2<u32>(_e601.pixel.x, _e591.y), _e601.is_valid, _e601.has_moved);
+            let _e612 = lt_mask_Reprojection(_e608.pixel, _e589, _e608.has_moved);
+            let _e616 = lt_mask_Reprojection(_e612.pixel, _e612.is_valid, !(_e587));
+            if _e589 {
+                let _e619 = p.member.previous.eye;
+                let _e627 = p.member.previous.forward;
+                let _e636 = (((((_e115.x - _e619.x) * _e627.x) + ((_e115.y - _e619.y) * _e627.y)) + ((_e115.z - _e619.z) * _e627.z)) > 0f);
+                let _e640 = lt_mask_Reprojection(_e616.pixel, _e636, _e616.has_moved);
+                if _e636 {
+                    let _e643 = p.member.previous.eye;
+                    let _e651 = p.member.previous.forward;
+                    let _e659 = ((((_e115.x - _e643.x) * _e651.x) + ((_e115.y - _e643.y) * _e651.y)) + ((_e115.z - _e643.z) * _e651.z));
+                    let _e661 = ((_e591.y * _e112) + _e591.x);
+                    if (_e661 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e638 = last_depths.member[(0u + _e634)];
-                    let _e640 = p.member.depth_tolerance;
-                    let _e643 = abs(_e632);
-                    let _e644 = abs(_e638);
-                    if ((bitcast<u32>(_e644) & 2147483647u) > 2139095040u) {
-                        phi_865_ = true;
+                    let _e665 = last_depths.member[(0u + _e661)];
+                    let _e667 = p.member.depth_tolerance;
+                    let _e670 = abs(_e659);
+                    let _e671 = abs(_e665);
+                    if ((bitcast<u32>(_e671) & 2147483647u) > 2139095040u) {
+                        phi_885_ = true;
                     } else {
-                        let _e648 = (_e644 > _e643);
-                        if _e648 {
+                        let _e675 = (_e671 > _e670);
+                        if _e675 {
                         }
-                        phi_865_ = _e648;
+                        phi_885_ = _e675;
                     }
-                    let _e650 = phi_865_;
-                    if _e650 {
-                        phi_869_ = _e644;
+                    let _e677 = phi_885_;
+                    if _e677 {
+                        phi_889_ = _e671;
                     } else {
-                        phi_869_ = _e643;
+                        phi_889_ = _e670;
                     }
-                    let _e652 = phi_869_;
-                    phi_873_ = lt_mask_Reprojection(_e613.pixel, (abs((_e632 - _e638)) <= (_e640 * _e652)), _e613.has_moved);
+                    let _e679 = phi_889_;
+                    phi_893_ = lt_mask_Reprojection(_e640.pixel, (abs((_e659 - _e665)) <= (_e667 * _e679)), _e640.has_moved);
                 } else {
-                    phi_873_ = _e613;
+                    phi_893_ = _e640;
                 }
-                let _e660 = phi_873_;
-                if _e660.is_valid {
-                    let _e663 = p.member.flags;
-                    phi_882_ = ((_e663 & 1u) != 0u);
-                    phi_883_ = false;
+                let _e687 = phi_893_;
+                if _e687.is_valid {
+                    let _e690 = p.member.flags;
+                    phi_902_ = ((_e690 & 1u) != 0u);
+                    phi_903_ = false;
                 } else {
-                    phi_882_ = bool();
-                    phi_883_ = true;
+                    phi_902_ = bool();
+                    phi_903_ = true;
                 }
-                let _e667 = phi_882_;
-                let _e669 = phi_883_;
-                phi_885_ = _e667;
-                phi_886_ = _e660;
-                phi_887_ = _e660;
-                phi_888_ = _e669;
+                let _e694 = phi_902_;
+                let _e696 = phi_903_;
+                phi_905_ = _e694;
+                phi_906_ = _e687;
+                phi_907_ = _e687;
+                phi_908_ = _e696;
             } else {
-                phi_885_ = bool();
-                phi_886_ = lt_mask_Reprojection();
-                phi_887_ = lt_mask_Reprojection(_e589.pixel, false, _e589.has_moved);
-                phi_888_ = true;
+                phi_905_ = bool();
+                phi_906_ = lt_mask_Reprojection();
+                phi_907_ = lt_mask_Reprojection(_e616.pixel, false, _e616.has_moved);
+                phi_908_ = true;
             }
-            let _e675 = phi_885_;
-            let _e677 = phi_886_;
-            let _e679 = phi_887_;
-            let _e681 = phi_888_;
-            if _e681 {
-                phi_892_ = false;
-                phi_893_ = _e679;
+            let _e702 = phi_905_;
+            let _e704 = phi_906_;
+            let _e706 = phi_907_;
+            let _e708 = phi_908_;
+            if _e708 {
+                phi_912_ = false;
+                phi_913_ = _e706;
             } else {
-                phi_892_ = _e675;
-                phi_893_ = _e677;
+                phi_912_ = _e702;
+                phi_913_ = _e704;
             }
-            let _e683 = phi_892_;
-            let _e685 = phi_893_;
-            let _e689 = lt_mask_Reprojection(_e685.pixel, _e683, _e685.has_moved);
-            if _e689.has_moved {
+            let _e710 = phi_912_;
+            let _e712 = phi_913_;
+            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
+            if _e716.has_moved {
             }
-            let _e695 = lt_mask_Neighbourhood(false, true);
-            if _e255 {
-                phi_1103_ = _e695;
+            let _e722 = lt_mask_Neighbourhood(false, true);
+            if _e282 {
+                phi_1154_ = _e722;
             } else {
                 if true {
-                    if _e683 {
-                        if _e689.has_moved {
-                            let _e698 = p.member.moving_pattern;
-                            phi_921_ = _e698;
+                    if _e710 {
+                        if _e716.has_moved {
+                            let _e725 = p.member.moving_pattern;
+                            phi_941_ = _e725;
                         } else {
-                            let _e700 = p.member.still_pattern;
-                            phi_921_ = _e700;
+                            let _e727 = p.member.still_pattern;
+                            phi_941_ = _e727;
                         }
-                        let _e702 = phi_921_;
-                        phi_923_ = 0u;
-                        phi_926_ = _e695;
+                        let _e729 = phi_941_;
+                        phi_943_ = 0u;
+                        phi_946_ = _e722;
                         loop {
-                            let _e704 = phi_923_;
-                            let _e706 = phi_926_;
-                            local_1 = _e706;
-                            if (1u <= _e702) {
-                                if (_e702 <= 4u) {
-                                    phi_938_ = false;
+                            let _e731 = phi_943_;
+                            let _e733 = phi_946_;
+                            local_1 = _e733;
+                            if (1u <= _e729) {
+                                if (_e729 <= 4u) {
+                                    phi_958_ = false;
                                 } else {
-                                    phi_938_ = true;
+                                    phi_958_ = true;
                                 }
-                                let _e710 = phi_938_;
-                                phi_939_ = _e710;
+                                let _e737 = phi_958_;
+                                phi_959_ = _e737;
                             } else {
-                                phi_939_ = true;
+                                phi_959_ = true;
                             }
-                            let _e712 = phi_939_;
-                            if _e712 {
-                                switch bitcast<i32>(_e702) {
+                            let _e739 = phi_959_;
+                            if _e739 {
+                                switch bitcast<i32>(_e729) {
                                     case 5: {
-                                        phi_948_ = 4u;
+                                        phi_968_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_948_ = 25u;
+                                        phi_968_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_948_ = 13u;
+                                        phi_968_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_948_ = 9u;
+                                        phi_968_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e715 = phi_948_;
-                                phi_949_ = _e715;
+                                let _e742 = phi_968_;
+                                phi_969_ = _e742;
                             } else {
-                                phi_949_ = 5u;
+                                phi_969_ = 5u;
                             }
-                            let _e717 = phi_949_;
-                            let _e718 = (_e704 < _e717);
-                            if _e718 {
-                                let _e724 = p.member.frame;
-                                let _e728 = p.member.current.size[0u];
-                                let _e730 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e702) {
+                            let _e744 = phi_969_;
+                            let _e745 = (_e731 < _e744);
+                            if _e745 {
+                                let _e751 = p.member.frame;
+                                let _e755 = p.member.current.size[0u];
+                                let _e757 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e729) {
                                     case 1: {
-                                        let _e740 = lt_mask_pattern_plus(_e704);
-                                        phi_1029_ = vec2<i32>(_e740.x, _e740.y);
+                                        let _e767 = lt_mask_pattern_plus(_e731);
+                                        phi_1049_ = vec2<i32>(_e767.x, _e767.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e744 = lt_mask_pattern_cross(_e704);
-                                        phi_1029_ = vec2<i32>(_e744.x, _e744.y);
+                                        let _e771 = lt_mask_pattern_cross(_e731);
+                                        phi_1049_ = vec2<i32>(_e771.x, _e771.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e750 = lt_mask_pattern_plus_or_cross(_e704, ((_e689.pixel.x + _e689.pixel.y) & 1u));
-                                        phi_1029_ = vec2<i32>(_e750.x, _e750.y);
+                                        let _e777 = lt_mask_pattern_plus_or_cross(_e731, ((_e716.pixel.x + _e716.pixel.y) & 1u));
+                                        phi_1049_ = vec2<i32>(_e777.x, _e777.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e755 = lt_mask_pattern_plus_or_cross(_e704, (_e724 & 1u));
-                                        phi_1029_ = vec2<i32>(_e755.x, _e755.y);
+                                        let _e782 = lt_mask_pattern_plus_or_cross(_e731, (_e751 & 1u));
+                                        phi_1049_ = vec2<i32>(_e782.x, _e782.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e724 & 3u)) {
+                                        switch bitcast<i32>((_e751 & 3u)) {
                                             case 0: {
-                                                phi_1009_ = vec2(-1i);
+                                                phi_1029_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1009_ = vec2(0i);
+                                                phi_1029_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1009_ = vec2<i32>(0i, -1i);
+                                                phi_1029_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1009_ = vec2<i32>(-1i, 0i);
+                                                phi_1029_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e766 = phi_1009_;
-                                        phi_1029_ = (_e766 + vec2<i32>(bitcast<i32>((_e704 & 1u)), bitcast<i32>(((_e704 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e793 = phi_1029_;
+                                        phi_1049_ = (_e793 + vec2<i32>(bitcast<i32>((_e731 & 1u)), bitcast<i32>(((_e731 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1029_ = vec2<i32>((bitcast<i32>((_e704 % 5u)) - 2i), (bitcast<i32>(((_e704 / 5u) % 5u)) - 2i));
+                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e731 % 5u)) - 2i), (bitcast<i32>(((_e731 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e783 = lt_mask_pattern_diamond(_e704);
-                                        phi_1029_ = vec2<i32>(_e783.x, _e783.y);
+                                        let _e810 = lt_mask_pattern_diamond(_e731);
+                                        phi_1049_ = vec2<i32>(_e810.x, _e810.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1029_ = vec2<i32>((bitcast<i32>((_e704 % 3u)) - 1i), (bitcast<i32>(((_e704 / 3u) % 3u)) - 1i));
+                                        phi_1049_ = vec2<i32>((bitcast<i32>((_e731 % 3u)) - 1i), (bitcast<i32>(((_e731 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e788 = phi_1029_;
-                                let _e791 = lt_mask_pattern_step_clamped(_e689.pixel.x, _e788.x, _e728);
-                                let _e792 = lt_mask_pattern_step_clamped(_e689.pixel.y, _e788.y, _e730);
-                                let _e794 = ((_e792 * _e85) + _e791);
-                                if (_e794 < arrayLength((&last_bits.member))) {
+                                let _e815 = phi_1049_;
+                                let _e818 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e815.x, _e755);
+                                let _e819 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e815.y, _e757);
+                                let _e826 = ((((_e819 * _e112) + _e818) * _e108.words) + _e108.light.word);
+                                if (_e108.light.shift > 29u) {
+                                    let _e830 = (_e826 + 1u);
+                                    if (_e830 < _e66) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e834 = last_bits.member[(0u + _e830)];
+                                    phi_1076_ = _e834;
+                                } else {
+                                    phi_1076_ = 0u;
+                                }
+                                let _e836 = phi_1076_;
+                                if (_e826 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e798 = last_bits.member[(0u + _e794)];
-                                if ((_e798 & 2u) == 0u) {
-                                    phi_1052_ = (_e798 & 1u);
+                                let _e842 = last_bits.member[(0u + _e826)];
+                                let _e845 = (_e842 >> bitcast<u32>((_e108.light.shift & 31u)));
+                                if (_e108.light.shift > 29u) {
+                                    phi_1095_ = (_e845 | (_e836 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
                                 } else {
-                                    phi_1052_ = (_e798 & 7u);
+                                    phi_1095_ = _e845;
                                 }
-                                let _e804 = phi_1052_;
-                                if _e706.any_expands {
-                                    phi_1078_ = true;
+                                let _e853 = phi_1095_;
+                                if ((_e853 & 2u) == 0u) {
+                                    phi_1103_ = (_e853 & 1u);
                                 } else {
-                                    if ((_e804 & 2u) != 0u) {
-                                        if (((_e804 & 4u) != 0u) != _e251) {
-                                            phi_1069_ = false;
+                                    phi_1103_ = (_e853 & 7u);
+                                }
+                                let _e859 = phi_1103_;
+                                if _e733.any_expands {
+                                    phi_1129_ = true;
+                                } else {
+                                    if ((_e859 & 2u) != 0u) {
+                                        if (((_e859 & 4u) != 0u) != _e278) {
+                                            phi_1120_ = false;
                                         } else {
-                                            phi_1069_ = true;
+                                            phi_1120_ = true;
                                         }
-                                        let _e813 = phi_1069_;
-                                        phi_1070_ = _e813;
+                                        let _e868 = phi_1120_;
+                                        phi_1121_ = _e868;
                                     } else {
-                                        phi_1070_ = true;
+                                        phi_1121_ = true;
                                     }
-                                    let _e815 = phi_1070_;
-                                    if _e815 {
-                                        phi_1077_ = (((_e804 & 1u) != 0u) != _e251);
+                                    let _e870 = phi_1121_;
+                                    if _e870 {
+                                        phi_1128_ = (((_e859 & 1u) != 0u) != _e278);
                                     } else {
-                                        phi_1077_ = true;
+                                        phi_1128_ = true;
                                     }
-                                    let _e820 = phi_1077_;
-                                    phi_1078_ = _e820;
+                                    let _e875 = phi_1128_;
+                                    phi_1129_ = _e875;
                                 }
-                                let _e822 = phi_1078_;
-                                if _e706.all_remove {
-                                    if (((_e804 & 1u) != 0u) == _e251) {
-                                        if ((_e804 & 2u) != 0u) {
-                                            phi_1096_ = (((_e804 & 4u) != 0u) == _e251);
+                                let _e877 = phi_1129_;
+                                if _e733.all_remove {
+                                    if (((_e859 & 1u) != 0u) == _e278) {
+                                        if ((_e859 & 2u) != 0u) {
+                                            phi_1147_ = (((_e859 & 4u) != 0u) == _e278);
                                         } else {
-                                            phi_1096_ = true;
+                                            phi_1147_ = true;
                                         }
-                                        let _e832 = phi_1096_;
-                                        phi_1097_ = _e832;
+                                        let _e887 = phi_1147_;
+                                        phi_1148_ = _e887;
                                     } else {
-                                        phi_1097_ = false;
+                                        phi_1148_ = false;
                                     }
-                                    let _e834 = phi_1097_;
-                                    phi_1098_ = _e834;
+                                    let _e889 = phi_1148_;
+                                    phi_1149_ = _e889;
                                 } else {
-                                    phi_1098_ = false;
+                                    phi_1149_ = false;
                                 }
-                                let _e836 = phi_1098_;
-                                phi_924_ = (_e704 + 1u);
-                                phi_927_ = lt_mask_Neighbourhood(_e822, _e836);
+                                let _e891 = phi_1149_;
+                                phi_944_ = (_e731 + 1u);
+                                phi_947_ = lt_mask_Neighbourhood(_e877, _e891);
                             } else {
-                                phi_924_ = u32();
-                                phi_927_ = lt_mask_Neighbourhood();
+                                phi_944_ = u32();
+                                phi_947_ = lt_mask_Neighbourhood();
                             }
-                            let _e840 = phi_924_;
-                            let _e842 = phi_927_;
+                            let _e895 = phi_944_;
+                            let _e897 = phi_947_;
                             continue;
                             continuing {
-                                phi_923_ = _e840;
-                                phi_926_ = _e842;
-                                break if !(_e718);
+                                phi_943_ = _e895;
+                                phi_946_ = _e897;
+                                break if !(_e745);
                             }
                         }
-                        let _e1063 = local_1;
-                        phi_1101_ = _e1063;
+                        let _e1182 = local_1;
+                        phi_1152_ = _e1182;
                     } else {
-                        phi_1101_ = _e695;
+                        phi_1152_ = _e722;
                     }
-                    let _e845 = phi_1101_;
-                    phi_1102_ = _e845;
+                    let _e900 = phi_1152_;
+                    phi_1153_ = _e900;
                 } else {
-                    phi_1102_ = _e695;
+                    phi_1153_ = _e722;
                 }
-                let _e847 = phi_1102_;
-                phi_1103_ = _e847;
+                let _e902 = phi_1153_;
+                phi_1154_ = _e902;
             }
-            let _e849 = phi_1103_;
-            if (_e93 != 0.5f) {
-                if _e683 {
-                    if _e255 {
-                        phi_1129_ = true;
-                    } else {
-                        if _e849.any_expands {
-                            phi_1128_ = false;
-                        } else {
-                            phi_1128_ = true;
-                        }
-                        let _e854 = phi_1128_;
-                        phi_1129_ = _e854;
+            let _e904 = phi_1154_;
+            let _e907 = p.member.frame;
+            let _e909 = p.member.refresh;
+            if (_e909 == 0u) {
+                phi_1187_ = false;
+            } else {
+                if (_e909 == 0u) {
+                    return;
+                }
+                let _e918 = ((_e60.x + (_e60.y * (((_e909 * 5u) / 8u) | 1u))) + (_e907 % _e909));
+                if (_e909 == 0u) {
+                    phi_1186_ = (_e918 == 0u);
+                } else {
+                    if (_e909 == 0u) {
+                        return;
                     }
-                    let _e856 = phi_1129_;
-                    if _e856 {
-                        if _e255 {
-                            if false {
-                                if _e849.all_remove {
-                                    phi_1142_ = false;
+                    phi_1186_ = ((_e918 % _e909) == 0u);
+                }
+                let _e925 = phi_1186_;
+                phi_1187_ = _e925;
+            }
+            let _e927 = phi_1187_;
+            if (_e120 != 0.5f) {
+                if _e710 {
+                    if _e927 {
+                        phi_1242_ = 6u;
+                    } else {
+                        if _e282 {
+                            phi_1217_ = true;
+                        } else {
+                            if _e904.any_expands {
+                                phi_1216_ = false;
+                            } else {
+                                phi_1216_ = true;
+                            }
+                            let _e931 = phi_1216_;
+                            phi_1217_ = _e931;
+                        }
+                        let _e933 = phi_1217_;
+                        if _e933 {
+                            if _e282 {
+                                if false {
+                                    if _e904.all_remove {
+                                        phi_1230_ = false;
+                                    } else {
+                                        phi_1230_ = true;
+                                    }
+                                    let _e935 = phi_1230_;
+                                    phi_1231_ = _e935;
                                 } else {
-                                    phi_1142_ = true;
+                                    phi_1231_ = true;
                                 }
-                                let _e858 = phi_1142_;
-                                phi_1143_ = _e858;
+                                let _e937 = phi_1231_;
+                                phi_1232_ = _e937;
                             } else {
-                                phi_1143_ = true;
+                                phi_1232_ = true;
                             }
-                            let _e860 = phi_1143_;
-                            phi_1144_ = _e860;
-                        } else {
-                            phi_1144_ = true;
-                        }
-                        let _e862 = phi_1144_;
-                        if _e862 {
-                            if _e255 {
-                                phi_1151_ = 1u;
+                            let _e939 = phi_1232_;
+                            if _e939 {
+                                if _e282 {
+                                    phi_1239_ = 1u;
+                                } else {
+                                    phi_1239_ = 0u;
+                                }
+                                let _e941 = phi_1239_;
+                                phi_1240_ = _e941;
                             } else {
-                                phi_1151_ = 0u;
+                                phi_1240_ = 5u;
                             }
-                            let _e864 = phi_1151_;
-                            phi_1152_ = _e864;
+                            let _e943 = phi_1240_;
+                            phi_1241_ = _e943;
                         } else {
-                            phi_1152_ = 5u;
+                            phi_1241_ = 4u;
                         }
-                        let _e866 = phi_1152_;
-                        phi_1153_ = _e866;
-                    } else {
-                        phi_1153_ = 4u;
+                        let _e945 = phi_1241_;
+                        phi_1242_ = _e945;
                     }
-                    let _e868 = phi_1153_;
-                    phi_1154_ = _e868;
+                    let _e947 = phi_1242_;
+                    phi_1243_ = _e947;
                 } else {
-                    phi_1154_ = 3u;
+                    phi_1243_ = 3u;
                 }
-                let _e870 = phi_1154_;
-                phi_1155_ = _e870;
+                let _e949 = phi_1243_;
+                phi_1244_ = _e949;
             } else {
-                phi_1155_ = 2u;
+                phi_1244_ = 2u;
             }
-            let _e872 = phi_1155_;
-            if !((_e872 == 0u)) {
-                phi_1163_ = !((_e872 == 5u));
+            let _e951 = phi_1244_;
+            if !((_e951 == 0u)) {
+                phi_1252_ = !((_e951 == 5u));
             } else {
-                phi_1163_ = false;
+                phi_1252_ = false;
             }
-            let _e878 = phi_1163_;
-            if _e878 {
-                if _e251 {
-                    phi_1171_ = (2u | 1u);
+            let _e957 = phi_1252_;
+            if _e957 {
+                if _e278 {
+                    phi_1260_ = (2u | 1u);
                 } else {
-                    phi_1171_ = 2u;
+                    phi_1260_ = 2u;
                 }
-                let _e881 = phi_1171_;
+                let _e960 = phi_1260_;
                 if false {
-                    phi_1176_ = (_e881 | 4u);
+                    phi_1265_ = (_e960 | 4u);
                 } else {
-                    phi_1176_ = _e881;
+                    phi_1265_ = _e960;
                 }
-                let _e884 = phi_1176_;
-                phi_1181_ = _e884;
+                let _e963 = phi_1265_;
+                phi_1270_ = _e963;
             } else {
-                if _e251 {
-                    phi_1180_ = 1u;
+                if _e278 {
+                    phi_1269_ = 1u;
                 } else {
-                    phi_1180_ = 0u;
+                    phi_1269_ = 0u;
                 }
-                let _e886 = phi_1180_;
-                phi_1181_ = _e886;
+                let _e965 = phi_1269_;
+                phi_1270_ = _e965;
             }
-            let _e888 = phi_1181_;
-            if _e251 {
-                phi_1185_ = 0f;
+            let _e967 = phi_1270_;
+            if _e278 {
+                phi_1274_ = 0f;
             } else {
-                phi_1185_ = 1f;
+                phi_1274_ = 1f;
             }
-            let _e890 = phi_1185_;
-            phi_1187_ = mask_Masked(_e890, _e888, _e878);
+            let _e969 = phi_1274_;
+            phi_1276_ = mask_Masked(_e969, _e967, _e957);
         }
-        let _e893 = phi_1187_;
-        visibility.member[_e77.first_primitive] = _e893.visibility;
-        bits.member[_e77.first_primitive] = _e893.bits;
-        let _e901 = samples.member[_e77.first_primitive].normal[0u];
-        let _e903 = global[0u];
-        if (_e901 == _e903) {
-            let _e906 = samples.member[_e77.first_primitive].normal[1u];
-            let _e908 = global[1u];
-            if (_e906 == _e908) {
-                let _e911 = samples.member[_e77.first_primitive].normal[2u];
-                let _e913 = global[2u];
-                phi_1215_ = (_e911 == _e913);
-                phi_1216_ = false;
+        let _e972 = phi_1276_;
+        visibility.member[_e81.shift] = _e972.visibility;
+        let _e977 = p.member.light.number;
+        let _e978 = (_e977 * 3u);
+        let _e980 = (_e978 % 32u);
+        let _e982 = p.member.light.mask_words;
+        let _e984 = ((_e81.shift * _e982) + (_e978 / 32u));
+        let _e986 = bits.member[_e984];
+        bits.member[_e984] = ((_e986 & ~((7u << bitcast<u32>((_e980 & 31u))))) | (_e972.bits << bitcast<u32>((_e980 & 31u))));
+        if (_e980 > 29u) {
+            let _e1001 = bits.member[(_e984 + 1u)];
+            let _e1003 = (32u - _e980);
+            bits.member[(_e984 + 1u)] = ((_e1001 & ~((7u >> bitcast<u32>((_e1003 & 31u))))) | (_e972.bits >> bitcast<u32>((_e1003 & 31u))));
+        }
+        let _e1018 = samples.member[_e81.shift].normal[0u];
+        let _e1020 = global[0u];
+        if (_e1018 == _e1020) {
+            let _e1023 = samples.member[_e81.shift].normal[1u];
+            let _e1025 = global[1u];
+            if (_e1023 == _e1025) {
+                let _e1028 = samples.member[_e81.shift].normal[2u];
+                let _e1030 = global[2u];
+                phi_1348_ = (_e1028 == _e1030);
+                phi_1349_ = false;
             } else {
-                phi_1215_ = bool();
-                phi_1216_ = true;
+                phi_1348_ = bool();
+                phi_1349_ = true;
             }
-            let _e916 = phi_1215_;
-            let _e918 = phi_1216_;
-            phi_1217_ = _e916;
-            phi_1218_ = _e918;
+            let _e1033 = phi_1348_;
+            let _e1035 = phi_1349_;
+            phi_1350_ = _e1033;
+            phi_1351_ = _e1035;
         } else {
-            phi_1217_ = bool();
-            phi_1218_ = true;
+            phi_1350_ = bool();
+            phi_1351_ = true;
         }
-        let _e920 = phi_1217_;
-        let _e922 = phi_1218_;
-        if _e922 {
-            phi_1222_ = false;
+        let _e1037 = phi_1350_;
+        let _e1039 = phi_1351_;
+        if _e1039 {
+            phi_1355_ = false;
         } else {
-            phi_1222_ = _e920;
+            phi_1355_ = _e1037;
         }
-        let _e924 = phi_1222_;
-        if !(_e924) {
-            let _e927 = samples.member[_e77.first_primitive].position;
-            let _e929 = p.member.current.eye;
-            let _e940 = p.member.current.forward;
-            phi_1250_ = ((((_e927.x - _e929.x) * _e940.x) + ((_e927.y - _e929.y) * _e940.y)) + ((_e927.z - _e929.z) * _e940.z));
+        let _e1041 = phi_1355_;
+        if !(_e1041) {
+            let _e1044 = samples.member[_e81.shift].position;
+            let _e1046 = p.member.current.eye;
+            let _e1057 = p.member.current.forward;
+            phi_1383_ = ((((_e1044.x - _e1046.x) * _e1057.x) + ((_e1044.y - _e1046.y) * _e1057.y)) + ((_e1044.z - _e1046.z) * _e1057.z));
         } else {
-            phi_1250_ = 0f;
+            phi_1383_ = 0f;
         }
-        let _e950 = phi_1250_;
-        depths.member[_e77.first_primitive] = _e950;
-        phi_1253_ = _e893.needs_ray;
-        phi_1254_ = _e77.first_primitive;
+        let _e1067 = phi_1383_;
+        depths.member[_e81.shift] = _e1067;
+        phi_1386_ = _e972.needs_ray;
+        phi_1387_ = _e81.shift;
     } else {
-        phi_1253_ = false;
-        phi_1254_ = 0u;
+        phi_1386_ = false;
+        phi_1387_ = 0u;
     }
-    let _e954 = phi_1253_;
-    let _e956 = phi_1254_;
-    if (_e57 == 0u) {
+    let _e1071 = phi_1386_;
+    let _e1073 = phi_1387_;
+    if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e954 {
-        let _e960 = atomicAdd((&shared_[0u]), 1u);
-        phi_1265_ = _e960;
+    if _e1071 {
+        let _e1077 = atomicAdd((&shared_[0u]), 1u);
+        phi_1398_ = _e1077;
     } else {
-        phi_1265_ = 0u;
+        phi_1398_ = 0u;
     }
-    let _e962 = phi_1265_;
+    let _e1079 = phi_1398_;
     workgroupBarrier();
-    if (_e57 == 0u) {
-        let _e966 = atomicLoad((&shared_[0u]));
-        let _e967 = atomicAdd((&list.member[3u]), _e966);
-        atomicStore((&shared_[1u]), _e967);
+    if (_e61 == 0u) {
+        let _e1083 = atomicLoad((&shared_[0u]));
+        let _e1084 = atomicAdd((&list.member[3u]), _e1083);
+        atomicStore((&shared_[1u]), _e1084);
     }
     workgroupBarrier();
-    if _e954 {
-        let _e970 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e970) + _e962)]), _e956);
+    if _e1071 {
+        let _e1087 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1087) + _e1079)]), _e1073);
     }
     return;
 }

@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,14 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
+}
+
+struct mask_BitsPlace {
+    light: lt_mask_LightPlace,
+    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -122,1101 +128,1170 @@ var<storage, read_write> depths: type_21;
 @group(0) @binding(8) 
 var<storage> past: type_44;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_174_: lt_bvh_traverse_Tree;
-    var phi_175_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
-    var phi_177_: bool;
-    var phi_182_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_182_: lt_mask_LightPlace;
+    var phi_183_: bool;
+    var phi_184_: lt_mask_LightPlace;
+    var phi_185_: bool;
+    var phi_190_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_174_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_175_ = false;
+            phi_182_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_183_ = false;
         } else {
-            phi_174_ = lt_bvh_traverse_Tree();
-            phi_175_ = true;
+            phi_182_ = lt_mask_LightPlace();
+            phi_183_ = true;
         }
-        let _e69 = phi_174_;
-        let _e71 = phi_175_;
-        phi_176_ = _e69;
-        phi_177_ = _e71;
+        let _e73 = phi_182_;
+        let _e75 = phi_183_;
+        phi_184_ = _e73;
+        phi_185_ = _e75;
     } else {
-        phi_176_ = lt_bvh_traverse_Tree();
-        phi_177_ = true;
+        phi_184_ = lt_mask_LightPlace();
+        phi_185_ = true;
     }
-    let _e73 = phi_176_;
-    let _e75 = phi_177_;
-    if _e75 {
-        phi_182_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e77 = phi_184_;
+    let _e79 = phi_185_;
+    if _e79 {
+        phi_190_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_182_ = _e73;
+        phi_190_ = _e77;
     }
-    let _e80 = phi_182_;
-    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
+    let _e84 = phi_190_;
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_200_: vec2<i32>;
+    var phi_208_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_200_ = vec2(0i);
+            phi_208_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_200_ = vec2<i32>(0i, -1i);
+            phi_208_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_200_ = vec2<i32>(-1i, 0i);
+            phi_208_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_200_ = vec2<i32>(1i, 0i);
+            phi_208_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_200_ = vec2<i32>(0i, 1i);
+            phi_208_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e65 = phi_200_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e69 = phi_208_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_218_: vec2<i32>;
+    var phi_226_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_218_ = vec2(0i);
+            phi_226_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_218_ = vec2(-1i);
+            phi_226_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_218_ = vec2<i32>(1i, -1i);
+            phi_226_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_218_ = vec2<i32>(-1i, 1i);
+            phi_226_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_218_ = vec2(1i);
+            phi_226_ = vec2(1i);
             break;
         }
     }
-    let _e65 = phi_218_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e69 = phi_226_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_237_: vec2<i32>;
+    var phi_245_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e59 = lt_mask_pattern_plus(param_5);
-        phi_237_ = vec2<i32>(_e59.x, _e59.y);
+        let _e63 = lt_mask_pattern_plus(param_5);
+        phi_245_ = vec2<i32>(_e63.x, _e63.y);
     } else {
-        let _e63 = lt_mask_pattern_cross(param_5);
-        phi_237_ = vec2<i32>(_e63.x, _e63.y);
+        let _e67 = lt_mask_pattern_cross(param_5);
+        phi_245_ = vec2<i32>(_e67.x, _e67.y);
     }
-    let _e68 = phi_237_;
-    return vec2<i32>(_e68.x, _e68.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_262_: vec2<i32>;
-
-    let _e57 = (param_7 % 13u);
-    switch bitcast<i32>(_e57) {
-        case 9: {
-            phi_262_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_262_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_262_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_262_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_262_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e72 = phi_262_;
+    let _e72 = phi_245_;
     return vec2<i32>(_e72.x, _e72.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_283_: u32;
-    var phi_284_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_270_: vec2<i32>;
 
-    let _e60 = (bitcast<i32>(param_8) + param_9);
-    if (_e60 < 0i) {
-        phi_284_ = 0u;
-    } else {
-        if (_e60 >= bitcast<i32>(param_10)) {
-            phi_283_ = (param_10 - 1u);
-        } else {
-            phi_283_ = bitcast<u32>(_e60);
+    let _e61 = (param_7 % 13u);
+    switch bitcast<i32>(_e61) {
+        case 9: {
+            phi_270_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e67 = phi_283_;
-        phi_284_ = _e67;
+        case 10: {
+            phi_270_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_270_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_270_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_270_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e69 = phi_284_;
-    return _e69;
+    let _e76 = phi_270_;
+    return vec2<i32>(_e76.x, _e76.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_291_: u32;
+    var phi_292_: u32;
+
+    let _e64 = (bitcast<i32>(param_8) + param_9);
+    if (_e64 < 0i) {
+        phi_292_ = 0u;
+    } else {
+        if (_e64 >= bitcast<i32>(param_10)) {
+            phi_291_ = (param_10 - 1u);
+        } else {
+            phi_291_ = bitcast<u32>(_e64);
+        }
+        let _e71 = phi_291_;
+        phi_292_ = _e71;
+    }
+    let _e73 = phi_292_;
+    return _e73;
 }
 
 fn function_() {
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_360_: bool;
-    var phi_430_: bool;
-    var phi_431_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_443_: bool;
-    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_445_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_469_: bool;
-    var phi_655_: f32;
-    var phi_660_: f32;
-    var phi_661_: bool;
-    var phi_662_: f32;
-    var phi_663_: bool;
-    var phi_667_: f32;
-    var phi_690_: f32;
-    var phi_695_: f32;
-    var phi_696_: bool;
-    var phi_697_: f32;
-    var phi_698_: bool;
-    var phi_702_: f32;
-    var phi_723_: bool;
-    var phi_742_: vec2<u32>;
+    var phi_373_: bool;
+    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_380_: bool;
+    var phi_450_: bool;
+    var phi_451_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_463_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
+    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_476_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_489_: bool;
+    var phi_675_: f32;
+    var phi_680_: f32;
+    var phi_681_: bool;
+    var phi_682_: f32;
+    var phi_683_: bool;
+    var phi_687_: f32;
+    var phi_710_: f32;
+    var phi_715_: f32;
+    var phi_716_: bool;
+    var phi_717_: f32;
+    var phi_718_: bool;
+    var phi_722_: f32;
     var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_745_: bool;
-    var phi_746_: vec2<u32>;
-    var phi_747_: bool;
-    var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_752_: bool;
-    var phi_753_: vec2<u32>;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: vec2<u32>;
-    var phi_761_: bool;
-    var phi_762_: bool;
+    var phi_762_: vec2<u32>;
     var phi_763_: bool;
     var phi_764_: bool;
-    var phi_773_: bool;
+    var phi_765_: bool;
+    var phi_766_: vec2<u32>;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: vec2<u32>;
     var phi_774_: bool;
     var phi_775_: bool;
     var phi_776_: bool;
-    var phi_780_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: vec2<u32>;
     var phi_781_: bool;
-    var phi_782_: vec2<u32>;
-    var phi_865_: bool;
-    var phi_869_: f32;
-    var phi_873_: lt_mask_Reprojection;
-    var phi_882_: bool;
-    var phi_883_: bool;
+    var phi_782_: bool;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: bool;
+    var phi_796_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: vec2<u32>;
     var phi_885_: bool;
-    var phi_886_: lt_mask_Reprojection;
-    var phi_887_: lt_mask_Reprojection;
-    var phi_888_: bool;
-    var phi_892_: bool;
+    var phi_889_: f32;
     var phi_893_: lt_mask_Reprojection;
-    var phi_907_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_922_: bool;
-    var phi_923_: bool;
+    var phi_902_: bool;
+    var phi_903_: bool;
+    var phi_905_: bool;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_908_: bool;
+    var phi_912_: bool;
+    var phi_913_: lt_mask_Reprojection;
     var phi_927_: bool;
-    var phi_932_: bool;
-    var phi_947_: u32;
-    var phi_949_: u32;
-    var phi_952_: lt_mask_Neighbourhood;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_1035_: vec2<i32>;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_940_: bool;
+    var phi_941_: bool;
+    var phi_942_: bool;
+    var phi_943_: bool;
+    var phi_947_: bool;
+    var phi_952_: bool;
+    var phi_967_: u32;
+    var phi_969_: u32;
+    var phi_972_: lt_mask_Neighbourhood;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_994_: u32;
+    var phi_995_: u32;
     var phi_1055_: vec2<i32>;
-    var phi_1078_: u32;
-    var phi_1095_: bool;
-    var phi_1096_: bool;
-    var phi_1103_: bool;
-    var phi_1104_: bool;
-    var phi_1122_: bool;
-    var phi_1123_: bool;
-    var phi_1124_: bool;
-    var phi_950_: u32;
-    var phi_953_: lt_mask_Neighbourhood;
-    var phi_1127_: lt_mask_Neighbourhood;
-    var phi_1128_: lt_mask_Neighbourhood;
-    var phi_1153_: bool;
+    var phi_1075_: vec2<i32>;
+    var phi_1102_: u32;
+    var phi_1121_: u32;
+    var phi_1129_: u32;
+    var phi_1146_: bool;
+    var phi_1147_: bool;
     var phi_1154_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1169_: bool;
-    var phi_1176_: u32;
-    var phi_1177_: u32;
-    var phi_1178_: u32;
-    var phi_1179_: u32;
-    var phi_1180_: u32;
-    var phi_1188_: bool;
-    var phi_1196_: u32;
-    var phi_1201_: u32;
-    var phi_1205_: u32;
-    var phi_1206_: u32;
-    var phi_1210_: f32;
-    var phi_1212_: mask_Masked;
-    var phi_1240_: bool;
+    var phi_1155_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_970_: u32;
+    var phi_973_: lt_mask_Neighbourhood;
+    var phi_1178_: lt_mask_Neighbourhood;
+    var phi_1179_: lt_mask_Neighbourhood;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
     var phi_1241_: bool;
     var phi_1242_: bool;
-    var phi_1243_: bool;
-    var phi_1247_: bool;
-    var phi_1275_: f32;
-    var phi_1278_: bool;
-    var phi_1279_: u32;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
+    var phi_1257_: bool;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1266_: u32;
+    var phi_1267_: u32;
+    var phi_1268_: u32;
+    var phi_1269_: u32;
+    var phi_1277_: bool;
+    var phi_1285_: u32;
     var phi_1290_: u32;
+    var phi_1294_: u32;
+    var phi_1295_: u32;
+    var phi_1299_: f32;
+    var phi_1301_: mask_Masked;
+    var phi_1373_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1376_: bool;
+    var phi_1380_: bool;
+    var phi_1408_: f32;
+    var phi_1411_: bool;
+    var phi_1412_: u32;
+    var phi_1423_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e56 = id_1;
-    let _e57 = local_2;
-    let _e74 = p.member.current.size[0u];
-    let _e76 = p.member.current.size[1u];
-    let _e77 = lt_shaders_entry_pixel_index(_e56, _e74, _e76);
-    if (bitcast<i32>(_e77.root) != 0i) {
-        let _e85 = p.member.current.size[0u];
-        let _e88 = past.member[_e77.first_primitive];
-        let _e93 = visibility.member[_e77.first_primitive];
-        let _e99 = samples.member[_e77.first_primitive].normal[0u];
-        let _e101 = global[0u];
-        if (_e99 == _e101) {
-            let _e104 = samples.member[_e77.first_primitive].normal[1u];
-            let _e106 = global[1u];
-            if (_e104 == _e106) {
-                let _e109 = samples.member[_e77.first_primitive].normal[2u];
-                let _e111 = global[2u];
-                phi_353_ = (_e109 == _e111);
-                phi_354_ = false;
+    let _e60 = id_1;
+    let _e61 = local_2;
+    let _e66 = arrayLength((&last_bits.member));
+    let _e78 = p.member.current.size[0u];
+    let _e80 = p.member.current.size[1u];
+    let _e81 = lt_shaders_entry_pixel_index(_e60, _e78, _e80);
+    if (bitcast<i32>(_e81.word) != 0i) {
+        let _e88 = p.member.light.number;
+        let _e89 = (_e88 * 3u);
+        let _e93 = p.member.light.mask_words;
+        let _e99 = mask_BitsPlace(lt_mask_LightPlace((_e89 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e105 = mask_BitsPlace(lt_mask_LightPlace(_e99.light.word, (_e89 % 32u)), _e99.words);
+        let _e108 = mask_BitsPlace(_e105.light, _e93);
+        let _e112 = p.member.current.size[0u];
+        let _e115 = past.member[_e81.shift];
+        let _e120 = visibility.member[_e81.shift];
+        let _e126 = samples.member[_e81.shift].normal[0u];
+        let _e128 = global[0u];
+        if (_e126 == _e128) {
+            let _e131 = samples.member[_e81.shift].normal[1u];
+            let _e133 = global[1u];
+            if (_e131 == _e133) {
+                let _e136 = samples.member[_e81.shift].normal[2u];
+                let _e138 = global[2u];
+                phi_373_ = (_e136 == _e138);
+                phi_374_ = false;
             } else {
-                phi_353_ = bool();
-                phi_354_ = true;
+                phi_373_ = bool();
+                phi_374_ = true;
             }
-            let _e114 = phi_353_;
-            let _e116 = phi_354_;
-            phi_355_ = _e114;
-            phi_356_ = _e116;
+            let _e141 = phi_373_;
+            let _e143 = phi_374_;
+            phi_375_ = _e141;
+            phi_376_ = _e143;
         } else {
-            phi_355_ = bool();
-            phi_356_ = true;
+            phi_375_ = bool();
+            phi_376_ = true;
         }
-        let _e118 = phi_355_;
-        let _e120 = phi_356_;
-        if _e120 {
-            phi_360_ = false;
+        let _e145 = phi_375_;
+        let _e147 = phi_376_;
+        if _e147 {
+            phi_380_ = false;
         } else {
-            phi_360_ = _e118;
+            phi_380_ = _e145;
         }
-        let _e122 = phi_360_;
-        if !(_e122) {
-            let _e125 = samples.member[_e77.first_primitive].position;
-            let _e127 = p.member.light.place;
-            let _e133 = p.member.light.place[3u];
-            let _e140 = (_e127.x - (_e125.x * _e133));
-            let _e141 = (_e127.y - (_e125.y * _e133));
-            let _e142 = (_e127.z - (_e125.z * _e133));
-            let _e144 = samples.member[_e77.first_primitive].normal;
-            if ((((_e144.x * _e140) + (_e144.y * _e141)) + (_e144.z * _e142)) > 0f) {
-                let _e158 = (((_e140 * _e140) + (_e141 * _e141)) + (_e142 * _e142));
-                let _e160 = p.member.light.axis;
-                let _e172 = p.member.light.place[3u];
-                if (_e172 == 0f) {
-                    phi_431_ = true;
+        let _e149 = phi_380_;
+        if !(_e149) {
+            let _e152 = samples.member[_e81.shift].position;
+            let _e154 = p.member.light.place;
+            let _e160 = p.member.light.place[3u];
+            let _e167 = (_e154.x - (_e152.x * _e160));
+            let _e168 = (_e154.y - (_e152.y * _e160));
+            let _e169 = (_e154.z - (_e152.z * _e160));
+            let _e171 = samples.member[_e81.shift].normal;
+            if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
+                let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
+                let _e187 = p.member.light.axis;
+                let _e199 = p.member.light.place[3u];
+                if (_e199 == 0f) {
+                    phi_451_ = true;
                 } else {
-                    let _e175 = p.member.light.range_squared;
-                    if (_e158 <= _e175) {
-                        let _e178 = p.member.light.cos_outer;
-                        phi_430_ = (-((((_e140 * _e160.x) + (_e141 * _e160.y)) + (_e142 * _e160.z))) >= (_e178 * sqrt(_e158)));
+                    let _e202 = p.member.light.range_squared;
+                    if (_e185 <= _e202) {
+                        let _e205 = p.member.light.cos_outer;
+                        phi_450_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
                     } else {
-                        phi_430_ = false;
+                        phi_450_ = false;
                     }
-                    let _e183 = phi_430_;
-                    phi_431_ = _e183;
+                    let _e210 = phi_450_;
+                    phi_451_ = _e210;
                 }
-                let _e185 = phi_431_;
-                if _e185 {
-                    let _e187 = samples.member[_e77.first_primitive].flags;
-                    let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, ((_e187 & 1u) == 0u));
-                    phi_443_ = false;
+                let _e212 = phi_451_;
+                if _e212 {
+                    let _e214 = samples.member[_e81.shift].flags;
+                    let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
+                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
+                    phi_463_ = false;
                 } else {
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_443_ = true;
+                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_463_ = true;
                 }
-                let _e206 = phi_442_;
-                let _e208 = phi_443_;
-                phi_444_ = _e206;
-                phi_445_ = _e208;
+                let _e233 = phi_462_;
+                let _e235 = phi_463_;
+                phi_464_ = _e233;
+                phi_465_ = _e235;
             } else {
-                phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_445_ = true;
+                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_465_ = true;
             }
-            let _e210 = phi_444_;
-            let _e212 = phi_445_;
-            if _e212 {
-                let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
-                phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
+            let _e237 = phi_464_;
+            let _e239 = phi_465_;
+            if _e239 {
+                let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
+                phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
             } else {
-                phi_452_ = _e210;
+                phi_472_ = _e237;
             }
-            let _e229 = phi_452_;
-            phi_456_ = _e229;
+            let _e256 = phi_472_;
+            phi_476_ = _e256;
         } else {
-            let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e235.unnamed.visibility, false), _e235.unnamed_1);
-            phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e241.unnamed, true);
+            let _e262 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e268 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e262.unnamed.visibility, false), _e262.unnamed_1);
+            phi_476_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
         }
-        let _e246 = phi_456_;
-        if _e246.unnamed_1 {
-            phi_1212_ = mask_Masked(_e246.unnamed.visibility, 0u, false);
+        let _e273 = phi_476_;
+        if _e273.unnamed_1 {
+            phi_1301_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
         } else {
-            let _e251 = (_e93 < 0.5f);
-            if (_e93 > 0f) {
-                phi_469_ = (_e93 < 1f);
+            let _e278 = (_e120 < 0.5f);
+            if (_e120 > 0f) {
+                phi_489_ = (_e120 < 1f);
             } else {
-                phi_469_ = false;
+                phi_489_ = false;
             }
-            let _e255 = phi_469_;
-            let _e257 = samples.member[_e77.first_primitive].position;
-            let _e261 = p.member.previous.eye;
-            let _e263 = (_e88.x - _e261.x);
-            let _e265 = (_e88.y - _e261.y);
-            let _e267 = (_e88.z - _e261.z);
-            let _e269 = p.member.previous.forward;
-            let _e277 = (((_e263 * _e269.x) + (_e265 * _e269.y)) + (_e267 * _e269.z));
-            let _e279 = p.member.previous.right;
-            let _e289 = p.member.previous.right;
-            let _e304 = p.member.previous.up;
-            let _e314 = p.member.previous.up;
-            let _e329 = p.member.current.eye;
-            let _e332 = (_e257.x - _e329.x);
-            let _e335 = (_e257.y - _e329.y);
-            let _e338 = (_e257.z - _e329.z);
-            let _e340 = p.member.current.forward;
-            let _e348 = (((_e332 * _e340.x) + (_e335 * _e340.y)) + (_e338 * _e340.z));
-            let _e350 = p.member.current.right;
-            let _e360 = p.member.current.right;
-            let _e375 = p.member.current.up;
-            let _e385 = p.member.current.up;
-            let _e404 = p.member.current.size[0u];
-            let _e406 = (((((((_e263 * _e279.x) + (_e265 * _e279.y)) + (_e267 * _e279.z)) / ((((_e289.x * _e289.x) + (_e289.y * _e289.y)) + (_e289.z * _e289.z)) * _e277)) - ((((_e332 * _e350.x) + (_e335 * _e350.y)) + (_e338 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e348))) * 0.5f) * f32(_e404));
-            let _e410 = p.member.current.size[1u];
-            let _e412 = (((((((_e263 * _e304.x) + (_e265 * _e304.y)) + (_e267 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e277)) - ((((_e332 * _e375.x) + (_e335 * _e375.y)) + (_e338 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e348))) * -0.5f) * f32(_e410));
-            let _e416 = p.member.current.size[0u];
-            let _e418 = p.member.current.size[1u];
-            let _e422 = ((f32(_e56.x) + 0.5f) + _e406);
-            if (_e422 > -8388608f) {
-                let _e434 = f32(select(0i, select(select(i32(_e422), i32(-2147483648), (_e422 < bitcast<f32>(3472883712u))), 2147483647i, (_e422 > bitcast<f32>(1325400063u))), (_e422 == _e422)));
-                if (_e434 > _e422) {
-                    phi_655_ = 1f;
+            let _e282 = phi_489_;
+            let _e284 = samples.member[_e81.shift].position;
+            let _e288 = p.member.previous.eye;
+            let _e290 = (_e115.x - _e288.x);
+            let _e292 = (_e115.y - _e288.y);
+            let _e294 = (_e115.z - _e288.z);
+            let _e296 = p.member.previous.forward;
+            let _e304 = (((_e290 * _e296.x) + (_e292 * _e296.y)) + (_e294 * _e296.z));
+            let _e306 = p.member.previous.right;
+            let _e316 = p.member.previous.right;
+            let _e331 = p.member.previous.up;
+            let _e341 = p.member.previous.up;
+            let _e356 = p.member.current.eye;
+            let _e359 = (_e284.x - _e356.x);
+            let _e362 = (_e284.y - _e356.y);
+            let _e365 = (_e284.z - _e356.z);
+            let _e367 = p.member.current.forward;
+            let _e375 = (((_e359 * _e367.x) + (_e362 * _e367.y)) + (_e365 * _e367.z));
+            let _e377 = p.member.current.right;
+            let _e387 = p.member.current.right;
+            let _e402 = p.member.current.up;
+            let _e412 = p.member.current.up;
+            let _e431 = p.member.current.size[0u];
+            let _e433 = (((((((_e290 * _e306.x) + (_e292 * _e306.y)) + (_e294 * _e306.z)) / ((((_e316.x * _e316.x) + (_e316.y * _e316.y)) + (_e316.z * _e316.z)) * _e304)) - ((((_e359 * _e377.x) + (_e362 * _e377.y)) + (_e365 * _e377.z)) / ((((_e387.x * _e387.x) + (_e387.y * _e387.y)) + (_e387.z * _e387.z)) * _e375))) * 0.5f) * f32(_e431));
+            let _e437 = p.member.current.size[1u];
+            let _e439 = (((((((_e290 * _e331.x) + (_e292 * _e331.y)) + (_e294 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e304)) - ((((_e359 * _e402.x) + (_e362 * _e402.y)) + (_e365 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e375))) * -0.5f) * f32(_e437));
+            let _e443 = p.member.current.size[0u];
+            let _e445 = p.member.current.size[1u];
+            let _e449 = ((f32(_e60.x) + 0.5f) + _e433);
+            if (_e449 > -8388608f) {
+                let _e461 = f32(select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449)));
+                if (_e461 > _e449) {
+                    phi_675_ = 1f;
                 } else {
-                    phi_655_ = 0f;
+                    phi_675_ = 0f;
                 }
-                let _e437 = phi_655_;
-                if (_e422 < 8388608f) {
-                    phi_660_ = (_e434 - _e437);
-                    phi_661_ = false;
+                let _e464 = phi_675_;
+                if (_e449 < 8388608f) {
+                    phi_680_ = (_e461 - _e464);
+                    phi_681_ = false;
                 } else {
-                    phi_660_ = f32();
-                    phi_661_ = true;
+                    phi_680_ = f32();
+                    phi_681_ = true;
                 }
-                let _e440 = phi_660_;
-                let _e442 = phi_661_;
-                phi_662_ = _e440;
-                phi_663_ = _e442;
+                let _e467 = phi_680_;
+                let _e469 = phi_681_;
+                phi_682_ = _e467;
+                phi_683_ = _e469;
             } else {
-                phi_662_ = f32();
-                phi_663_ = true;
+                phi_682_ = f32();
+                phi_683_ = true;
             }
-            let _e444 = phi_662_;
-            let _e446 = phi_663_;
-            if _e446 {
-                phi_667_ = _e422;
+            let _e471 = phi_682_;
+            let _e473 = phi_683_;
+            if _e473 {
+                phi_687_ = _e449;
             } else {
-                phi_667_ = _e444;
+                phi_687_ = _e471;
             }
-            let _e448 = phi_667_;
-            let _e451 = ((f32(_e56.y) + 0.5f) + _e412);
-            if (_e451 > -8388608f) {
-                let _e463 = f32(select(0i, select(select(i32(_e451), i32(-2147483648), (_e451 < bitcast<f32>(3472883712u))), 2147483647i, (_e451 > bitcast<f32>(1325400063u))), (_e451 == _e451)));
-                if (_e463 > _e451) {
-                    phi_690_ = 1f;
+            let _e475 = phi_687_;
+            let _e478 = ((f32(_e60.y) + 0.5f) + _e439);
+            if (_e478 > -8388608f) {
+                let _e490 = f32(select(0i, select(select(i32(_e478), i32(-2147483648), (_e478 < bitcast<f32>(3472883712u))), 2147483647i, (_e478 > bitcast<f32>(1325400063u))), (_e478 == _e478)));
+                if (_e490 > _e478) {
+                    phi_710_ = 1f;
                 } else {
-                    phi_690_ = 0f;
+                    phi_710_ = 0f;
                 }
-                let _e466 = phi_690_;
-                if (_e451 < 8388608f) {
-                    phi_695_ = (_e463 - _e466);
-                    phi_696_ = false;
+                let _e493 = phi_710_;
+                if (_e478 < 8388608f) {
+                    phi_715_ = (_e490 - _e493);
+                    phi_716_ = false;
                 } else {
-                    phi_695_ = f32();
-                    phi_696_ = true;
+                    phi_715_ = f32();
+                    phi_716_ = true;
                 }
-                let _e469 = phi_695_;
-                let _e471 = phi_696_;
-                phi_697_ = _e469;
-                phi_698_ = _e471;
+                let _e496 = phi_715_;
+                let _e498 = phi_716_;
+                phi_717_ = _e496;
+                phi_718_ = _e498;
             } else {
-                phi_697_ = f32();
-                phi_698_ = true;
+                phi_717_ = f32();
+                phi_718_ = true;
             }
-            let _e473 = phi_697_;
-            let _e475 = phi_698_;
-            if _e475 {
-                phi_702_ = _e451;
+            let _e500 = phi_717_;
+            let _e502 = phi_718_;
+            if _e502 {
+                phi_722_ = _e478;
             } else {
-                phi_702_ = _e473;
+                phi_722_ = _e500;
             }
-            let _e477 = phi_702_;
-            if (_e448 >= 0f) {
-                if (_e477 >= 0f) {
-                    if (_e448 < f32(_e416)) {
-                        let _e483 = (_e477 < f32(_e418));
-                        if (_e406 == 0f) {
-                            phi_723_ = (_e412 == 0f);
+            let _e504 = phi_722_;
+            if (_e475 >= 0f) {
+                if (_e504 >= 0f) {
+                    if (_e475 < f32(_e443)) {
+                        let _e510 = (_e504 < f32(_e445));
+                        if (_e433 == 0f) {
+                            phi_743_ = (_e439 == 0f);
                         } else {
-                            phi_723_ = false;
-                        }
-                        let _e487 = phi_723_;
-                        if _e483 {
-                            phi_742_ = vec2<u32>(select(select(u32(_e448), 0u, (_e448 < bitcast<f32>(0u))), 4294967295u, (_e448 > bitcast<f32>(1333788671u))), select(select(u32(_e477), 0u, (_e477 < bitcast<f32>(0u))), 4294967295u, (_e477 > bitcast<f32>(1333788671u))));
                             phi_743_ = false;
-                        } else {
-                            phi_742_ = vec2<u32>();
-                            phi_743_ = true;
                         }
-                        let _e504 = phi_742_;
-                        let _e506 = phi_743_;
-                        phi_744_ = _e487;
-                        phi_745_ = _e483;
-                        phi_746_ = _e504;
-                        phi_747_ = _e487;
-                        phi_748_ = _e483;
-                        phi_749_ = false;
-                        phi_750_ = _e506;
+                        let _e514 = phi_743_;
+                        if _e510 {
+                            phi_762_ = vec2<u32>(select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))), select(select(u32(_e504), 0u, (_e504 < bitcast<f32>(0u))), 4294967295u, (_e504 > bitcast<f32>(1333788671u))));
+                            phi_763_ = false;
+                        } else {
+                            phi_762_ = vec2<u32>();
+                            phi_763_ = true;
+                        }
+                        let _e531 = phi_762_;
+                        let _e533 = phi_763_;
+                        phi_764_ = _e514;
+                        phi_765_ = _e510;
+                        phi_766_ = _e531;
+                        phi_767_ = _e514;
+                        phi_768_ = _e510;
+                        phi_769_ = false;
+                        phi_770_ = _e533;
                     } else {
-                        phi_744_ = bool();
-                        phi_745_ = bool();
-                        phi_746_ = vec2<u32>();
-                        phi_747_ = bool();
-                        phi_748_ = bool();
-                        phi_749_ = true;
-                        phi_750_ = false;
+                        phi_764_ = bool();
+                        phi_765_ = bool();
+                        phi_766_ = vec2<u32>();
+                        phi_767_ = bool();
+                        phi_768_ = bool();
+                        phi_769_ = true;
+                        phi_770_ = false;
                     }
-                    let _e508 = phi_744_;
-                    let _e510 = phi_745_;
-                    let _e512 = phi_746_;
-                    let _e514 = phi_747_;
-                    let _e516 = phi_748_;
-                    let _e518 = phi_749_;
-                    let _e520 = phi_750_;
-                    phi_751_ = _e508;
-                    phi_752_ = _e510;
-                    phi_753_ = _e512;
-                    phi_754_ = _e514;
-                    phi_755_ = _e516;
-                    phi_756_ = _e518;
-                    phi_757_ = _e520;
+                    let _e535 = phi_764_;
+                    let _e537 = phi_765_;
+                    let _e539 = phi_766_;
+                    let _e541 = phi_767_;
+                    let _e543 = phi_768_;
+                    let _e545 = phi_769_;
+                    let _e547 = phi_770_;
+                    phi_771_ = _e535;
+                    phi_772_ = _e537;
+                    phi_773_ = _e539;
+                    phi_774_ = _e541;
+                    phi_775_ = _e543;
+                    phi_776_ = _e545;
+                    phi_777_ = _e547;
                 } else {
-                    phi_751_ = bool();
-                    phi_752_ = bool();
-                    phi_753_ = vec2<u32>();
-                    phi_754_ = bool();
-                    phi_755_ = bool();
-                    phi_756_ = true;
-                    phi_757_ = false;
+                    phi_771_ = bool();
+                    phi_772_ = bool();
+                    phi_773_ = vec2<u32>();
+                    phi_774_ = bool();
+                    phi_775_ = bool();
+                    phi_776_ = true;
+                    phi_777_ = false;
                 }
-                let _e522 = phi_751_;
-                let _e524 = phi_752_;
-                let _e526 = phi_753_;
-                let _e528 = phi_754_;
-                let _e530 = phi_755_;
-                let _e532 = phi_756_;
-                let _e534 = phi_757_;
-                phi_758_ = _e522;
-                phi_759_ = _e524;
-                phi_760_ = _e526;
-                phi_761_ = _e528;
-                phi_762_ = _e530;
-                phi_763_ = _e532;
-                phi_764_ = _e534;
+                let _e549 = phi_771_;
+                let _e551 = phi_772_;
+                let _e553 = phi_773_;
+                let _e555 = phi_774_;
+                let _e557 = phi_775_;
+                let _e559 = phi_776_;
+                let _e561 = phi_777_;
+                phi_778_ = _e549;
+                phi_779_ = _e551;
+                phi_780_ = _e553;
+                phi_781_ = _e555;
+                phi_782_ = _e557;
+                phi_783_ = _e559;
+                phi_784_ = _e561;
             } else {
-                phi_758_ = bool();
-                phi_759_ = bool();
-                phi_760_ = vec2<u32>();
-                phi_761_ = bool();
-                phi_762_ = bool();
-                phi_763_ = true;
-                phi_764_ = false;
+                phi_778_ = bool();
+                phi_779_ = bool();
+                phi_780_ = vec2<u32>();
+                phi_781_ = bool();
+                phi_782_ = bool();
+                phi_783_ = true;
+                phi_784_ = false;
             }
-            let _e536 = phi_758_;
-            let _e538 = phi_759_;
-            let _e540 = phi_760_;
-            let _e542 = phi_761_;
-            let _e544 = phi_762_;
-            let _e546 = phi_763_;
-            let _e548 = phi_764_;
-            if _e546 {
-                if (_e406 == 0f) {
-                    phi_773_ = (_e412 == 0f);
+            let _e563 = phi_778_;
+            let _e565 = phi_779_;
+            let _e567 = phi_780_;
+            let _e569 = phi_781_;
+            let _e571 = phi_782_;
+            let _e573 = phi_783_;
+            let _e575 = phi_784_;
+            if _e573 {
+                if (_e433 == 0f) {
+                    phi_793_ = (_e439 == 0f);
                 } else {
-                    phi_773_ = false;
+                    phi_793_ = false;
                 }
-                let _e552 = phi_773_;
-                phi_774_ = _e552;
-                phi_775_ = false;
-                phi_776_ = true;
+                let _e579 = phi_793_;
+                phi_794_ = _e579;
+                phi_795_ = false;
+                phi_796_ = true;
             } else {
-                phi_774_ = _e542;
-                phi_775_ = _e544;
-                phi_776_ = _e548;
+                phi_794_ = _e569;
+                phi_795_ = _e571;
+                phi_796_ = _e575;
             }
-            let _e554 = phi_774_;
-            let _e556 = phi_775_;
-            let _e558 = phi_776_;
-            if _e558 {
-                phi_780_ = _e554;
-                phi_781_ = _e556;
-                phi_782_ = vec2<u32>(_e56.x, _e56.y);
+            let _e581 = phi_794_;
+            let _e583 = phi_795_;
+            let _e585 = phi_796_;
+            if _e585 {
+                phi_800_ = _e581;
+                phi_801_ = _e583;
+                phi_802_ = vec2<u32>(_e60.x, _e60.y);
             } else {
-                phi_780_ = _e536;
-                phi_781_ = _e538;
-                phi_782_ = _e540;
+                phi_800_ = _e563;
+                phi_801_ = _e565;
+                phi_802_ = _e567;
             }
-            let _e560 = phi_780_;
-            let _e562 = phi_781_;
-            let _e564 = phi_782_;
-            let _e574 = lt_mask_Reprojection(vec2<u32>(_e564.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e581 = lt_mask_Reprojection(vec2<u32>(_e574.pixel.x, _e564.y), _e574.is_valid, _e574.has_moved);
-            let _e585 = lt_mask_Reprojection(_e581.pixel, _e562, _e581.has_moved);
-            let _e589 = lt_mask_Reprojection(_e585.pixel, _e585.is_valid, !(_e560));
-            if _e562 {
-                let _e592 = p.member.previous.eye;
-                let _e600 = p.member.previous.forward;
-                let _e609 = (((((_e88.x - _e592.x) * _e600.x) + ((_e88.y - _e592.y) * _e600.y)) + ((_e88.z - _e592.z) * _e600.z)) > 0f);
-                let _e613 = lt_mask_Reprojection(_e589.pixel, _e609, _e589.has_moved);
-                if _e609 {
-                    let _e616 = p.member.previous.eye;
-                    let _e624 = p.member.previous.forward;
-                    let _e632 = ((((_e88.x - _e616.x) * _e624.x) + ((_e88.y - _e616.y) * _e624.y)) + ((_e88.z - _e616.z) * _e624.z));
-                    let _e634 = ((_e564.y * _e85) + _e564.x);
-                    if (_e634 < arrayLength((&last_depths.member))) {
+            let _e587 = phi_800_;
+            let _e589 = phi_801_;
+            let _e591 = phi_802_;
+            let _e601 = lt_mask_Reprojection(vec2<u32>(_e591.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e608 = lt_mask_Reprojection(vec2<u32>(_e601.pixel.x, _e591.y), _e601.is_valid, _e601.has_moved);
+            let _e612 = lt_mask_Reprojection(_e608.pixel, _e589, _e608.has_moved);
+            let _e616 = lt_mask_Reprojection(_e612.pixel, _e612.is_valid, !(_e587));
+            if _e589 {
+                let _e619 = p.member.previous.eye;
+                let _e627 = p.member.previous.forward;
+                let _e636 = (((((_e115.x - _e619.x) * _e627.x) + ((_e115.y - _e619.y) * _e627.y)) + ((_e115.z - _e619.z) * _e627.z)) > 0f);
+                let _e640 = lt_mask_Reprojection(_e616.pixel, _e636, _e616.has_moved);
+                if _e636 {
+                    let _e643 = p.member.previous.eye;
+                    let _e651 = p.member.previous.forward;
+                    let _e659 = ((((_e115.x - _e643.x) * _e651.x) + ((_e115.y - _e643.y) * _e651.y)) + ((_e115.z - _e643.z) * _e651.z));
+                    let _e661 = ((_e591.y * _e112) + _e591.x);
+                    if (_e661 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e638 = last_depths.member[(0u + _e634)];
-                    let _e640 = p.member.depth_tolerance;
-                    let _e643 = abs(_e632);
-                    let _e644 = abs(_e638);
-                    if ((bitcast<u32>(_e644) & 2147483647u) > 2139095040u) {
-                        phi_865_ = true;
+                    let _e665 = last_depths.member[(0u + _e661)];
+                    let _e667 = p.member.depth_tolerance;
+                    let _e670 = abs(_e659);
+                    let _e671 = abs(_e665);
+                    if ((bitcast<u32>(_e671) & 2147483647u) > 2139095040u) {
+                        phi_885_ = true;
                     } else {
-                        let _e648 = (_e644 > _e643);
-                        if _e648 {
+                        let _e675 = (_e671 > _e670);
+                        if _e675 {
                         }
-                        phi_865_ = _e648;
+                        phi_885_ = _e675;
                     }
-                    let _e650 = phi_865_;
-                    if _e650 {
-                        phi_869_ = _e644;
+                    let _e677 = phi_885_;
+                    if _e677 {
+                        phi_889_ = _e671;
                     } else {
-                        phi_869_ = _e643;
+                        phi_889_ = _e670;
                     }
-                    let _e652 = phi_869_;
-                    phi_873_ = lt_mask_Reprojection(_e613.pixel, (abs((_e632 - _e638)) <= (_e640 * _e652)), _e613.has_moved);
+                    let _e679 = phi_889_;
+                    phi_893_ = lt_mask_Reprojection(_e640.pixel, (abs((_e659 - _e665)) <= (_e667 * _e679)), _e640.has_moved);
                 } else {
-                    phi_873_ = _e613;
+                    phi_893_ = _e640;
                 }
-                let _e660 = phi_873_;
-                if _e660.is_valid {
-                    let _e663 = p.member.flags;
-                    phi_882_ = ((_e663 & 1u) != 0u);
-                    phi_883_ = false;
+                let _e687 = phi_893_;
+                if _e687.is_valid {
+                    let _e690 = p.member.flags;
+                    phi_902_ = ((_e690 & 1u) != 0u);
+                    phi_903_ = false;
                 } else {
-                    phi_882_ = bool();
-                    phi_883_ = true;
+                    phi_902_ = bool();
+                    phi_903_ = true;
                 }
-                let _e667 = phi_882_;
-                let _e669 = phi_883_;
-                phi_885_ = _e667;
-                phi_886_ = _e660;
-                phi_887_ = _e660;
-                phi_888_ = _e669;
+                let _e694 = phi_902_;
+                let _e696 = phi_903_;
+                phi_905_ = _e694;
+                phi_906_ = _e687;
+                phi_907_ = _e687;
+                phi_908_ = _e696;
             } else {
-                phi_885_ = bool();
-                phi_886_ = lt_mask_Reprojection();
-                phi_887_ = lt_mask_Reprojection(_e589.pixel, false, _e589.has_moved);
-                phi_888_ = true;
+                phi_905_ = bool();
+                phi_906_ = lt_mask_Reprojection();
+                phi_907_ = lt_mask_Reprojection(_e616.pixel, false, _e616.has_moved);
+                phi_908_ = true;
             }
-            let _e675 = phi_885_;
-            let _e677 = phi_886_;
-            let _e679 = phi_887_;
-            let _e681 = phi_888_;
-            if _e681 {
-                phi_892_ = false;
-                phi_893_ = _e679;
+            let _e702 = phi_905_;
+            let _e704 = phi_906_;
+            let _e706 = phi_907_;
+            let _e708 = phi_908_;
+            if _e708 {
+                phi_912_ = false;
+                phi_913_ = _e706;
             } else {
-                phi_892_ = _e675;
-                phi_893_ = _e677;
+                phi_912_ = _e702;
+                phi_913_ = _e704;
             }
-            let _e683 = phi_892_;
-            let _e685 = phi_893_;
-            let _e689 = lt_mask_Reprojection(_e685.pixel, _e683, _e685.has_moved);
-            let _e691 = p.member.flags;
-            if _e689.has_moved {
-                let _e696 = p.member.flags;
-                phi_907_ = ((_e696 & 4u) == 0u);
+            let _e710 = phi_912_;
+            let _e712 = phi_913_;
+            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
+            let _e718 = p.member.flags;
+            if _e716.has_moved {
+                let _e723 = p.member.flags;
+                phi_927_ = ((_e723 & 4u) == 0u);
             } else {
-                phi_907_ = false;
+                phi_927_ = false;
             }
-            let _e700 = phi_907_;
-            if ((_e691 & 2u) != 0u) {
+            let _e727 = phi_927_;
+            if ((_e718 & 2u) != 0u) {
                 if false {
-                    phi_920_ = bool();
-                    phi_921_ = true;
+                    phi_940_ = bool();
+                    phi_941_ = true;
                 } else {
                     if true {
-                        phi_918_ = !(_e700);
-                        phi_919_ = false;
+                        phi_938_ = !(_e727);
+                        phi_939_ = false;
                     } else {
-                        phi_918_ = bool();
-                        phi_919_ = true;
+                        phi_938_ = bool();
+                        phi_939_ = true;
                     }
-                    let _e703 = phi_918_;
-                    let _e705 = phi_919_;
-                    phi_920_ = _e703;
-                    phi_921_ = _e705;
+                    let _e730 = phi_938_;
+                    let _e732 = phi_939_;
+                    phi_940_ = _e730;
+                    phi_941_ = _e732;
                 }
-                let _e707 = phi_920_;
-                let _e709 = phi_921_;
-                phi_922_ = _e707;
-                phi_923_ = _e709;
+                let _e734 = phi_940_;
+                let _e736 = phi_941_;
+                phi_942_ = _e734;
+                phi_943_ = _e736;
             } else {
-                phi_922_ = bool();
-                phi_923_ = true;
+                phi_942_ = bool();
+                phi_943_ = true;
             }
-            let _e711 = phi_922_;
-            let _e713 = phi_923_;
-            if _e713 {
-                phi_927_ = false;
+            let _e738 = phi_942_;
+            let _e740 = phi_943_;
+            if _e740 {
+                phi_947_ = false;
             } else {
-                phi_927_ = _e711;
+                phi_947_ = _e738;
             }
-            let _e715 = phi_927_;
-            let _e716 = lt_mask_Neighbourhood(false, true);
-            if _e255 {
-                phi_932_ = _e715;
+            let _e742 = phi_947_;
+            let _e743 = lt_mask_Neighbourhood(false, true);
+            if _e282 {
+                phi_952_ = _e742;
             } else {
-                phi_932_ = false;
+                phi_952_ = false;
             }
-            let _e718 = phi_932_;
-            if _e718 {
-                if _e683 {
-                    if _e689.has_moved {
-                        let _e721 = p.member.moving_pattern;
-                        phi_947_ = _e721;
+            let _e745 = phi_952_;
+            if _e745 {
+                if _e710 {
+                    if _e716.has_moved {
+                        let _e748 = p.member.moving_pattern;
+                        phi_967_ = _e748;
                     } else {
-                        let _e723 = p.member.still_pattern;
-                        phi_947_ = _e723;
+                        let _e750 = p.member.still_pattern;
+                        phi_967_ = _e750;
                     }
-                    let _e725 = phi_947_;
-                    phi_949_ = 0u;
-                    phi_952_ = _e716;
+                    let _e752 = phi_967_;
+                    phi_969_ = 0u;
+                    phi_972_ = _e743;
                     loop {
-                        let _e727 = phi_949_;
-                        let _e729 = phi_952_;
-                        local_1 = _e729;
-                        if (1u <= _e725) {
-                            if (_e725 <= 4u) {
-                                phi_964_ = false;
+                        let _e754 = phi_969_;
+                        let _e756 = phi_972_;
+                        local_1 = _e756;
+                        if (1u <= _e752) {
+                            if (_e752 <= 4u) {
+                                phi_984_ = false;
                             } else {
-                                phi_964_ = true;
+                                phi_984_ = true;
                             }
-                            let _e733 = phi_964_;
-                            phi_965_ = _e733;
+                            let _e760 = phi_984_;
+                            phi_985_ = _e760;
                         } else {
-                            phi_965_ = true;
+                            phi_985_ = true;
                         }
-                        let _e735 = phi_965_;
-                        if _e735 {
-                            switch bitcast<i32>(_e725) {
+                        let _e762 = phi_985_;
+                        if _e762 {
+                            switch bitcast<i32>(_e752) {
                                 case 5: {
-                                    phi_974_ = 4u;
+                                    phi_994_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_974_ = 25u;
+                                    phi_994_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_974_ = 13u;
+                                    phi_994_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_974_ = 9u;
+                                    phi_994_ = 9u;
                                     break;
                                 }
                             }
-                            let _e738 = phi_974_;
-                            phi_975_ = _e738;
+                            let _e765 = phi_994_;
+                            phi_995_ = _e765;
                         } else {
-                            phi_975_ = 5u;
+                            phi_995_ = 5u;
                         }
-                        let _e740 = phi_975_;
-                        let _e741 = (_e727 < _e740);
-                        if _e741 {
-                            let _e747 = p.member.frame;
-                            let _e751 = p.member.current.size[0u];
-                            let _e753 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e725) {
+                        let _e767 = phi_995_;
+                        let _e768 = (_e754 < _e767);
+                        if _e768 {
+                            let _e774 = p.member.frame;
+                            let _e778 = p.member.current.size[0u];
+                            let _e780 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e752) {
                                 case 1: {
-                                    let _e763 = lt_mask_pattern_plus(_e727);
-                                    phi_1055_ = vec2<i32>(_e763.x, _e763.y);
+                                    let _e790 = lt_mask_pattern_plus(_e754);
+                                    phi_1075_ = vec2<i32>(_e790.x, _e790.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e767 = lt_mask_pattern_cross(_e727);
-                                    phi_1055_ = vec2<i32>(_e767.x, _e767.y);
+                                    let _e794 = lt_mask_pattern_cross(_e754);
+                                    phi_1075_ = vec2<i32>(_e794.x, _e794.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e773 = lt_mask_pattern_plus_or_cross(_e727, ((_e689.pixel.x + _e689.pixel.y) & 1u));
-                                    phi_1055_ = vec2<i32>(_e773.x, _e773.y);
+                                    let _e800 = lt_mask_pattern_plus_or_cross(_e754, ((_e716.pixel.x + _e716.pixel.y) & 1u));
+                                    phi_1075_ = vec2<i32>(_e800.x, _e800.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e778 = lt_mask_pattern_plus_or_cross(_e727, (_e747 & 1u));
-                                    phi_1055_ = vec2<i32>(_e778.x, _e778.y);
+                                    let _e805 = lt_mask_pattern_plus_or_cross(_e754, (_e774 & 1u));
+                                    phi_1075_ = vec2<i32>(_e805.x, _e805.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e747 & 3u)) {
+                                    switch bitcast<i32>((_e774 & 3u)) {
                                         case 0: {
-                                            phi_1035_ = vec2(-1i);
+                                            phi_1055_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_1035_ = vec2(0i);
+                                            phi_1055_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_1035_ = vec2<i32>(0i, -1i);
+                                            phi_1055_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_1035_ = vec2<i32>(-1i, 0i);
+                                            phi_1055_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e789 = phi_1035_;
-                                    phi_1055_ = (_e789 + vec2<i32>(bitcast<i32>((_e727 & 1u)), bitcast<i32>(((_e727 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e816 = phi_1055_;
+                                    phi_1075_ = (_e816 + vec2<i32>(bitcast<i32>((_e754 & 1u)), bitcast<i32>(((_e754 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_1055_ = vec2<i32>((bitcast<i32>((_e727 % 5u)) - 2i), (bitcast<i32>(((_e727 / 5u) % 5u)) - 2i));
+                                    phi_1075_ = vec2<i32>((bitcast<i32>((_e754 % 5u)) - 2i), (bitcast<i32>(((_e754 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e806 = lt_mask_pattern_diamond(_e727);
-                                    phi_1055_ = vec2<i32>(_e806.x, _e806.y);
+                                    let _e833 = lt_mask_pattern_diamond(_e754);
+                                    phi_1075_ = vec2<i32>(_e833.x, _e833.y);
                                     break;
                                 }
                                 default: {
-                                    phi_1055_ = vec2<i32>((bitcast<i32>((_e727 % 3u)) - 1i), (bitcast<i32>(((_e727 / 3u) % 3u)) - 1i));
+                                    phi_1075_ = vec2<i32>((bitcast<i32>((_e754 % 3u)) - 1i), (bitcast<i32>(((_e754 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e811 = phi_1055_;
-                            let _e814 = lt_mask_pattern_step_clamped(_e689.pixel.x, _e811.x, _e751);
-                            let _e815 = lt_mask_pattern_step_clamped(_e689.pixel.y, _e811.y, _e753);
-                            let _e817 = ((_e815 * _e85) + _e814);
-                            if (_e817 < arrayLength((&last_bits.member))) {
+                            let _e838 = phi_1075_;
+                            let _e841 = lt_mask_pattern_step_clamped(_e716.pixel.x, _e838.x, _e778);
+                            let _e842 = lt_mask_pattern_step_clamped(_e716.pixel.y, _e838.y, _e780);
+                            let _e849 = ((((_e842 * _e112) + _e841) * _e108.words) + _e108.light.word);
+                            if (_e108.light.shift > 29u) {
+                                let _e853 = (_e849 + 1u);
+                                if (_e853 < _e66) {
+                                } else {
+                                    return;
+                                }
+                                let _e857 = last_bits.member[(0u + _e853)];
+                                phi_1102_ = _e857;
+                            } else {
+                                phi_1102_ = 0u;
+                            }
+                            let _e859 = phi_1102_;
+                            if (_e849 < _e66) {
                             } else {
                                 return;
                             }
-                            let _e821 = last_bits.member[(0u + _e817)];
-                            if ((_e821 & 2u) == 0u) {
-                                phi_1078_ = (_e821 & 1u);
+                            let _e865 = last_bits.member[(0u + _e849)];
+                            let _e868 = (_e865 >> bitcast<u32>((_e108.light.shift & 31u)));
+                            if (_e108.light.shift > 29u) {
+                                phi_1121_ = (_e868 | (_e859 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
                             } else {
-                                phi_1078_ = (_e821 & 7u);
+                                phi_1121_ = _e868;
                             }
-                            let _e827 = phi_1078_;
-                            if _e729.any_expands {
-                                phi_1104_ = true;
+                            let _e876 = phi_1121_;
+                            if ((_e876 & 2u) == 0u) {
+                                phi_1129_ = (_e876 & 1u);
                             } else {
-                                if ((_e827 & 2u) != 0u) {
-                                    if (((_e827 & 4u) != 0u) != _e251) {
-                                        phi_1095_ = false;
+                                phi_1129_ = (_e876 & 7u);
+                            }
+                            let _e882 = phi_1129_;
+                            if _e756.any_expands {
+                                phi_1155_ = true;
+                            } else {
+                                if ((_e882 & 2u) != 0u) {
+                                    if (((_e882 & 4u) != 0u) != _e278) {
+                                        phi_1146_ = false;
                                     } else {
-                                        phi_1095_ = true;
+                                        phi_1146_ = true;
                                     }
-                                    let _e836 = phi_1095_;
-                                    phi_1096_ = _e836;
+                                    let _e891 = phi_1146_;
+                                    phi_1147_ = _e891;
                                 } else {
-                                    phi_1096_ = true;
+                                    phi_1147_ = true;
                                 }
-                                let _e838 = phi_1096_;
-                                if _e838 {
-                                    phi_1103_ = (((_e827 & 1u) != 0u) != _e251);
+                                let _e893 = phi_1147_;
+                                if _e893 {
+                                    phi_1154_ = (((_e882 & 1u) != 0u) != _e278);
                                 } else {
-                                    phi_1103_ = true;
+                                    phi_1154_ = true;
                                 }
-                                let _e843 = phi_1103_;
-                                phi_1104_ = _e843;
+                                let _e898 = phi_1154_;
+                                phi_1155_ = _e898;
                             }
-                            let _e845 = phi_1104_;
-                            if _e729.all_remove {
-                                if (((_e827 & 1u) != 0u) == _e251) {
-                                    if ((_e827 & 2u) != 0u) {
-                                        phi_1122_ = (((_e827 & 4u) != 0u) == _e251);
+                            let _e900 = phi_1155_;
+                            if _e756.all_remove {
+                                if (((_e882 & 1u) != 0u) == _e278) {
+                                    if ((_e882 & 2u) != 0u) {
+                                        phi_1173_ = (((_e882 & 4u) != 0u) == _e278);
                                     } else {
-                                        phi_1122_ = true;
+                                        phi_1173_ = true;
                                     }
-                                    let _e855 = phi_1122_;
-                                    phi_1123_ = _e855;
+                                    let _e910 = phi_1173_;
+                                    phi_1174_ = _e910;
                                 } else {
-                                    phi_1123_ = false;
+                                    phi_1174_ = false;
                                 }
-                                let _e857 = phi_1123_;
-                                phi_1124_ = _e857;
+                                let _e912 = phi_1174_;
+                                phi_1175_ = _e912;
                             } else {
-                                phi_1124_ = false;
+                                phi_1175_ = false;
                             }
-                            let _e859 = phi_1124_;
-                            phi_950_ = (_e727 + 1u);
-                            phi_953_ = lt_mask_Neighbourhood(_e845, _e859);
+                            let _e914 = phi_1175_;
+                            phi_970_ = (_e754 + 1u);
+                            phi_973_ = lt_mask_Neighbourhood(_e900, _e914);
                         } else {
-                            phi_950_ = u32();
-                            phi_953_ = lt_mask_Neighbourhood();
+                            phi_970_ = u32();
+                            phi_973_ = lt_mask_Neighbourhood();
                         }
-                        let _e863 = phi_950_;
-                        let _e865 = phi_953_;
+                        let _e918 = phi_970_;
+                        let _e920 = phi_973_;
                         continue;
                         continuing {
-                            phi_949_ = _e863;
-                            phi_952_ = _e865;
-                            break if !(_e741);
+                            phi_969_ = _e918;
+                            phi_972_ = _e920;
+                            break if !(_e768);
                         }
                     }
-                    let _e1093 = local_1;
-                    phi_1127_ = _e1093;
+                    let _e1212 = local_1;
+                    phi_1178_ = _e1212;
                 } else {
-                    phi_1127_ = _e716;
+                    phi_1178_ = _e743;
                 }
-                let _e868 = phi_1127_;
-                phi_1128_ = _e868;
+                let _e923 = phi_1178_;
+                phi_1179_ = _e923;
             } else {
-                phi_1128_ = _e716;
+                phi_1179_ = _e743;
             }
-            let _e870 = phi_1128_;
-            if (_e93 != 0.5f) {
-                if _e683 {
-                    if _e255 {
-                        phi_1154_ = true;
-                    } else {
-                        if _e870.any_expands {
-                            phi_1153_ = false;
-                        } else {
-                            phi_1153_ = true;
-                        }
-                        let _e875 = phi_1153_;
-                        phi_1154_ = _e875;
+            let _e925 = phi_1179_;
+            let _e928 = p.member.frame;
+            let _e930 = p.member.refresh;
+            if (_e930 == 0u) {
+                phi_1212_ = false;
+            } else {
+                if (_e930 == 0u) {
+                    return;
+                }
+                let _e939 = ((_e60.x + (_e60.y * (((_e930 * 5u) / 8u) | 1u))) + (_e928 % _e930));
+                if (_e930 == 0u) {
+                    phi_1211_ = (_e939 == 0u);
+                } else {
+                    if (_e930 == 0u) {
+                        return;
                     }
-                    let _e877 = phi_1154_;
-                    if _e877 {
-                        if _e255 {
-                            if _e715 {
-                                if _e870.all_remove {
-                                    phi_1167_ = false;
+                    phi_1211_ = ((_e939 % _e930) == 0u);
+                }
+                let _e946 = phi_1211_;
+                phi_1212_ = _e946;
+            }
+            let _e948 = phi_1212_;
+            if (_e120 != 0.5f) {
+                if _e710 {
+                    if _e948 {
+                        phi_1267_ = 6u;
+                    } else {
+                        if _e282 {
+                            phi_1242_ = true;
+                        } else {
+                            if _e925.any_expands {
+                                phi_1241_ = false;
+                            } else {
+                                phi_1241_ = true;
+                            }
+                            let _e952 = phi_1241_;
+                            phi_1242_ = _e952;
+                        }
+                        let _e954 = phi_1242_;
+                        if _e954 {
+                            if _e282 {
+                                if _e742 {
+                                    if _e925.all_remove {
+                                        phi_1255_ = false;
+                                    } else {
+                                        phi_1255_ = true;
+                                    }
+                                    let _e956 = phi_1255_;
+                                    phi_1256_ = _e956;
                                 } else {
-                                    phi_1167_ = true;
+                                    phi_1256_ = true;
                                 }
-                                let _e879 = phi_1167_;
-                                phi_1168_ = _e879;
+                                let _e958 = phi_1256_;
+                                phi_1257_ = _e958;
                             } else {
-                                phi_1168_ = true;
+                                phi_1257_ = true;
                             }
-                            let _e881 = phi_1168_;
-                            phi_1169_ = _e881;
-                        } else {
-                            phi_1169_ = true;
-                        }
-                        let _e883 = phi_1169_;
-                        if _e883 {
-                            if _e255 {
-                                phi_1176_ = 1u;
+                            let _e960 = phi_1257_;
+                            if _e960 {
+                                if _e282 {
+                                    phi_1264_ = 1u;
+                                } else {
+                                    phi_1264_ = 0u;
+                                }
+                                let _e962 = phi_1264_;
+                                phi_1265_ = _e962;
                             } else {
-                                phi_1176_ = 0u;
+                                phi_1265_ = 5u;
                             }
-                            let _e885 = phi_1176_;
-                            phi_1177_ = _e885;
+                            let _e964 = phi_1265_;
+                            phi_1266_ = _e964;
                         } else {
-                            phi_1177_ = 5u;
+                            phi_1266_ = 4u;
                         }
-                        let _e887 = phi_1177_;
-                        phi_1178_ = _e887;
-                    } else {
-                        phi_1178_ = 4u;
+                        let _e966 = phi_1266_;
+                        phi_1267_ = _e966;
                     }
-                    let _e889 = phi_1178_;
-                    phi_1179_ = _e889;
+                    let _e968 = phi_1267_;
+                    phi_1268_ = _e968;
                 } else {
-                    phi_1179_ = 3u;
+                    phi_1268_ = 3u;
                 }
-                let _e891 = phi_1179_;
-                phi_1180_ = _e891;
+                let _e970 = phi_1268_;
+                phi_1269_ = _e970;
             } else {
-                phi_1180_ = 2u;
+                phi_1269_ = 2u;
             }
-            let _e893 = phi_1180_;
-            if !((_e893 == 0u)) {
-                phi_1188_ = !((_e893 == 5u));
+            let _e972 = phi_1269_;
+            if !((_e972 == 0u)) {
+                phi_1277_ = !((_e972 == 5u));
             } else {
-                phi_1188_ = false;
+                phi_1277_ = false;
             }
-            let _e899 = phi_1188_;
-            if _e899 {
-                if _e251 {
-                    phi_1196_ = (2u | 1u);
+            let _e978 = phi_1277_;
+            if _e978 {
+                if _e278 {
+                    phi_1285_ = (2u | 1u);
                 } else {
-                    phi_1196_ = 2u;
+                    phi_1285_ = 2u;
                 }
-                let _e902 = phi_1196_;
+                let _e981 = phi_1285_;
                 if false {
-                    phi_1201_ = (_e902 | 4u);
+                    phi_1290_ = (_e981 | 4u);
                 } else {
-                    phi_1201_ = _e902;
+                    phi_1290_ = _e981;
                 }
-                let _e905 = phi_1201_;
-                phi_1206_ = _e905;
+                let _e984 = phi_1290_;
+                phi_1295_ = _e984;
             } else {
-                if _e251 {
-                    phi_1205_ = 1u;
+                if _e278 {
+                    phi_1294_ = 1u;
                 } else {
-                    phi_1205_ = 0u;
+                    phi_1294_ = 0u;
                 }
-                let _e907 = phi_1205_;
-                phi_1206_ = _e907;
+                let _e986 = phi_1294_;
+                phi_1295_ = _e986;
             }
-            let _e909 = phi_1206_;
-            if _e251 {
-                phi_1210_ = 0f;
+            let _e988 = phi_1295_;
+            if _e278 {
+                phi_1299_ = 0f;
             } else {
-                phi_1210_ = 1f;
+                phi_1299_ = 1f;
             }
-            let _e911 = phi_1210_;
-            phi_1212_ = mask_Masked(_e911, _e909, _e899);
+            let _e990 = phi_1299_;
+            phi_1301_ = mask_Masked(_e990, _e988, _e978);
         }
-        let _e914 = phi_1212_;
-        visibility.member[_e77.first_primitive] = _e914.visibility;
-        bits.member[_e77.first_primitive] = _e914.bits;
-        let _e922 = samples.member[_e77.first_primitive].normal[0u];
-        let _e924 = global[0u];
-        if (_e922 == _e924) {
-            let _e927 = samples.member[_e77.first_primitive].normal[1u];
-            let _e929 = global[1u];
-            if (_e927 == _e929) {
-                let _e932 = samples.member[_e77.first_primitive].normal[2u];
-                let _e934 = global[2u];
-                phi_1240_ = (_e932 == _e934);
-                phi_1241_ = false;
+        let _e993 = phi_1301_;
+        visibility.member[_e81.shift] = _e993.visibility;
+        let _e998 = p.member.light.number;
+        let _e999 = (_e998 * 3u);
+        let _e1001 = (_e999 % 32u);
+        let _e1003 = p.member.light.mask_words;
+        let _e1005 = ((_e81.shift * _e1003) + (_e999 / 32u));
+        let _e1007 = bits.member[_e1005];
+        bits.member[_e1005] = ((_e1007 & ~((7u << bitcast<u32>((_e1001 & 31u))))) | (_e993.bits << bitcast<u32>((_e1001 & 31u))));
+        if (_e1001 > 29u) {
+            let _e1022 = bits.member[(_e1005 + 1u)];
+            let _e1024 = (32u - _e1001);
+            bits.member[(_e1005 + 1u)] = ((_e1022 & ~((7u >> bitcast<u32>((_e1024 & 31u))))) | (_e993.bits >> bitcast<u32>((_e1024 & 31u))));
+        }
+        let _e1039 = samples.member[_e81.shift].normal[0u];
+        let _e1041 = global[0u];
+        if (_e1039 == _e1041) {
+            let _e1044 = samples.member[_e81.shift].normal[1u];
+            let _e1046 = global[1u];
+            if (_e1044 == _e1046) {
+                let _e1049 = samples.member[_e81.shift].normal[2u];
+                let _e1051 = global[2u];
+                phi_1373_ = (_e1049 == _e1051);
+                phi_1374_ = false;
             } else {
-                phi_1240_ = bool();
-                phi_1241_ = true;
+                phi_1373_ = bool();
+                phi_1374_ = true;
             }
-            let _e937 = phi_1240_;
-            let _e939 = phi_1241_;
-            phi_1242_ = _e937;
-            phi_1243_ = _e939;
+            let _e1054 = phi_1373_;
+            let _e1056 = phi_1374_;
+            phi_1375_ = _e1054;
+            phi_1376_ = _e1056;
         } else {
-            phi_1242_ = bool();
-            phi_1243_ = true;
+            phi_1375_ = bool();
+            phi_1376_ = true;
         }
-        let _e941 = phi_1242_;
-        let _e943 = phi_1243_;
-        if _e943 {
-            phi_1247_ = false;
+        let _e1058 = phi_1375_;
+        let _e1060 = phi_1376_;
+        if _e1060 {
+            phi_1380_ = false;
         } else {
-            phi_1247_ = _e941;
+            phi_1380_ = _e1058;
         }
-        let _e945 = phi_1247_;
-        if !(_e945) {
-            let _e948 = samples.member[_e77.first_primitive].position;
-            let _e950 = p.member.current.eye;
-            let _e961 = p.member.current.forward;
-            phi_1275_ = ((((_e948.x - _e950.x) * _e961.x) + ((_e948.y - _e950.y) * _e961.y)) + ((_e948.z - _e950.z) * _e961.z));
+        let _e1062 = phi_1380_;
+        if !(_e1062) {
+            let _e1065 = samples.member[_e81.shift].position;
+            let _e1067 = p.member.current.eye;
+            let _e1078 = p.member.current.forward;
+            phi_1408_ = ((((_e1065.x - _e1067.x) * _e1078.x) + ((_e1065.y - _e1067.y) * _e1078.y)) + ((_e1065.z - _e1067.z) * _e1078.z));
         } else {
-            phi_1275_ = 0f;
+            phi_1408_ = 0f;
         }
-        let _e971 = phi_1275_;
-        depths.member[_e77.first_primitive] = _e971;
-        phi_1278_ = _e914.needs_ray;
-        phi_1279_ = _e77.first_primitive;
+        let _e1088 = phi_1408_;
+        depths.member[_e81.shift] = _e1088;
+        phi_1411_ = _e993.needs_ray;
+        phi_1412_ = _e81.shift;
     } else {
-        phi_1278_ = false;
-        phi_1279_ = 0u;
+        phi_1411_ = false;
+        phi_1412_ = 0u;
     }
-    let _e975 = phi_1278_;
-    let _e977 = phi_1279_;
-    if (_e57 == 0u) {
+    let _e1092 = phi_1411_;
+    let _e1094 = phi_1412_;
+    if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e975 {
-        let _e981 = atomicAdd((&shared_[0u]), 1u);
-        phi_1290_ = _e981;
+    if _e1092 {
+        let _e1098 = atomicAdd((&shared_[0u]), 1u);
+        phi_1423_ = _e1098;
     } else {
-        phi_1290_ = 0u;
+        phi_1423_ = 0u;
     }
-    let _e983 = phi_1290_;
+    let _e1100 = phi_1423_;
     workgroupBarrier();
-    if (_e57 == 0u) {
-        let _e987 = atomicLoad((&shared_[0u]));
-        let _e988 = atomicAdd((&list.member[3u]), _e987);
-        atomicStore((&shared_[1u]), _e988);
+    if (_e61 == 0u) {
+        let _e1104 = atomicLoad((&shared_[0u]));
+        let _e1105 = atomicAdd((&list.member[3u]), _e1104);
+        atomicStore((&shared_[1u]), _e1105);
     }
     workgroupBarrier();
-    if _e975 {
-        let _e991 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e991) + _e983)]), _e977);
+    if _e1092 {
+        let _e1108 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1108) + _e1100)]), _e1094);
     }
     return;
 }

@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_MaskParams {
@@ -29,9 +30,9 @@ struct abi_MaskParams {
     moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
+    refresh: u32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_9 {
@@ -59,9 +60,9 @@ struct type_21 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -106,717 +107,784 @@ var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_156_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_156_: lt_mask_LightPlace;
+    var phi_157_: bool;
+    var phi_158_: lt_mask_LightPlace;
+    var phi_159_: bool;
+    var phi_164_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_149_ = false;
+            phi_156_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_148_ = lt_bvh_traverse_Tree();
-            phi_149_ = true;
+            phi_156_ = lt_mask_LightPlace();
+            phi_157_ = true;
         }
-        let _e52 = phi_148_;
-        let _e54 = phi_149_;
-        phi_150_ = _e52;
-        phi_151_ = _e54;
+        let _e55 = phi_156_;
+        let _e57 = phi_157_;
+        phi_158_ = _e55;
+        phi_159_ = _e57;
     } else {
-        phi_150_ = lt_bvh_traverse_Tree();
-        phi_151_ = true;
+        phi_158_ = lt_mask_LightPlace();
+        phi_159_ = true;
     }
-    let _e56 = phi_150_;
-    let _e58 = phi_151_;
-    if _e58 {
-        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e59 = phi_158_;
+    let _e61 = phi_159_;
+    if _e61 {
+        phi_164_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_156_ = _e56;
+        phi_164_ = _e59;
     }
-    let _e63 = phi_156_;
-    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
+    let _e66 = phi_164_;
+    return lt_mask_LightPlace(_e66.word, _e66.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_174_: vec2<i32>;
+    var phi_182_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_174_ = vec2(0i);
+            phi_182_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_174_ = vec2<i32>(0i, -1i);
+            phi_182_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_174_ = vec2<i32>(-1i, 0i);
+            phi_182_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_174_ = vec2<i32>(1i, 0i);
+            phi_182_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_174_ = vec2<i32>(0i, 1i);
+            phi_182_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e48 = phi_174_;
-    return vec2<i32>(_e48.x, _e48.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_192_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_192_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_192_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_192_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_192_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_192_ = vec2(1i);
-            break;
-        }
-    }
-    let _e48 = phi_192_;
-    return vec2<i32>(_e48.x, _e48.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_211_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e42 = lt_mask_pattern_plus(param_5);
-        phi_211_ = vec2<i32>(_e42.x, _e42.y);
-    } else {
-        let _e46 = lt_mask_pattern_cross(param_5);
-        phi_211_ = vec2<i32>(_e46.x, _e46.y);
-    }
-    let _e51 = phi_211_;
+    let _e51 = phi_182_;
     return vec2<i32>(_e51.x, _e51.y);
 }
 
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_236_: vec2<i32>;
+fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
+    var phi_200_: vec2<i32>;
 
-    let _e40 = (param_7 % 13u);
-    switch bitcast<i32>(_e40) {
-        case 9: {
-            phi_236_ = vec2<i32>(0i, -2i);
+    switch bitcast<i32>((param_4 % 5u)) {
+        case 0: {
+            phi_200_ = vec2(0i);
             break;
         }
-        case 10: {
-            phi_236_ = vec2<i32>(-2i, 0i);
+        case 1: {
+            phi_200_ = vec2(-1i);
             break;
         }
-        case 11: {
-            phi_236_ = vec2<i32>(2i, 0i);
+        case 2: {
+            phi_200_ = vec2<i32>(1i, -1i);
             break;
         }
-        case 12: {
-            phi_236_ = vec2<i32>(0i, 2i);
+        case 3: {
+            phi_200_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_236_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
+            phi_200_ = vec2(1i);
             break;
         }
     }
-    let _e55 = phi_236_;
-    return vec2<i32>(_e55.x, _e55.y);
+    let _e51 = phi_200_;
+    return vec2<i32>(_e51.x, _e51.y);
+}
+
+fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
+    var phi_219_: vec2<i32>;
+
+    if (param_6 == 0u) {
+        let _e45 = lt_mask_pattern_plus(param_5);
+        phi_219_ = vec2<i32>(_e45.x, _e45.y);
+    } else {
+        let _e49 = lt_mask_pattern_cross(param_5);
+        phi_219_ = vec2<i32>(_e49.x, _e49.y);
+    }
+    let _e54 = phi_219_;
+    return vec2<i32>(_e54.x, _e54.y);
+}
+
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_244_: vec2<i32>;
+
+    let _e43 = (param_7 % 13u);
+    switch bitcast<i32>(_e43) {
+        case 9: {
+            phi_244_ = vec2<i32>(0i, -2i);
+            break;
+        }
+        case 10: {
+            phi_244_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_244_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_244_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_244_ = vec2<i32>((bitcast<i32>((_e43 % 3u)) - 1i), (bitcast<i32>(((_e43 / 3u) % 3u)) - 1i));
+            break;
+        }
+    }
+    let _e58 = phi_244_;
+    return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_257_: u32;
-    var phi_258_: u32;
+    var phi_265_: u32;
+    var phi_266_: u32;
 
-    let _e43 = (bitcast<i32>(param_8) + param_9);
-    if (_e43 < 0i) {
-        phi_258_ = 0u;
+    let _e46 = (bitcast<i32>(param_8) + param_9);
+    if (_e46 < 0i) {
+        phi_266_ = 0u;
     } else {
-        if (_e43 >= bitcast<i32>(param_10)) {
-            phi_257_ = (param_10 - 1u);
+        if (_e46 >= bitcast<i32>(param_10)) {
+            phi_265_ = (param_10 - 1u);
         } else {
-            phi_257_ = bitcast<u32>(_e43);
+            phi_265_ = bitcast<u32>(_e46);
         }
-        let _e50 = phi_257_;
-        phi_258_ = _e50;
+        let _e53 = phi_265_;
+        phi_266_ = _e53;
     }
-    let _e52 = phi_258_;
-    return _e52;
+    let _e55 = phi_266_;
+    return _e55;
 }
 
 fn function_() {
-    var phi_318_: bool;
-    var phi_319_: bool;
-    var phi_320_: bool;
-    var phi_321_: bool;
-    var phi_325_: bool;
-    var phi_395_: bool;
-    var phi_396_: bool;
-    var phi_407_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_408_: bool;
-    var phi_409_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_410_: bool;
-    var phi_417_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_434_: bool;
-    var phi_455_: bool;
-    var phi_466_: bool;
-    var phi_467_: bool;
-    var phi_468_: bool;
-    var phi_469_: bool;
-    var phi_470_: bool;
-    var phi_471_: bool;
+    var phi_338_: bool;
+    var phi_339_: bool;
+    var phi_340_: bool;
+    var phi_341_: bool;
+    var phi_345_: bool;
+    var phi_415_: bool;
+    var phi_416_: bool;
+    var phi_427_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_428_: bool;
+    var phi_429_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_430_: bool;
+    var phi_437_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
     var phi_475_: bool;
-    var phi_480_: bool;
-    var phi_494_: u32;
-    var phi_496_: u32;
-    var phi_499_: lt_mask_Neighbourhood;
-    var phi_511_: bool;
-    var phi_512_: bool;
-    var phi_521_: u32;
-    var phi_522_: u32;
-    var phi_582_: vec2<i32>;
+    var phi_486_: bool;
+    var phi_487_: bool;
+    var phi_488_: bool;
+    var phi_489_: bool;
+    var phi_490_: bool;
+    var phi_491_: bool;
+    var phi_495_: bool;
+    var phi_500_: bool;
+    var phi_514_: u32;
+    var phi_516_: u32;
+    var phi_519_: lt_mask_Neighbourhood;
+    var phi_531_: bool;
+    var phi_532_: bool;
+    var phi_541_: u32;
+    var phi_542_: u32;
     var phi_602_: vec2<i32>;
-    var phi_625_: u32;
-    var phi_642_: bool;
-    var phi_643_: bool;
-    var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_497_: u32;
-    var phi_500_: lt_mask_Neighbourhood;
-    var phi_674_: lt_mask_Neighbourhood;
-    var phi_675_: lt_mask_Neighbourhood;
+    var phi_622_: vec2<i32>;
+    var phi_647_: u32;
+    var phi_666_: u32;
+    var phi_674_: u32;
+    var phi_691_: bool;
+    var phi_692_: bool;
+    var phi_699_: bool;
     var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_723_: u32;
-    var phi_724_: u32;
-    var phi_725_: u32;
-    var phi_726_: u32;
-    var phi_727_: u32;
-    var phi_735_: bool;
-    var phi_743_: u32;
-    var phi_748_: u32;
-    var phi_752_: u32;
-    var phi_753_: u32;
-    var phi_757_: f32;
-    var phi_759_: mask_Masked;
-    var phi_765_: bool;
-    var phi_766_: u32;
-    var phi_777_: u32;
+    var phi_718_: bool;
+    var phi_719_: bool;
+    var phi_720_: bool;
+    var phi_517_: u32;
+    var phi_520_: lt_mask_Neighbourhood;
+    var phi_723_: lt_mask_Neighbourhood;
+    var phi_724_: lt_mask_Neighbourhood;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_809_: u32;
+    var phi_810_: u32;
+    var phi_811_: u32;
+    var phi_812_: u32;
+    var phi_813_: u32;
+    var phi_814_: u32;
+    var phi_822_: bool;
+    var phi_830_: u32;
+    var phi_835_: u32;
+    var phi_839_: u32;
+    var phi_840_: u32;
+    var phi_844_: f32;
+    var phi_846_: mask_Masked;
+    var phi_896_: bool;
+    var phi_897_: u32;
+    var phi_908_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e39 = id_1;
-    let _e40 = local_2;
-    let _e52 = p.member.current.size[0u];
-    let _e54 = p.member.current.size[1u];
-    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
-    if (bitcast<i32>(_e55.root) != 0i) {
-        let _e63 = p.member.current.size[0u];
-        let _e68 = visibility.member[_e55.first_primitive];
-        let _e74 = samples.member[_e55.first_primitive].normal[0u];
-        let _e76 = global[0u];
-        if (_e74 == _e76) {
-            let _e79 = samples.member[_e55.first_primitive].normal[1u];
-            let _e81 = global[1u];
-            if (_e79 == _e81) {
-                let _e84 = samples.member[_e55.first_primitive].normal[2u];
-                let _e86 = global[2u];
-                phi_318_ = (_e84 == _e86);
-                phi_319_ = false;
+    let _e42 = id_1;
+    let _e43 = local_2;
+    let _e48 = arrayLength((&last_bits.member));
+    let _e55 = p.member.current.size[0u];
+    let _e57 = p.member.current.size[1u];
+    let _e58 = lt_shaders_entry_pixel_index(_e42, _e55, _e57);
+    if (bitcast<i32>(_e58.word) != 0i) {
+        let _e65 = p.member.light.number;
+        let _e66 = (_e65 * 3u);
+        let _e68 = (_e66 % 32u);
+        let _e70 = p.member.light.mask_words;
+        let _e74 = p.member.current.size[0u];
+        let _e79 = visibility.member[_e58.shift];
+        let _e85 = samples.member[_e58.shift].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e58.shift].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e58.shift].normal[2u];
+                let _e97 = global[2u];
+                phi_338_ = (_e95 == _e97);
+                phi_339_ = false;
             } else {
-                phi_318_ = bool();
-                phi_319_ = true;
+                phi_338_ = bool();
+                phi_339_ = true;
             }
-            let _e89 = phi_318_;
-            let _e91 = phi_319_;
-            phi_320_ = _e89;
-            phi_321_ = _e91;
+            let _e100 = phi_338_;
+            let _e102 = phi_339_;
+            phi_340_ = _e100;
+            phi_341_ = _e102;
         } else {
-            phi_320_ = bool();
-            phi_321_ = true;
+            phi_340_ = bool();
+            phi_341_ = true;
         }
-        let _e93 = phi_320_;
-        let _e95 = phi_321_;
-        if _e95 {
-            phi_325_ = false;
+        let _e104 = phi_340_;
+        let _e106 = phi_341_;
+        if _e106 {
+            phi_345_ = false;
         } else {
-            phi_325_ = _e93;
+            phi_345_ = _e104;
         }
-        let _e97 = phi_325_;
-        if !(_e97) {
-            let _e100 = samples.member[_e55.first_primitive].position;
-            let _e102 = p.member.light.place;
-            let _e108 = p.member.light.place[3u];
-            let _e115 = (_e102.x - (_e100.x * _e108));
-            let _e116 = (_e102.y - (_e100.y * _e108));
-            let _e117 = (_e102.z - (_e100.z * _e108));
-            let _e119 = samples.member[_e55.first_primitive].normal;
-            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
-                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
-                let _e135 = p.member.light.axis;
-                let _e147 = p.member.light.place[3u];
-                if (_e147 == 0f) {
-                    phi_396_ = true;
+        let _e108 = phi_345_;
+        if !(_e108) {
+            let _e111 = samples.member[_e58.shift].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[_e58.shift].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_416_ = true;
                 } else {
-                    let _e150 = p.member.light.range_squared;
-                    if (_e133 <= _e150) {
-                        let _e153 = p.member.light.cos_outer;
-                        phi_395_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_415_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_395_ = false;
+                        phi_415_ = false;
                     }
-                    let _e158 = phi_395_;
-                    phi_396_ = _e158;
+                    let _e169 = phi_415_;
+                    phi_416_ = _e169;
                 }
-                let _e160 = phi_396_;
-                if _e160 {
-                    let _e162 = samples.member[_e55.first_primitive].flags;
-                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
-                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
-                    phi_408_ = false;
+                let _e171 = phi_416_;
+                if _e171 {
+                    let _e173 = samples.member[_e58.shift].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_427_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_428_ = false;
                 } else {
-                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_408_ = true;
+                    phi_427_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_428_ = true;
                 }
-                let _e181 = phi_407_;
-                let _e183 = phi_408_;
-                phi_409_ = _e181;
-                phi_410_ = _e183;
+                let _e192 = phi_427_;
+                let _e194 = phi_428_;
+                phi_429_ = _e192;
+                phi_430_ = _e194;
             } else {
-                phi_409_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_410_ = true;
+                phi_429_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_430_ = true;
             }
-            let _e185 = phi_409_;
-            let _e187 = phi_410_;
-            if _e187 {
-                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                phi_417_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            let _e196 = phi_429_;
+            let _e198 = phi_430_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_437_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_417_ = _e185;
+                phi_437_ = _e196;
             }
-            let _e204 = phi_417_;
-            phi_421_ = _e204;
+            let _e215 = phi_437_;
+            phi_441_ = _e215;
         } else {
-            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
-            phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e221 = phi_421_;
-        if _e221.unnamed_1 {
-            phi_759_ = mask_Masked(_e221.unnamed.visibility, 0u, false);
+        let _e232 = phi_441_;
+        if _e232.unnamed_1 {
+            phi_846_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
         } else {
-            let _e226 = (_e68 < 0.5f);
-            if (_e68 > 0f) {
-                phi_434_ = (_e68 < 1f);
+            let _e237 = (_e79 < 0.5f);
+            if (_e79 > 0f) {
+                phi_454_ = (_e79 < 1f);
             } else {
-                phi_434_ = false;
+                phi_454_ = false;
             }
-            let _e230 = phi_434_;
-            let _e232 = p.member.flags;
-            let _e234 = ((_e232 & 1u) != 0u);
-            let _e236 = p.member.flags;
+            let _e241 = phi_454_;
+            let _e243 = p.member.flags;
+            let _e245 = ((_e243 & 1u) != 0u);
+            let _e247 = p.member.flags;
             if false {
-                let _e240 = p.member.flags;
-                phi_455_ = ((_e240 & 4u) == 0u);
+                let _e251 = p.member.flags;
+                phi_475_ = ((_e251 & 4u) == 0u);
             } else {
-                phi_455_ = false;
+                phi_475_ = false;
             }
-            let _e244 = phi_455_;
-            if ((_e236 & 2u) != 0u) {
+            let _e255 = phi_475_;
+            if ((_e247 & 2u) != 0u) {
                 if false {
-                    phi_468_ = bool();
-                    phi_469_ = true;
+                    phi_488_ = bool();
+                    phi_489_ = true;
                 } else {
                     if true {
-                        phi_466_ = !(_e244);
-                        phi_467_ = false;
+                        phi_486_ = !(_e255);
+                        phi_487_ = false;
                     } else {
-                        phi_466_ = bool();
-                        phi_467_ = true;
+                        phi_486_ = bool();
+                        phi_487_ = true;
                     }
-                    let _e247 = phi_466_;
-                    let _e249 = phi_467_;
-                    phi_468_ = _e247;
-                    phi_469_ = _e249;
+                    let _e258 = phi_486_;
+                    let _e260 = phi_487_;
+                    phi_488_ = _e258;
+                    phi_489_ = _e260;
                 }
-                let _e251 = phi_468_;
-                let _e253 = phi_469_;
-                phi_470_ = _e251;
-                phi_471_ = _e253;
+                let _e262 = phi_488_;
+                let _e264 = phi_489_;
+                phi_490_ = _e262;
+                phi_491_ = _e264;
             } else {
-                phi_470_ = bool();
-                phi_471_ = true;
+                phi_490_ = bool();
+                phi_491_ = true;
             }
-            let _e255 = phi_470_;
-            let _e257 = phi_471_;
-            if _e257 {
-                phi_475_ = false;
+            let _e266 = phi_490_;
+            let _e268 = phi_491_;
+            if _e268 {
+                phi_495_ = false;
             } else {
-                phi_475_ = _e255;
+                phi_495_ = _e266;
             }
-            let _e259 = phi_475_;
-            let _e260 = lt_mask_Neighbourhood(false, true);
-            if _e230 {
-                phi_480_ = _e259;
+            let _e270 = phi_495_;
+            let _e271 = lt_mask_Neighbourhood(false, true);
+            if _e241 {
+                phi_500_ = _e270;
             } else {
-                phi_480_ = false;
+                phi_500_ = false;
             }
-            let _e262 = phi_480_;
-            if _e262 {
-                if _e234 {
+            let _e273 = phi_500_;
+            if _e273 {
+                if _e245 {
                     if false {
-                        let _e264 = p.member.moving_pattern;
-                        phi_494_ = _e264;
+                        let _e275 = p.member.moving_pattern;
+                        phi_514_ = _e275;
                     } else {
-                        let _e266 = p.member.still_pattern;
-                        phi_494_ = _e266;
+                        let _e277 = p.member.still_pattern;
+                        phi_514_ = _e277;
                     }
-                    let _e268 = phi_494_;
-                    phi_496_ = 0u;
-                    phi_499_ = _e260;
+                    let _e279 = phi_514_;
+                    phi_516_ = 0u;
+                    phi_519_ = _e271;
                     loop {
-                        let _e270 = phi_496_;
-                        let _e272 = phi_499_;
-                        local_1 = _e272;
-                        if (1u <= _e268) {
-                            if (_e268 <= 4u) {
-                                phi_511_ = false;
+                        let _e281 = phi_516_;
+                        let _e283 = phi_519_;
+                        local_1 = _e283;
+                        if (1u <= _e279) {
+                            if (_e279 <= 4u) {
+                                phi_531_ = false;
                             } else {
-                                phi_511_ = true;
+                                phi_531_ = true;
                             }
-                            let _e276 = phi_511_;
-                            phi_512_ = _e276;
+                            let _e287 = phi_531_;
+                            phi_532_ = _e287;
                         } else {
-                            phi_512_ = true;
+                            phi_532_ = true;
                         }
-                        let _e278 = phi_512_;
-                        if _e278 {
-                            switch bitcast<i32>(_e268) {
+                        let _e289 = phi_532_;
+                        if _e289 {
+                            switch bitcast<i32>(_e279) {
                                 case 5: {
-                                    phi_521_ = 4u;
+                                    phi_541_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_521_ = 25u;
+                                    phi_541_ = 25u;
                                     break;
                                 }
                                 case 7: {
-                                    phi_521_ = 13u;
+                                    phi_541_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_521_ = 9u;
+                                    phi_541_ = 9u;
                                     break;
                                 }
                             }
-                            let _e281 = phi_521_;
-                            phi_522_ = _e281;
+                            let _e292 = phi_541_;
+                            phi_542_ = _e292;
                         } else {
-                            phi_522_ = 5u;
+                            phi_542_ = 5u;
                         }
-                        let _e283 = phi_522_;
-                        let _e284 = (_e270 < _e283);
-                        if _e284 {
-                            let _e286 = p.member.frame;
-                            let _e290 = p.member.current.size[0u];
-                            let _e292 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e268) {
+                        let _e294 = phi_542_;
+                        let _e295 = (_e281 < _e294);
+                        if _e295 {
+                            let _e297 = p.member.frame;
+                            let _e301 = p.member.current.size[0u];
+                            let _e303 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e279) {
                                 case 1: {
-                                    let _e302 = lt_mask_pattern_plus(_e270);
-                                    phi_602_ = vec2<i32>(_e302.x, _e302.y);
+                                    let _e313 = lt_mask_pattern_plus(_e281);
+                                    phi_622_ = vec2<i32>(_e313.x, _e313.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e306 = lt_mask_pattern_cross(_e270);
-                                    phi_602_ = vec2<i32>(_e306.x, _e306.y);
+                                    let _e317 = lt_mask_pattern_cross(_e281);
+                                    phi_622_ = vec2<i32>(_e317.x, _e317.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e312 = lt_mask_pattern_plus_or_cross(_e270, ((_e39.x + _e39.y) & 1u));
-                                    phi_602_ = vec2<i32>(_e312.x, _e312.y);
+                                    let _e323 = lt_mask_pattern_plus_or_cross(_e281, ((_e42.x + _e42.y) & 1u));
+                                    phi_622_ = vec2<i32>(_e323.x, _e323.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e317 = lt_mask_pattern_plus_or_cross(_e270, (_e286 & 1u));
-                                    phi_602_ = vec2<i32>(_e317.x, _e317.y);
+                                    let _e328 = lt_mask_pattern_plus_or_cross(_e281, (_e297 & 1u));
+                                    phi_622_ = vec2<i32>(_e328.x, _e328.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e286 & 3u)) {
+                                    switch bitcast<i32>((_e297 & 3u)) {
                                         case 0: {
-                                            phi_582_ = vec2(-1i);
+                                            phi_602_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_582_ = vec2(0i);
+                                            phi_602_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_582_ = vec2<i32>(0i, -1i);
+                                            phi_602_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_582_ = vec2<i32>(-1i, 0i);
+                                            phi_602_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e328 = phi_582_;
-                                    phi_602_ = (_e328 + vec2<i32>(bitcast<i32>((_e270 & 1u)), bitcast<i32>(((_e270 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e339 = phi_602_;
+                                    phi_622_ = (_e339 + vec2<i32>(bitcast<i32>((_e281 & 1u)), bitcast<i32>(((_e281 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_602_ = vec2<i32>((bitcast<i32>((_e270 % 5u)) - 2i), (bitcast<i32>(((_e270 / 5u) % 5u)) - 2i));
+                                    phi_622_ = vec2<i32>((bitcast<i32>((_e281 % 5u)) - 2i), (bitcast<i32>(((_e281 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 case 7: {
-                                    let _e345 = lt_mask_pattern_diamond(_e270);
-                                    phi_602_ = vec2<i32>(_e345.x, _e345.y);
+                                    let _e356 = lt_mask_pattern_diamond(_e281);
+                                    phi_622_ = vec2<i32>(_e356.x, _e356.y);
                                     break;
                                 }
                                 default: {
-                                    phi_602_ = vec2<i32>((bitcast<i32>((_e270 % 3u)) - 1i), (bitcast<i32>(((_e270 / 3u) % 3u)) - 1i));
+                                    phi_622_ = vec2<i32>((bitcast<i32>((_e281 % 3u)) - 1i), (bitcast<i32>(((_e281 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e350 = phi_602_;
-                            let _e353 = lt_mask_pattern_step_clamped(_e39.x, _e350.x, _e290);
-                            let _e354 = lt_mask_pattern_step_clamped(_e39.y, _e350.y, _e292);
-                            let _e356 = ((_e354 * _e63) + _e353);
-                            if (_e356 < arrayLength((&last_bits.member))) {
+                            let _e361 = phi_622_;
+                            let _e364 = lt_mask_pattern_step_clamped(_e42.x, _e361.x, _e301);
+                            let _e365 = lt_mask_pattern_step_clamped(_e42.y, _e361.y, _e303);
+                            let _e369 = ((((_e365 * _e74) + _e364) * _e70) + (_e66 / 32u));
+                            if (_e68 > 29u) {
+                                let _e371 = (_e369 + 1u);
+                                if (_e371 < _e48) {
+                                } else {
+                                    return;
+                                }
+                                let _e375 = last_bits.member[(0u + _e371)];
+                                phi_647_ = _e375;
+                            } else {
+                                phi_647_ = 0u;
+                            }
+                            let _e377 = phi_647_;
+                            if (_e369 < _e48) {
                             } else {
                                 return;
                             }
-                            let _e360 = last_bits.member[(0u + _e356)];
-                            if ((_e360 & 2u) == 0u) {
-                                phi_625_ = (_e360 & 1u);
+                            let _e381 = last_bits.member[(0u + _e369)];
+                            let _e384 = (_e381 >> bitcast<u32>((_e68 & 31u)));
+                            if (_e68 > 29u) {
+                                phi_666_ = (_e384 | (_e377 << bitcast<u32>(((32u - _e68) & 31u))));
                             } else {
-                                phi_625_ = (_e360 & 7u);
+                                phi_666_ = _e384;
                             }
-                            let _e366 = phi_625_;
-                            if _e272.any_expands {
-                                phi_651_ = true;
+                            let _e392 = phi_666_;
+                            if ((_e392 & 2u) == 0u) {
+                                phi_674_ = (_e392 & 1u);
                             } else {
-                                if ((_e366 & 2u) != 0u) {
-                                    if (((_e366 & 4u) != 0u) != _e226) {
-                                        phi_642_ = false;
+                                phi_674_ = (_e392 & 7u);
+                            }
+                            let _e398 = phi_674_;
+                            if _e283.any_expands {
+                                phi_700_ = true;
+                            } else {
+                                if ((_e398 & 2u) != 0u) {
+                                    if (((_e398 & 4u) != 0u) != _e237) {
+                                        phi_691_ = false;
                                     } else {
-                                        phi_642_ = true;
+                                        phi_691_ = true;
                                     }
-                                    let _e375 = phi_642_;
-                                    phi_643_ = _e375;
+                                    let _e407 = phi_691_;
+                                    phi_692_ = _e407;
                                 } else {
-                                    phi_643_ = true;
+                                    phi_692_ = true;
                                 }
-                                let _e377 = phi_643_;
-                                if _e377 {
-                                    phi_650_ = (((_e366 & 1u) != 0u) != _e226);
+                                let _e409 = phi_692_;
+                                if _e409 {
+                                    phi_699_ = (((_e398 & 1u) != 0u) != _e237);
                                 } else {
-                                    phi_650_ = true;
+                                    phi_699_ = true;
                                 }
-                                let _e382 = phi_650_;
-                                phi_651_ = _e382;
+                                let _e414 = phi_699_;
+                                phi_700_ = _e414;
                             }
-                            let _e384 = phi_651_;
-                            if _e272.all_remove {
-                                if (((_e366 & 1u) != 0u) == _e226) {
-                                    if ((_e366 & 2u) != 0u) {
-                                        phi_669_ = (((_e366 & 4u) != 0u) == _e226);
+                            let _e416 = phi_700_;
+                            if _e283.all_remove {
+                                if (((_e398 & 1u) != 0u) == _e237) {
+                                    if ((_e398 & 2u) != 0u) {
+                                        phi_718_ = (((_e398 & 4u) != 0u) == _e237);
                                     } else {
-                                        phi_669_ = true;
+                                        phi_718_ = true;
                                     }
-                                    let _e394 = phi_669_;
-                                    phi_670_ = _e394;
+                                    let _e426 = phi_718_;
+                                    phi_719_ = _e426;
                                 } else {
-                                    phi_670_ = false;
+                                    phi_719_ = false;
                                 }
-                                let _e396 = phi_670_;
-                                phi_671_ = _e396;
+                                let _e428 = phi_719_;
+                                phi_720_ = _e428;
                             } else {
-                                phi_671_ = false;
+                                phi_720_ = false;
                             }
-                            let _e398 = phi_671_;
-                            phi_497_ = (_e270 + 1u);
-                            phi_500_ = lt_mask_Neighbourhood(_e384, _e398);
+                            let _e430 = phi_720_;
+                            phi_517_ = (_e281 + 1u);
+                            phi_520_ = lt_mask_Neighbourhood(_e416, _e430);
                         } else {
-                            phi_497_ = u32();
-                            phi_500_ = lt_mask_Neighbourhood();
+                            phi_517_ = u32();
+                            phi_520_ = lt_mask_Neighbourhood();
                         }
-                        let _e402 = phi_497_;
-                        let _e404 = phi_500_;
+                        let _e434 = phi_517_;
+                        let _e436 = phi_520_;
                         continue;
                         continuing {
-                            phi_496_ = _e402;
-                            phi_499_ = _e404;
-                            break if !(_e284);
+                            phi_516_ = _e434;
+                            phi_519_ = _e436;
+                            break if !(_e295);
                         }
                     }
-                    let _e524 = local_1;
-                    phi_674_ = _e524;
+                    let _e620 = local_1;
+                    phi_723_ = _e620;
                 } else {
-                    phi_674_ = _e260;
+                    phi_723_ = _e271;
                 }
-                let _e407 = phi_674_;
-                phi_675_ = _e407;
+                let _e439 = phi_723_;
+                phi_724_ = _e439;
             } else {
-                phi_675_ = _e260;
+                phi_724_ = _e271;
             }
-            let _e409 = phi_675_;
-            if (_e68 != 0.5f) {
-                if _e234 {
-                    if _e230 {
-                        phi_701_ = true;
-                    } else {
-                        if _e409.any_expands {
-                            phi_700_ = false;
-                        } else {
-                            phi_700_ = true;
-                        }
-                        let _e414 = phi_700_;
-                        phi_701_ = _e414;
+            let _e441 = phi_724_;
+            let _e444 = p.member.frame;
+            let _e446 = p.member.refresh;
+            if (_e446 == 0u) {
+                phi_757_ = false;
+            } else {
+                if (_e446 == 0u) {
+                    return;
+                }
+                let _e455 = ((_e42.x + (_e42.y * (((_e446 * 5u) / 8u) | 1u))) + (_e444 % _e446));
+                if (_e446 == 0u) {
+                    phi_756_ = (_e455 == 0u);
+                } else {
+                    if (_e446 == 0u) {
+                        return;
                     }
-                    let _e416 = phi_701_;
-                    if _e416 {
-                        if _e230 {
-                            if _e259 {
-                                if _e409.all_remove {
-                                    phi_714_ = false;
+                    phi_756_ = ((_e455 % _e446) == 0u);
+                }
+                let _e462 = phi_756_;
+                phi_757_ = _e462;
+            }
+            let _e464 = phi_757_;
+            if (_e79 != 0.5f) {
+                if _e245 {
+                    if _e464 {
+                        phi_812_ = 6u;
+                    } else {
+                        if _e241 {
+                            phi_787_ = true;
+                        } else {
+                            if _e441.any_expands {
+                                phi_786_ = false;
+                            } else {
+                                phi_786_ = true;
+                            }
+                            let _e468 = phi_786_;
+                            phi_787_ = _e468;
+                        }
+                        let _e470 = phi_787_;
+                        if _e470 {
+                            if _e241 {
+                                if _e270 {
+                                    if _e441.all_remove {
+                                        phi_800_ = false;
+                                    } else {
+                                        phi_800_ = true;
+                                    }
+                                    let _e472 = phi_800_;
+                                    phi_801_ = _e472;
                                 } else {
-                                    phi_714_ = true;
+                                    phi_801_ = true;
                                 }
-                                let _e418 = phi_714_;
-                                phi_715_ = _e418;
+                                let _e474 = phi_801_;
+                                phi_802_ = _e474;
                             } else {
-                                phi_715_ = true;
+                                phi_802_ = true;
                             }
-                            let _e420 = phi_715_;
-                            phi_716_ = _e420;
-                        } else {
-                            phi_716_ = true;
-                        }
-                        let _e422 = phi_716_;
-                        if _e422 {
-                            if _e230 {
-                                phi_723_ = 1u;
+                            let _e476 = phi_802_;
+                            if _e476 {
+                                if _e241 {
+                                    phi_809_ = 1u;
+                                } else {
+                                    phi_809_ = 0u;
+                                }
+                                let _e478 = phi_809_;
+                                phi_810_ = _e478;
                             } else {
-                                phi_723_ = 0u;
+                                phi_810_ = 5u;
                             }
-                            let _e424 = phi_723_;
-                            phi_724_ = _e424;
+                            let _e480 = phi_810_;
+                            phi_811_ = _e480;
                         } else {
-                            phi_724_ = 5u;
+                            phi_811_ = 4u;
                         }
-                        let _e426 = phi_724_;
-                        phi_725_ = _e426;
-                    } else {
-                        phi_725_ = 4u;
+                        let _e482 = phi_811_;
+                        phi_812_ = _e482;
                     }
-                    let _e428 = phi_725_;
-                    phi_726_ = _e428;
+                    let _e484 = phi_812_;
+                    phi_813_ = _e484;
                 } else {
-                    phi_726_ = 3u;
+                    phi_813_ = 3u;
                 }
-                let _e430 = phi_726_;
-                phi_727_ = _e430;
+                let _e486 = phi_813_;
+                phi_814_ = _e486;
             } else {
-                phi_727_ = 2u;
+                phi_814_ = 2u;
             }
-            let _e432 = phi_727_;
-            if !((_e432 == 0u)) {
-                phi_735_ = !((_e432 == 5u));
+            let _e488 = phi_814_;
+            if !((_e488 == 0u)) {
+                phi_822_ = !((_e488 == 5u));
             } else {
-                phi_735_ = false;
+                phi_822_ = false;
             }
-            let _e438 = phi_735_;
-            if _e438 {
-                if _e226 {
-                    phi_743_ = (2u | 1u);
+            let _e494 = phi_822_;
+            if _e494 {
+                if _e237 {
+                    phi_830_ = (2u | 1u);
                 } else {
-                    phi_743_ = 2u;
+                    phi_830_ = 2u;
                 }
-                let _e441 = phi_743_;
+                let _e497 = phi_830_;
                 if false {
-                    phi_748_ = (_e441 | 4u);
+                    phi_835_ = (_e497 | 4u);
                 } else {
-                    phi_748_ = _e441;
+                    phi_835_ = _e497;
                 }
-                let _e444 = phi_748_;
-                phi_753_ = _e444;
+                let _e500 = phi_835_;
+                phi_840_ = _e500;
             } else {
-                if _e226 {
-                    phi_752_ = 1u;
+                if _e237 {
+                    phi_839_ = 1u;
                 } else {
-                    phi_752_ = 0u;
+                    phi_839_ = 0u;
                 }
-                let _e446 = phi_752_;
-                phi_753_ = _e446;
+                let _e502 = phi_839_;
+                phi_840_ = _e502;
             }
-            let _e448 = phi_753_;
-            if _e226 {
-                phi_757_ = 0f;
+            let _e504 = phi_840_;
+            if _e237 {
+                phi_844_ = 0f;
             } else {
-                phi_757_ = 1f;
+                phi_844_ = 1f;
             }
-            let _e450 = phi_757_;
-            phi_759_ = mask_Masked(_e450, _e448, _e438);
+            let _e506 = phi_844_;
+            phi_846_ = mask_Masked(_e506, _e504, _e494);
         }
-        let _e453 = phi_759_;
-        visibility.member[_e55.first_primitive] = _e453.visibility;
-        bits.member[_e55.first_primitive] = _e453.bits;
-        phi_765_ = _e453.needs_ray;
-        phi_766_ = _e55.first_primitive;
+        let _e509 = phi_846_;
+        visibility.member[_e58.shift] = _e509.visibility;
+        let _e514 = p.member.light.number;
+        let _e515 = (_e514 * 3u);
+        let _e517 = (_e515 % 32u);
+        let _e519 = p.member.light.mask_words;
+        let _e521 = ((_e58.shift * _e519) + (_e515 / 32u));
+        let _e523 = bits.member[_e521];
+        bits.member[_e521] = ((_e523 & ~((7u << bitcast<u32>((_e517 & 31u))))) | (_e509.bits << bitcast<u32>((_e517 & 31u))));
+        if (_e517 > 29u) {
+            let _e538 = bits.member[(_e521 + 1u)];
+            let _e540 = (32u - _e517);
+            bits.member[(_e521 + 1u)] = ((_e538 & ~((7u >> bitcast<u32>((_e540 & 31u))))) | (_e509.bits >> bitcast<u32>((_e540 & 31u))));
+        }
+        phi_896_ = _e509.needs_ray;
+        phi_897_ = _e58.shift;
     } else {
-        phi_765_ = false;
-        phi_766_ = 0u;
+        phi_896_ = false;
+        phi_897_ = 0u;
     }
-    let _e460 = phi_765_;
-    let _e462 = phi_766_;
-    if (_e40 == 0u) {
+    let _e554 = phi_896_;
+    let _e556 = phi_897_;
+    if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e460 {
-        let _e466 = atomicAdd((&shared_[0u]), 1u);
-        phi_777_ = _e466;
+    if _e554 {
+        let _e560 = atomicAdd((&shared_[0u]), 1u);
+        phi_908_ = _e560;
     } else {
-        phi_777_ = 0u;
+        phi_908_ = 0u;
     }
-    let _e468 = phi_777_;
+    let _e562 = phi_908_;
     workgroupBarrier();
-    if (_e40 == 0u) {
-        let _e472 = atomicLoad((&shared_[0u]));
-        let _e473 = atomicAdd((&list.member[3u]), _e472);
-        atomicStore((&shared_[1u]), _e473);
+    if (_e43 == 0u) {
+        let _e566 = atomicLoad((&shared_[0u]));
+        let _e567 = atomicAdd((&list.member[3u]), _e566);
+        atomicStore((&shared_[1u]), _e567);
     }
     workgroupBarrier();
-    if _e460 {
-        let _e476 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e476) + _e468)]), _e462);
+    if _e554 {
+        let _e570 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e570) + _e562)]), _e556);
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -135,8 +136,8 @@ struct type_54 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -176,19 +177,19 @@ var<storage> vertices: type_50;
 @group(0) @binding(6) 
 var<storage> materials: type_54;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_222_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_222_: lt_mask_LightPlace;
     var phi_223_: bool;
-    var phi_224_: lt_bvh_traverse_Tree;
+    var phi_224_: lt_mask_LightPlace;
     var phi_225_: bool;
-    var phi_230_: lt_bvh_traverse_Tree;
+    var phi_230_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_222_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_222_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_223_ = false;
         } else {
-            phi_222_ = lt_bvh_traverse_Tree();
+            phi_222_ = lt_mask_LightPlace();
             phi_223_ = true;
         }
         let _e81 = phi_222_;
@@ -196,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_224_ = _e81;
         phi_225_ = _e83;
     } else {
-        phi_224_ = lt_bvh_traverse_Tree();
+        phi_224_ = lt_mask_LightPlace();
         phi_225_ = true;
     }
     let _e85 = phi_224_;
     let _e87 = phi_225_;
     if _e87 {
-        phi_230_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_230_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_230_ = _e85;
     }
     let _e92 = phi_230_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -656,193 +657,191 @@ fn function_() {
     var phi_809_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_813_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_860_: f32;
-    var phi_915_: bool;
-    var phi_916_: bool;
-    var phi_917_: bool;
-    var phi_921_: bool;
-    var phi_922_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
-    var phi_925_: bool;
-    var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_928_: bool;
-    var phi_929_: bool;
-    var phi_930_: bool;
+    var phi_891_: bool;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_898_: bool;
+    var phi_911_: bool;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_914_: bool;
+    var phi_918_: bool;
     var phi_931_: bool;
     var phi_932_: bool;
     var phi_933_: bool;
-    var phi_934_: bool;
-    var phi_935_: bool;
-    var phi_936_: bool;
     var phi_937_: bool;
     var phi_938_: bool;
-    var phi_942_: bool;
-    var phi_946_: bool;
-    var phi_1016_: f32;
-    var phi_1023_: f32;
-    var phi_1030_: f32;
-    var phi_1037_: f32;
-    var phi_1044_: f32;
-    var phi_1051_: f32;
-    var phi_1068_: f32;
-    var phi_1073_: f32;
-    var phi_1078_: f32;
-    var phi_1106_: bool;
-    var phi_1107_: bool;
-    var phi_1115_: u32;
-    var phi_1116_: u32;
-    var phi_1127_: vec3<f32>;
-    var phi_1128_: vec3<f32>;
-    var phi_1141_: u32;
-    var phi_1146_: u32;
-    var phi_1151_: u32;
-    var phi_1265_: bool;
-    var phi_1266_: bool;
-    var phi_1297_: u32;
-    var phi_1299_: u32;
-    var phi_1302_: bool;
-    var phi_1382_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1409_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1436_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1442_: u32;
-    var phi_1445_: u32;
-    var phi_1459_: u32;
-    var phi_1469_: u32;
-    var phi_1479_: u32;
-    var phi_1497_: u32;
-    var phi_1507_: u32;
-    var phi_1517_: u32;
-    var phi_1553_: u32;
-    var phi_1566_: u32;
-    var phi_1571_: u32;
-    var phi_1572_: u32;
+    var phi_939_: bool;
+    var phi_940_: bool;
+    var phi_941_: bool;
+    var phi_945_: bool;
+    var phi_1015_: f32;
+    var phi_1022_: f32;
+    var phi_1029_: f32;
+    var phi_1036_: f32;
+    var phi_1043_: f32;
+    var phi_1050_: f32;
+    var phi_1067_: f32;
+    var phi_1072_: f32;
+    var phi_1077_: f32;
+    var phi_1082_: f32;
+    var phi_1087_: f32;
+    var phi_1113_: bool;
+    var phi_1114_: bool;
+    var phi_1122_: u32;
+    var phi_1123_: u32;
+    var phi_1134_: vec3<f32>;
+    var phi_1135_: vec3<f32>;
+    var phi_1148_: u32;
+    var phi_1153_: u32;
+    var phi_1158_: u32;
+    var phi_1272_: bool;
+    var phi_1273_: bool;
+    var phi_1304_: u32;
+    var phi_1306_: u32;
+    var phi_1309_: bool;
+    var phi_1389_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1416_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1443_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1449_: u32;
+    var phi_1452_: u32;
+    var phi_1466_: u32;
+    var phi_1476_: u32;
+    var phi_1486_: u32;
+    var phi_1504_: u32;
+    var phi_1514_: u32;
+    var phi_1524_: u32;
+    var phi_1560_: u32;
     var phi_1573_: u32;
-    var phi_1443_: u32;
-    var phi_1446_: u32;
+    var phi_1578_: u32;
+    var phi_1579_: u32;
+    var phi_1580_: u32;
+    var phi_1450_: u32;
+    var phi_1453_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1631_: u32;
-    var phi_1634_: bool;
-    var phi_1678_: vec3<f32>;
-    var phi_1679_: vec3<f32>;
-    var phi_1708_: vec3<f32>;
-    var phi_1709_: vec3<f32>;
-    var phi_1738_: vec3<f32>;
-    var phi_1739_: vec3<f32>;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1762_: f32;
-    var phi_1763_: f32;
-    var phi_1764_: f32;
-    var phi_1765_: f32;
-    var phi_1773_: f32;
-    var phi_1783_: bool;
-    var phi_1784_: bool;
-    var phi_1788_: f32;
-    var phi_1789_: f32;
-    var phi_1790_: f32;
-    var phi_1791_: f32;
-    var phi_1799_: f32;
-    var phi_1809_: bool;
-    var phi_1810_: bool;
-    var phi_1814_: f32;
-    var phi_1815_: f32;
-    var phi_1816_: f32;
-    var phi_1817_: f32;
-    var phi_1825_: f32;
-    var phi_1840_: f32;
-    var phi_1841_: bool;
-    var phi_1842_: f32;
-    var phi_1843_: bool;
-    var phi_1844_: f32;
-    var phi_1845_: bool;
-    var phi_1863_: f32;
-    var phi_1864_: bool;
-    var phi_1865_: bool;
-    var phi_1866_: f32;
-    var phi_1867_: bool;
-    var phi_1868_: bool;
+    var phi_1638_: u32;
+    var phi_1641_: bool;
+    var phi_1685_: vec3<f32>;
+    var phi_1686_: vec3<f32>;
+    var phi_1715_: vec3<f32>;
+    var phi_1716_: vec3<f32>;
+    var phi_1745_: vec3<f32>;
+    var phi_1746_: vec3<f32>;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1769_: f32;
+    var phi_1770_: f32;
+    var phi_1771_: f32;
+    var phi_1772_: f32;
+    var phi_1780_: f32;
+    var phi_1790_: bool;
+    var phi_1791_: bool;
+    var phi_1795_: f32;
+    var phi_1796_: f32;
+    var phi_1797_: f32;
+    var phi_1798_: f32;
+    var phi_1806_: f32;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1821_: f32;
+    var phi_1822_: f32;
+    var phi_1823_: f32;
+    var phi_1824_: f32;
+    var phi_1832_: f32;
+    var phi_1847_: f32;
+    var phi_1848_: bool;
+    var phi_1849_: f32;
+    var phi_1850_: bool;
+    var phi_1851_: f32;
+    var phi_1852_: bool;
+    var phi_1870_: f32;
+    var phi_1871_: bool;
     var phi_1872_: bool;
     var phi_1873_: f32;
     var phi_1874_: bool;
-    var phi_1902_: vec3<f32>;
-    var phi_1903_: vec3<f32>;
-    var phi_1928_: vec3<f32>;
-    var phi_1929_: vec3<f32>;
-    var phi_1954_: vec3<f32>;
-    var phi_1955_: vec3<f32>;
-    var phi_2011_: f32;
-    var phi_2020_: f32;
-    var phi_2029_: f32;
-    var phi_2038_: f32;
+    var phi_1875_: bool;
+    var phi_1879_: bool;
+    var phi_1880_: f32;
+    var phi_1881_: bool;
+    var phi_1909_: vec3<f32>;
+    var phi_1910_: vec3<f32>;
+    var phi_1935_: vec3<f32>;
+    var phi_1936_: vec3<f32>;
+    var phi_1961_: vec3<f32>;
+    var phi_1962_: vec3<f32>;
+    var phi_2018_: f32;
+    var phi_2027_: f32;
+    var phi_2036_: f32;
     var phi_2045_: f32;
     var phi_2052_: f32;
-    var phi_2065_: f32;
-    var phi_2074_: f32;
-    var phi_2083_: f32;
-    var phi_2092_: f32;
+    var phi_2059_: f32;
+    var phi_2072_: f32;
+    var phi_2081_: f32;
+    var phi_2090_: f32;
     var phi_2099_: f32;
     var phi_2106_: f32;
-    var phi_2123_: f32;
-    var phi_2128_: f32;
-    var phi_2133_: f32;
-    var phi_2141_: f32;
-    var phi_2146_: f32;
-    var phi_2151_: f32;
-    var phi_2163_: f32;
-    var phi_2168_: f32;
-    var phi_2173_: f32;
-    var phi_2178_: f32;
-    var phi_2183_: lt_bvh_triangle_Intersection;
-    var phi_2184_: bool;
-    var phi_2185_: lt_bvh_triangle_Intersection;
-    var phi_2186_: bool;
+    var phi_2113_: f32;
+    var phi_2130_: f32;
+    var phi_2135_: f32;
+    var phi_2140_: f32;
+    var phi_2148_: f32;
+    var phi_2153_: f32;
+    var phi_2158_: f32;
+    var phi_2170_: f32;
+    var phi_2175_: f32;
+    var phi_2180_: f32;
+    var phi_2185_: f32;
     var phi_2190_: lt_bvh_triangle_Intersection;
     var phi_2191_: bool;
     var phi_2192_: lt_bvh_triangle_Intersection;
     var phi_2193_: bool;
-    var phi_2194_: bool;
+    var phi_2197_: lt_bvh_triangle_Intersection;
     var phi_2198_: bool;
-    var phi_2202_: lt_bvh_triangle_Intersection;
-    var phi_2416_: f32;
-    var phi_2419_: bool;
-    var phi_2420_: bool;
-    var phi_2421_: bool;
-    var phi_2425_: bool;
+    var phi_2199_: lt_bvh_triangle_Intersection;
+    var phi_2200_: bool;
+    var phi_2201_: bool;
+    var phi_2205_: bool;
+    var phi_2209_: lt_bvh_triangle_Intersection;
+    var phi_2423_: f32;
     var phi_2426_: bool;
     var phi_2427_: bool;
     var phi_2428_: bool;
-    var phi_2429_: bool;
-    var phi_2430_: bool;
-    var phi_2431_: bool;
     var phi_2432_: bool;
     var phi_2433_: bool;
     var phi_2434_: bool;
-    var phi_1632_: u32;
-    var phi_1635_: bool;
+    var phi_2435_: bool;
+    var phi_2436_: bool;
+    var phi_2437_: bool;
     var phi_2438_: bool;
     var phi_2439_: bool;
+    var phi_2440_: bool;
+    var phi_2441_: bool;
+    var phi_1639_: u32;
+    var phi_1642_: bool;
+    var phi_2445_: bool;
+    var phi_2446_: bool;
     var local_6: bool;
-    var phi_2481_: bool;
-    var phi_2482_: bool;
-    var phi_2513_: u32;
-    var phi_2514_: u32;
-    var phi_1300_: u32;
-    var phi_1303_: bool;
-    var phi_2515_: bool;
-    var phi_2516_: bool;
-    var phi_2517_: bool;
+    var phi_2488_: bool;
+    var phi_2489_: bool;
+    var phi_2520_: u32;
+    var phi_2521_: u32;
+    var phi_1307_: u32;
+    var phi_1310_: bool;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2524_: bool;
     var local_7: bool;
-    var phi_2521_: bool;
-    var phi_2525_: bool;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
     var phi_2528_: bool;
     var phi_2532_: bool;
-    var phi_2536_: f32;
-    var phi_2537_: f32;
+    var phi_2533_: bool;
+    var phi_2534_: bool;
+    var phi_2535_: bool;
+    var phi_2539_: bool;
+    var phi_2543_: f32;
+    var phi_2544_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
@@ -857,12 +856,12 @@ fn function_() {
     let _e96 = p.member.size[0u];
     let _e98 = p.member.size[1u];
     let _e99 = lt_shaders_entry_pixel_index(_e71, _e96, _e98);
-    if (bitcast<i32>(_e99.root) != 0i) {
-        if (_e99.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e99.word) != 0i) {
+        if (_e99.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e107 = samples.member[(0u + _e99.first_primitive)];
+        let _e107 = samples.member[(0u + _e99.shift)];
         local_2 = abi_Sample(_e107.position, _e107.magnitude, _e107.normal, _e107.flags, _e107.shading_normal, _e107.albedo);
         let _e116 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e116 {
@@ -927,7 +926,7 @@ fn function_() {
         }
         let _e239 = phi_813_;
         if _e239.unnamed_1 {
-            phi_2537_ = _e239.unnamed.visibility;
+            phi_2544_ = _e239.unnamed.visibility;
         } else {
             let _e245 = local_2.position;
             let _e247 = local_2.normal;
@@ -946,1270 +945,1271 @@ fn function_() {
             let _e277 = (_e265.x - (_e259 * _e265.w));
             let _e278 = (_e265.y - (_e261 * _e265.w));
             let _e279 = (_e265.z - (_e263 * _e265.w));
-            let _e284 = abs(_e277);
-            let _e285 = abs(_e278);
-            let _e286 = abs(_e279);
+            let _e281 = abs(_e277);
+            let _e282 = abs(_e278);
+            let _e283 = abs(_e279);
             if (abs(_e259) < 1000000000000000f) {
                 if (abs(_e261) < 1000000000000000f) {
-                    if (abs(_e263) < 1000000000000000f) {
-                        if (_e284 < 1000000000000000f) {
-                            if (_e285 < 1000000000000000f) {
-                                if (_e286 < 1000000000000000f) {
-                                    if (_e284 > 0f) {
-                                        phi_916_ = bool();
-                                        phi_917_ = true;
-                                    } else {
-                                        let _e294 = (_e285 > 0f);
-                                        if _e294 {
-                                            phi_915_ = bool();
-                                        } else {
-                                            phi_915_ = (_e286 > 0f);
-                                        }
-                                        let _e297 = phi_915_;
-                                        phi_916_ = _e297;
-                                        phi_917_ = _e294;
-                                    }
-                                    let _e299 = phi_916_;
-                                    let _e301 = phi_917_;
-                                    if _e301 {
-                                        phi_921_ = true;
-                                    } else {
-                                        phi_921_ = _e299;
-                                    }
-                                    let _e303 = phi_921_;
-                                    phi_922_ = _e303;
-                                    phi_923_ = false;
-                                } else {
-                                    phi_922_ = bool();
-                                    phi_923_ = true;
-                                }
-                                let _e305 = phi_922_;
-                                let _e307 = phi_923_;
-                                phi_924_ = _e305;
-                                phi_925_ = false;
-                                phi_926_ = _e307;
-                            } else {
-                                phi_924_ = bool();
-                                phi_925_ = true;
-                                phi_926_ = false;
-                            }
-                            let _e309 = phi_924_;
-                            let _e311 = phi_925_;
-                            let _e313 = phi_926_;
-                            phi_927_ = _e309;
-                            phi_928_ = _e311;
-                            phi_929_ = _e313;
-                        } else {
-                            phi_927_ = bool();
-                            phi_928_ = true;
-                            phi_929_ = false;
-                        }
-                        let _e315 = phi_927_;
-                        let _e317 = phi_928_;
-                        let _e319 = phi_929_;
-                        phi_930_ = _e315;
-                        phi_931_ = _e317;
-                        phi_932_ = _e319;
-                    } else {
-                        phi_930_ = bool();
-                        phi_931_ = true;
-                        phi_932_ = false;
-                    }
-                    let _e321 = phi_930_;
-                    let _e323 = phi_931_;
-                    let _e325 = phi_932_;
-                    phi_933_ = _e321;
-                    phi_934_ = _e323;
-                    phi_935_ = _e325;
+                    phi_891_ = (abs(_e263) < 1000000000000000f);
+                    phi_892_ = false;
                 } else {
-                    phi_933_ = bool();
-                    phi_934_ = true;
-                    phi_935_ = false;
+                    phi_891_ = bool();
+                    phi_892_ = true;
                 }
-                let _e327 = phi_933_;
-                let _e329 = phi_934_;
-                let _e331 = phi_935_;
-                phi_936_ = _e327;
-                phi_937_ = _e329;
-                phi_938_ = _e331;
+                let _e291 = phi_891_;
+                let _e293 = phi_892_;
+                phi_893_ = _e291;
+                phi_894_ = _e293;
             } else {
-                phi_936_ = bool();
-                phi_937_ = true;
-                phi_938_ = false;
+                phi_893_ = bool();
+                phi_894_ = true;
             }
-            let _e333 = phi_936_;
-            let _e335 = phi_937_;
-            let _e337 = phi_938_;
-            if _e335 {
-                phi_942_ = true;
+            let _e295 = phi_893_;
+            let _e297 = phi_894_;
+            if _e297 {
+                phi_898_ = false;
             } else {
-                phi_942_ = _e337;
+                phi_898_ = _e295;
             }
-            let _e339 = phi_942_;
-            if _e339 {
-                phi_946_ = false;
+            let _e299 = phi_898_;
+            if _e299 {
+                if (_e281 < 1000000000000000f) {
+                    if (_e282 < 1000000000000000f) {
+                        phi_911_ = (_e283 < 1000000000000000f);
+                        phi_912_ = false;
+                    } else {
+                        phi_911_ = bool();
+                        phi_912_ = true;
+                    }
+                    let _e304 = phi_911_;
+                    let _e306 = phi_912_;
+                    phi_913_ = _e304;
+                    phi_914_ = _e306;
+                } else {
+                    phi_913_ = bool();
+                    phi_914_ = true;
+                }
+                let _e308 = phi_913_;
+                let _e310 = phi_914_;
+                if _e310 {
+                    phi_918_ = false;
+                } else {
+                    phi_918_ = _e308;
+                }
+                let _e312 = phi_918_;
+                if _e312 {
+                    if (_e281 > 0f) {
+                        phi_932_ = bool();
+                        phi_933_ = true;
+                    } else {
+                        let _e314 = (_e282 > 0f);
+                        if _e314 {
+                            phi_931_ = bool();
+                        } else {
+                            phi_931_ = (_e283 > 0f);
+                        }
+                        let _e317 = phi_931_;
+                        phi_932_ = _e317;
+                        phi_933_ = _e314;
+                    }
+                    let _e319 = phi_932_;
+                    let _e321 = phi_933_;
+                    if _e321 {
+                        phi_937_ = true;
+                    } else {
+                        phi_937_ = _e319;
+                    }
+                    let _e323 = phi_937_;
+                    phi_938_ = _e323;
+                    phi_939_ = false;
+                } else {
+                    phi_938_ = bool();
+                    phi_939_ = true;
+                }
+                let _e325 = phi_938_;
+                let _e327 = phi_939_;
+                phi_940_ = _e325;
+                phi_941_ = _e327;
             } else {
-                phi_946_ = _e333;
+                phi_940_ = bool();
+                phi_941_ = true;
             }
-            let _e341 = phi_946_;
-            if _e341 {
-                let _e342 = (0u >= _e78);
-                if _e342 {
-                    phi_2526_ = bool();
+            let _e329 = phi_940_;
+            let _e331 = phi_941_;
+            if _e331 {
+                phi_945_ = false;
+            } else {
+                phi_945_ = _e329;
+            }
+            let _e333 = phi_945_;
+            if _e333 {
+                let _e334 = (0u >= _e78);
+                if _e334 {
+                    phi_2533_ = bool();
                 } else {
                     if (0u < _e78) {
                     } else {
                         return;
                     }
-                    let _e348 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e352 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e356 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e360 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e364 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e368 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e372 = nodes.member[(0u + 0u)].frame[3u];
-                    let _e406 = core_intrinsics_maximum_number_nsz_f32_(abs(_e277), abs(_e278));
-                    let _e407 = core_intrinsics_maximum_number_nsz_f32_(_e406, abs(_e279));
-                    let _e408 = (_e407 * 0.0000000000009094947f);
-                    if (abs(_e277) < _e408) {
-                        phi_1016_ = _e408;
+                    let _e340 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e344 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e348 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e352 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e356 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e360 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e364 = nodes.member[(0u + 0u)].frame[3u];
+                    let _e398 = core_intrinsics_maximum_number_nsz_f32_(abs(_e277), abs(_e278));
+                    let _e399 = core_intrinsics_maximum_number_nsz_f32_(_e398, abs(_e279));
+                    let _e400 = (_e399 * 0.0000000000009094947f);
+                    if (abs(_e277) < _e400) {
+                        phi_1015_ = _e400;
                     } else {
-                        phi_1016_ = abs(_e277);
+                        phi_1015_ = abs(_e277);
                     }
-                    let _e413 = phi_1016_;
+                    let _e405 = phi_1015_;
                     if (_e277 < 0f) {
-                        phi_1023_ = (-1f / _e413);
+                        phi_1022_ = (-1f / _e405);
                     } else {
-                        phi_1023_ = (1f / _e413);
+                        phi_1022_ = (1f / _e405);
                     }
-                    let _e418 = phi_1023_;
-                    if (abs(_e278) < _e408) {
-                        phi_1030_ = _e408;
+                    let _e410 = phi_1022_;
+                    if (abs(_e278) < _e400) {
+                        phi_1029_ = _e400;
                     } else {
-                        phi_1030_ = abs(_e278);
+                        phi_1029_ = abs(_e278);
                     }
-                    let _e423 = phi_1030_;
+                    let _e415 = phi_1029_;
                     if (_e278 < 0f) {
-                        phi_1037_ = (-1f / _e423);
+                        phi_1036_ = (-1f / _e415);
                     } else {
-                        phi_1037_ = (1f / _e423);
+                        phi_1036_ = (1f / _e415);
                     }
-                    let _e428 = phi_1037_;
-                    if (abs(_e279) < _e408) {
-                        phi_1044_ = _e408;
+                    let _e420 = phi_1036_;
+                    if (abs(_e279) < _e400) {
+                        phi_1043_ = _e400;
                     } else {
-                        phi_1044_ = abs(_e279);
+                        phi_1043_ = abs(_e279);
                     }
-                    let _e433 = phi_1044_;
+                    let _e425 = phi_1043_;
                     if (_e279 < 0f) {
-                        phi_1051_ = (-1f / _e433);
+                        phi_1050_ = (-1f / _e425);
                     } else {
-                        phi_1051_ = (1f / _e433);
+                        phi_1050_ = (1f / _e425);
                     }
-                    let _e438 = phi_1051_;
-                    let _e442 = abs((bitcast<f32>(_e348) - _e259));
-                    let _e443 = abs((bitcast<f32>(_e352) - _e261));
-                    let _e444 = abs((bitcast<f32>(_e356) - _e263));
-                    let _e448 = abs(((bitcast<f32>(_e360) + (bitcast<f32>((((_e372 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e259));
-                    let _e449 = abs(((bitcast<f32>(_e364) + (bitcast<f32>((((_e372 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e261));
-                    let _e450 = abs(((bitcast<f32>(_e368) + (bitcast<f32>((((_e372 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e263));
-                    if (_e442 > _e448) {
-                        phi_1068_ = _e442;
+                    let _e430 = phi_1050_;
+                    let _e434 = abs((bitcast<f32>(_e340) - _e259));
+                    let _e435 = abs((bitcast<f32>(_e344) - _e261));
+                    let _e436 = abs((bitcast<f32>(_e348) - _e263));
+                    let _e440 = abs(((bitcast<f32>(_e352) + (bitcast<f32>((((_e364 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e259));
+                    let _e441 = abs(((bitcast<f32>(_e356) + (bitcast<f32>((((_e364 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e261));
+                    let _e442 = abs(((bitcast<f32>(_e360) + (bitcast<f32>((((_e364 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e263));
+                    if (_e434 > _e440) {
+                        phi_1067_ = _e434;
                     } else {
-                        phi_1068_ = _e448;
+                        phi_1067_ = _e440;
                     }
-                    let _e453 = phi_1068_;
-                    if (_e443 > _e449) {
-                        phi_1073_ = _e443;
+                    let _e445 = phi_1067_;
+                    if (_e435 > _e441) {
+                        phi_1072_ = _e435;
                     } else {
-                        phi_1073_ = _e449;
+                        phi_1072_ = _e441;
                     }
-                    let _e456 = phi_1073_;
-                    if (_e444 > _e450) {
-                        phi_1078_ = _e444;
+                    let _e448 = phi_1072_;
+                    if (_e436 > _e442) {
+                        phi_1077_ = _e436;
                     } else {
-                        phi_1078_ = _e450;
+                        phi_1077_ = _e442;
                     }
-                    let _e459 = phi_1078_;
-                    let _e460 = core_intrinsics_maximum_number_nsz_f32_(_e453, _e456);
-                    let _e461 = core_intrinsics_maximum_number_nsz_f32_(_e460, _e459);
-                    let _e465 = (_e461 * 0.0000019073486f);
-                    let _e466 = (abs(_e418) * _e465);
-                    let _e467 = (abs(_e428) * _e465);
-                    let _e468 = (abs(_e438) * _e465);
-                    let _e472 = (_e461 * 0.0000009536743f);
-                    let _e473 = (abs(_e418) * _e472);
-                    let _e474 = (abs(_e428) * _e472);
-                    let _e475 = (abs(_e438) * _e472);
-                    let _e476 = abs(_e277);
-                    let _e477 = abs(_e278);
-                    let _e478 = abs(_e279);
-                    if (_e476 >= _e477) {
-                        if (_e476 >= _e478) {
-                            phi_1106_ = false;
+                    let _e451 = phi_1077_;
+                    if (_e445 > _e448) {
+                        phi_1082_ = _e445;
+                    } else {
+                        phi_1082_ = _e448;
+                    }
+                    let _e454 = phi_1082_;
+                    if (_e454 > _e451) {
+                        phi_1087_ = _e454;
+                    } else {
+                        phi_1087_ = _e451;
+                    }
+                    let _e457 = phi_1087_;
+                    let _e461 = (_e457 * 0.0000019073486f);
+                    let _e462 = (abs(_e410) * _e461);
+                    let _e463 = (abs(_e420) * _e461);
+                    let _e464 = (abs(_e430) * _e461);
+                    let _e468 = (_e457 * 0.0000009536743f);
+                    let _e469 = (abs(_e410) * _e468);
+                    let _e470 = (abs(_e420) * _e468);
+                    let _e471 = (abs(_e430) * _e468);
+                    let _e472 = abs(_e277);
+                    let _e473 = abs(_e278);
+                    let _e474 = abs(_e279);
+                    if (_e472 >= _e473) {
+                        if (_e472 >= _e474) {
+                            phi_1113_ = false;
                         } else {
-                            phi_1106_ = true;
+                            phi_1113_ = true;
                         }
-                        let _e482 = phi_1106_;
-                        phi_1107_ = _e482;
+                        let _e478 = phi_1113_;
+                        phi_1114_ = _e478;
                     } else {
-                        phi_1107_ = true;
+                        phi_1114_ = true;
                     }
-                    let _e484 = phi_1107_;
-                    if _e484 {
-                        if (_e477 >= _e478) {
-                            phi_1115_ = 1u;
+                    let _e480 = phi_1114_;
+                    if _e480 {
+                        if (_e473 >= _e474) {
+                            phi_1122_ = 1u;
                         } else {
-                            phi_1115_ = 2u;
+                            phi_1122_ = 2u;
                         }
-                        let _e487 = phi_1115_;
-                        phi_1116_ = _e487;
+                        let _e483 = phi_1122_;
+                        phi_1123_ = _e483;
                     } else {
-                        phi_1116_ = 0u;
+                        phi_1123_ = 0u;
                     }
-                    let _e489 = phi_1116_;
-                    if (_e489 == 0u) {
-                        phi_1128_ = vec3<f32>(_e278, _e279, _e277);
+                    let _e485 = phi_1123_;
+                    if (_e485 == 0u) {
+                        phi_1135_ = vec3<f32>(_e278, _e279, _e277);
                     } else {
-                        if (_e489 == 1u) {
-                            phi_1127_ = vec3<f32>(_e279, _e277, _e278);
+                        if (_e485 == 1u) {
+                            phi_1134_ = vec3<f32>(_e279, _e277, _e278);
                         } else {
-                            phi_1127_ = vec3<f32>(_e277, _e278, _e279);
+                            phi_1134_ = vec3<f32>(_e277, _e278, _e279);
                         }
-                        let _e495 = phi_1127_;
-                        phi_1128_ = _e495;
+                        let _e491 = phi_1134_;
+                        phi_1135_ = _e491;
                     }
-                    let _e497 = phi_1128_;
-                    let _e500 = (_e497.x / _e497.z);
-                    let _e503 = (_e497.y / _e497.z);
-                    if (_e418 < 0f) {
-                        phi_1141_ = 0u;
+                    let _e493 = phi_1135_;
+                    let _e496 = (_e493.x / _e493.z);
+                    let _e499 = (_e493.y / _e493.z);
+                    if (_e410 < 0f) {
+                        phi_1148_ = 0u;
                     } else {
-                        phi_1141_ = 1u;
+                        phi_1148_ = 1u;
                     }
-                    let _e508 = phi_1141_;
-                    if (_e428 < 0f) {
-                        phi_1146_ = 0u;
+                    let _e504 = phi_1148_;
+                    if (_e420 < 0f) {
+                        phi_1153_ = 0u;
                     } else {
-                        phi_1146_ = 2u;
+                        phi_1153_ = 2u;
                     }
-                    let _e511 = phi_1146_;
-                    if (_e438 < 0f) {
-                        phi_1151_ = 0u;
+                    let _e507 = phi_1153_;
+                    if (_e430 < 0f) {
+                        phi_1158_ = 0u;
                     } else {
-                        phi_1151_ = 4u;
+                        phi_1158_ = 4u;
                     }
-                    let _e514 = phi_1151_;
-                    let _e516 = ((_e508 | _e511) | _e514);
-                    let _e517 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e517.first[0], _e517.first[1], _e517.first[2], _e517.first[3], _e517.first[4], _e517.first[5], _e517.first[6], _e517.first[7], _e517.first[8], _e517.first[9], _e517.first[10], _e517.first[11], _e517.first[12], _e517.first[13], _e517.first[14], _e517.first[15], _e517.first[16], _e517.first[17], _e517.first[18], _e517.first[19], _e517.first[20], _e517.first[21], _e517.first[22], _e517.first[23], _e517.first[24], _e517.first[25], _e517.first[26], _e517.first[27], _e517.first[28], _e517.first[29], _e517.first[30], _e517.first[31]), array<u32, 32>(_e517.mask[0], _e517.mask[1], _e517.mask[2], _e517.mask[3], _e517.mask[4], _e517.mask[5], _e517.mask[6], _e517.mask[7], _e517.mask[8], _e517.mask[9], _e517.mask[10], _e517.mask[11], _e517.mask[12], _e517.mask[13], _e517.mask[14], _e517.mask[15], _e517.mask[16], _e517.mask[17], _e517.mask[18], _e517.mask[19], _e517.mask[20], _e517.mask[21], _e517.mask[22], _e517.mask[23], _e517.mask[24], _e517.mask[25], _e517.mask[26], _e517.mask[27], _e517.mask[28], _e517.mask[29], _e517.mask[30], _e517.mask[31]), _e517.len, _e517.group, _e517.group_mask);
-                    let _e591 = local_1.group_mask;
-                    if ((_e591 & 4278190080u) == 0u) {
-                        let _e595 = local_1.len;
-                        if (_e595 == 0u) {
-                            phi_1265_ = false;
+                    let _e510 = phi_1158_;
+                    let _e512 = ((_e504 | _e507) | _e510);
+                    let _e513 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e513.first[0], _e513.first[1], _e513.first[2], _e513.first[3], _e513.first[4], _e513.first[5], _e513.first[6], _e513.first[7], _e513.first[8], _e513.first[9], _e513.first[10], _e513.first[11], _e513.first[12], _e513.first[13], _e513.first[14], _e513.first[15], _e513.first[16], _e513.first[17], _e513.first[18], _e513.first[19], _e513.first[20], _e513.first[21], _e513.first[22], _e513.first[23], _e513.first[24], _e513.first[25], _e513.first[26], _e513.first[27], _e513.first[28], _e513.first[29], _e513.first[30], _e513.first[31]), array<u32, 32>(_e513.mask[0], _e513.mask[1], _e513.mask[2], _e513.mask[3], _e513.mask[4], _e513.mask[5], _e513.mask[6], _e513.mask[7], _e513.mask[8], _e513.mask[9], _e513.mask[10], _e513.mask[11], _e513.mask[12], _e513.mask[13], _e513.mask[14], _e513.mask[15], _e513.mask[16], _e513.mask[17], _e513.mask[18], _e513.mask[19], _e513.mask[20], _e513.mask[21], _e513.mask[22], _e513.mask[23], _e513.mask[24], _e513.mask[25], _e513.mask[26], _e513.mask[27], _e513.mask[28], _e513.mask[29], _e513.mask[30], _e513.mask[31]), _e513.len, _e513.group, _e513.group_mask);
+                    let _e587 = local_1.group_mask;
+                    if ((_e587 & 4278190080u) == 0u) {
+                        let _e591 = local_1.len;
+                        if (_e591 == 0u) {
+                            phi_1272_ = false;
                         } else {
-                            let _e599 = local_1.len;
-                            local_1.len = (_e599 - 1u);
-                            let _e602 = local_1.len;
-                            if (_e602 < 32u) {
+                            let _e595 = local_1.len;
+                            local_1.len = (_e595 - 1u);
+                            let _e598 = local_1.len;
+                            if (_e598 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e607 = local_1.first[(0u + _e602)];
-                            local_1.group = _e607;
-                            let _e610 = local_1.len;
-                            if (_e610 < 32u) {
+                            let _e603 = local_1.first[(0u + _e598)];
+                            local_1.group = _e603;
+                            let _e606 = local_1.len;
+                            if (_e606 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e615 = local_1.mask[(0u + _e610)];
-                            local_1.group_mask = _e615;
-                            phi_1265_ = true;
+                            let _e611 = local_1.mask[(0u + _e606)];
+                            local_1.group_mask = _e611;
+                            phi_1272_ = true;
                         }
-                        let _e618 = phi_1265_;
-                        phi_1266_ = _e618;
+                        let _e614 = phi_1272_;
+                        phi_1273_ = _e614;
                     } else {
-                        phi_1266_ = true;
+                        phi_1273_ = true;
                     }
-                    let _e620 = phi_1266_;
-                    if _e620 {
-                        let _e622 = local_1.group_mask;
-                        let _e628 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e622)), 32u, (_e622 == 0u)));
-                        let _e632 = local_1.group_mask;
-                        let _e646 = local_1.group_mask;
-                        local_1.group_mask = (_e646 & ~((1u << bitcast<u32>((_e628 & 31u)))));
-                        let _e649 = local_1.group;
-                        phi_1297_ = (_e649 + countOneBits(((_e632 & ~((4294967295u << bitcast<u32>((((_e628 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e616 = phi_1273_;
+                    if _e616 {
+                        let _e618 = local_1.group_mask;
+                        let _e624 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e618)), 32u, (_e618 == 0u)));
+                        let _e628 = local_1.group_mask;
+                        let _e642 = local_1.group_mask;
+                        local_1.group_mask = (_e642 & ~((1u << bitcast<u32>((_e624 & 31u)))));
+                        let _e645 = local_1.group;
+                        phi_1304_ = (_e645 + countOneBits(((_e628 & ~((4294967295u << bitcast<u32>((((_e624 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_1297_ = 4294967295u;
+                        phi_1304_ = 4294967295u;
                     }
-                    let _e652 = phi_1297_;
-                    phi_1299_ = _e652;
-                    phi_1302_ = false;
+                    let _e648 = phi_1304_;
+                    phi_1306_ = _e648;
+                    phi_1309_ = false;
                     loop {
-                        let _e654 = phi_1299_;
-                        let _e656 = phi_1302_;
-                        local_12 = _e656;
-                        if (_e654 != 4294967295u) {
-                            if (_e654 < _e78) {
+                        let _e650 = phi_1306_;
+                        let _e652 = phi_1309_;
+                        local_12 = _e652;
+                        if (_e650 != 4294967295u) {
+                            if (_e650 < _e78) {
                             } else {
                                 return;
                             }
-                            let _e663 = nodes.member[(0u + _e654)].frame[3u];
-                            let _e688 = (bitcast<f32>((((_e663 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e418);
-                            let _e689 = (bitcast<f32>((((_e663 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e428);
-                            let _e690 = (bitcast<f32>((((_e663 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e438);
-                            let _e693 = nodes.member[(0u + _e654)].frame[0u];
-                            let _e697 = nodes.member[(0u + _e654)].frame[1u];
-                            let _e701 = nodes.member[(0u + _e654)].frame[2u];
-                            let _e706 = ((bitcast<f32>(_e693) - _e259) * _e418);
-                            let _e707 = ((bitcast<f32>(_e697) - _e261) * _e428);
-                            let _e708 = ((bitcast<f32>(_e701) - _e263) * _e438);
-                            let _e716 = nodes.member[(0u + _e654)].x;
-                            if (_e418 < 0f) {
-                                let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e727.unnamed.root, _e716.w), _e727.unnamed_1);
-                                let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e716.x, _e733.unnamed_1.first_primitive));
-                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e739.unnamed_1.root, _e716.y));
+                            let _e659 = nodes.member[(0u + _e650)].frame[3u];
+                            let _e684 = (bitcast<f32>((((_e659 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e410);
+                            let _e685 = (bitcast<f32>((((_e659 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e420);
+                            let _e686 = (bitcast<f32>((((_e659 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e430);
+                            let _e689 = nodes.member[(0u + _e650)].frame[0u];
+                            let _e693 = nodes.member[(0u + _e650)].frame[1u];
+                            let _e697 = nodes.member[(0u + _e650)].frame[2u];
+                            let _e702 = ((bitcast<f32>(_e689) - _e259) * _e410);
+                            let _e703 = ((bitcast<f32>(_e693) - _e261) * _e420);
+                            let _e704 = ((bitcast<f32>(_e697) - _e263) * _e430);
+                            let _e712 = nodes.member[(0u + _e650)].x;
+                            if (_e410 < 0f) {
+                                let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.unnamed.word, _e712.w), _e723.unnamed_1);
+                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_mask_LightPlace(_e712.x, _e729.unnamed_1.shift));
+                                phi_1389_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e735.unnamed_1.word, _e712.y));
                             } else {
-                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.unnamed.root, _e716.y), _e755.unnamed_1);
-                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e716.z, _e761.unnamed_1.first_primitive));
-                                phi_1382_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e767.unnamed_1.root, _e716.w));
+                                let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e712.y), _e751.unnamed_1);
+                                let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e712.z, _e757.unnamed_1.shift));
+                                phi_1389_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e712.w));
                             }
-                            let _e775 = phi_1382_;
-                            let _e785 = nodes.member[(0u + _e654)].y;
-                            if (_e428 < 0f) {
-                                let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e796.unnamed.root, _e785.w), _e796.unnamed_1);
-                                let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e785.x, _e802.unnamed_1.first_primitive));
-                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e808.unnamed_1.root, _e785.y));
+                            let _e771 = phi_1389_;
+                            let _e781 = nodes.member[(0u + _e650)].y;
+                            if (_e420 < 0f) {
+                                let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.unnamed.word, _e781.w), _e792.unnamed_1);
+                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_mask_LightPlace(_e781.x, _e798.unnamed_1.shift));
+                                phi_1416_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_mask_LightPlace(_e804.unnamed_1.word, _e781.y));
                             } else {
-                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e824.unnamed.root, _e785.y), _e824.unnamed_1);
-                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e785.z, _e830.unnamed_1.first_primitive));
-                                phi_1409_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e836.unnamed_1.root, _e785.w));
+                                let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e820.unnamed.word, _e781.y), _e820.unnamed_1);
+                                let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_mask_LightPlace(_e781.z, _e826.unnamed_1.shift));
+                                phi_1416_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e832.unnamed_1.word, _e781.w));
                             }
-                            let _e844 = phi_1409_;
-                            let _e854 = nodes.member[(0u + _e654)].z;
-                            if (_e438 < 0f) {
-                                let _e865 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e871 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e865.unnamed.root, _e854.w), _e865.unnamed_1);
-                                let _e877 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e871.unnamed, lt_bvh_traverse_Tree(_e854.x, _e871.unnamed_1.first_primitive));
-                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e877.unnamed, lt_bvh_traverse_Tree(_e877.unnamed_1.root, _e854.y));
+                            let _e840 = phi_1416_;
+                            let _e850 = nodes.member[(0u + _e650)].z;
+                            if (_e430 < 0f) {
+                                let _e861 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e850.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e861.unnamed.word, _e850.w), _e861.unnamed_1);
+                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e867.unnamed, lt_mask_LightPlace(_e850.x, _e867.unnamed_1.shift));
+                                phi_1443_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_mask_LightPlace(_e873.unnamed_1.word, _e850.y));
                             } else {
-                                let _e893 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e893.unnamed.root, _e854.y), _e893.unnamed_1);
-                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e899.unnamed, lt_bvh_traverse_Tree(_e854.z, _e899.unnamed_1.first_primitive));
-                                phi_1436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_bvh_traverse_Tree(_e905.unnamed_1.root, _e854.w));
+                                let _e889 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e850.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e895 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e889.unnamed.word, _e850.y), _e889.unnamed_1);
+                                let _e901 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e895.unnamed, lt_mask_LightPlace(_e850.z, _e895.unnamed_1.shift));
+                                phi_1443_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e901.unnamed, lt_mask_LightPlace(_e901.unnamed_1.word, _e850.w));
                             }
-                            let _e913 = phi_1436_;
-                            phi_1442_ = 0u;
-                            phi_1445_ = 0u;
+                            let _e909 = phi_1443_;
+                            phi_1449_ = 0u;
+                            phi_1452_ = 0u;
                             loop {
-                                let _e923 = phi_1442_;
-                                let _e925 = phi_1445_;
-                                local_3 = _e925;
-                                local_4 = _e925;
-                                local_5 = _e925;
-                                let _e926 = (_e923 < 8u);
-                                if _e926 {
-                                    let _e928 = (_e923 >> bitcast<u32>(2i));
-                                    let _e929 = (_e923 & 3u);
-                                    if (_e928 == 0u) {
-                                        phi_1459_ = _e775.unnamed.root;
+                                let _e919 = phi_1449_;
+                                let _e921 = phi_1452_;
+                                local_3 = _e921;
+                                local_4 = _e921;
+                                local_5 = _e921;
+                                let _e922 = (_e919 < 8u);
+                                if _e922 {
+                                    let _e924 = (_e919 >> bitcast<u32>(2i));
+                                    let _e925 = (_e919 & 3u);
+                                    if (_e924 == 0u) {
+                                        phi_1466_ = _e771.unnamed.word;
                                     } else {
-                                        phi_1459_ = _e775.unnamed.first_primitive;
+                                        phi_1466_ = _e771.unnamed.shift;
                                     }
-                                    let _e932 = phi_1459_;
-                                    if (_e928 == 0u) {
-                                        phi_1469_ = _e844.unnamed.root;
+                                    let _e928 = phi_1466_;
+                                    if (_e924 == 0u) {
+                                        phi_1476_ = _e840.unnamed.word;
                                     } else {
-                                        phi_1469_ = _e844.unnamed.first_primitive;
+                                        phi_1476_ = _e840.unnamed.shift;
                                     }
-                                    let _e941 = phi_1469_;
-                                    if (_e928 == 0u) {
-                                        phi_1479_ = _e913.unnamed.root;
+                                    let _e937 = phi_1476_;
+                                    if (_e924 == 0u) {
+                                        phi_1486_ = _e909.unnamed.word;
                                     } else {
-                                        phi_1479_ = _e913.unnamed.first_primitive;
+                                        phi_1486_ = _e909.unnamed.shift;
                                     }
-                                    let _e950 = phi_1479_;
-                                    let _e963 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e932 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 - _e466)), ((f32(((_e941 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 - _e467)));
-                                    let _e964 = core_intrinsics_maximum_number_nsz_f32_(_e963, ((f32(((_e950 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 - _e468)));
-                                    if (_e928 == 0u) {
-                                        phi_1497_ = _e775.unnamed_1.root;
+                                    let _e946 = phi_1486_;
+                                    let _e959 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e928 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e684) + (_e702 - _e462)), ((f32(((_e937 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e685) + (_e703 - _e463)));
+                                    let _e960 = core_intrinsics_maximum_number_nsz_f32_(_e959, ((f32(((_e946 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e686) + (_e704 - _e464)));
+                                    if (_e924 == 0u) {
+                                        phi_1504_ = _e771.unnamed_1.word;
                                     } else {
-                                        phi_1497_ = _e775.unnamed_1.first_primitive;
+                                        phi_1504_ = _e771.unnamed_1.shift;
                                     }
-                                    let _e967 = phi_1497_;
-                                    if (_e928 == 0u) {
-                                        phi_1507_ = _e844.unnamed_1.root;
+                                    let _e963 = phi_1504_;
+                                    if (_e924 == 0u) {
+                                        phi_1514_ = _e840.unnamed_1.word;
                                     } else {
-                                        phi_1507_ = _e844.unnamed_1.first_primitive;
+                                        phi_1514_ = _e840.unnamed_1.shift;
                                     }
-                                    let _e976 = phi_1507_;
-                                    if (_e928 == 0u) {
-                                        phi_1517_ = _e913.unnamed_1.root;
+                                    let _e972 = phi_1514_;
+                                    if (_e924 == 0u) {
+                                        phi_1524_ = _e909.unnamed_1.word;
                                     } else {
-                                        phi_1517_ = _e913.unnamed_1.first_primitive;
+                                        phi_1524_ = _e909.unnamed_1.shift;
                                     }
-                                    let _e985 = phi_1517_;
-                                    let _e998 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e967 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e688) + (_e706 + _e466)), ((f32(((_e976 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e689) + (_e707 + _e467)));
-                                    let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, ((f32(((_e985 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u)) * _e690) + (_e708 + _e468)));
-                                    if (_e964 <= _e999) {
-                                        if (_e964 <= _e269) {
-                                            if (_e999 >= 0f) {
-                                                if (_e928 == 0u) {
-                                                    let _e1006 = nodes.member[(0u + _e654)].links[2u];
-                                                    phi_1553_ = _e1006;
+                                    let _e981 = phi_1524_;
+                                    let _e994 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e963 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e684) + (_e702 + _e462)), ((f32(((_e972 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e685) + (_e703 + _e463)));
+                                    let _e995 = core_intrinsics_minimum_number_nsz_f32_(_e994, ((f32(((_e981 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e686) + (_e704 + _e464)));
+                                    if (_e960 <= _e995) {
+                                        if (_e960 <= _e269) {
+                                            if (_e995 >= 0f) {
+                                                if (_e924 == 0u) {
+                                                    let _e1002 = nodes.member[(0u + _e650)].links[2u];
+                                                    phi_1560_ = _e1002;
                                                 } else {
-                                                    let _e1009 = nodes.member[(0u + _e654)].links[3u];
-                                                    phi_1553_ = _e1009;
+                                                    let _e1005 = nodes.member[(0u + _e650)].links[3u];
+                                                    phi_1560_ = _e1005;
                                                 }
-                                                let _e1011 = phi_1553_;
-                                                let _e1016 = ((_e1011 >> bitcast<u32>(((_e929 * 8u) & 31u))) & 255u);
-                                                let _e1017 = (_e1016 & 31u);
-                                                if (_e1017 >= 24u) {
-                                                    phi_1566_ = (24u + ((_e1017 - 24u) ^ _e516));
+                                                let _e1007 = phi_1560_;
+                                                let _e1012 = ((_e1007 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u);
+                                                let _e1013 = (_e1012 & 31u);
+                                                if (_e1013 >= 24u) {
+                                                    phi_1573_ = (24u + ((_e1013 - 24u) ^ _e512));
                                                 } else {
-                                                    phi_1566_ = _e1017;
+                                                    phi_1573_ = _e1013;
                                                 }
-                                                let _e1023 = phi_1566_;
-                                                phi_1571_ = (_e925 | ((_e1016 >> bitcast<u32>(5i)) << bitcast<u32>((_e1023 & 31u))));
+                                                let _e1019 = phi_1573_;
+                                                phi_1578_ = (_e921 | ((_e1012 >> bitcast<u32>(5i)) << bitcast<u32>((_e1019 & 31u))));
                                             } else {
-                                                phi_1571_ = _e925;
+                                                phi_1578_ = _e921;
                                             }
-                                            let _e1031 = phi_1571_;
-                                            phi_1572_ = _e1031;
+                                            let _e1027 = phi_1578_;
+                                            phi_1579_ = _e1027;
                                         } else {
-                                            phi_1572_ = _e925;
+                                            phi_1579_ = _e921;
                                         }
-                                        let _e1033 = phi_1572_;
-                                        phi_1573_ = _e1033;
+                                        let _e1029 = phi_1579_;
+                                        phi_1580_ = _e1029;
                                     } else {
-                                        phi_1573_ = _e925;
+                                        phi_1580_ = _e921;
                                     }
-                                    let _e1035 = phi_1573_;
-                                    phi_1443_ = (_e923 + 1u);
-                                    phi_1446_ = _e1035;
+                                    let _e1031 = phi_1580_;
+                                    phi_1450_ = (_e919 + 1u);
+                                    phi_1453_ = _e1031;
                                 } else {
-                                    phi_1443_ = u32();
-                                    phi_1446_ = u32();
+                                    phi_1450_ = u32();
+                                    phi_1453_ = u32();
                                 }
-                                let _e1038 = phi_1443_;
-                                let _e1040 = phi_1446_;
+                                let _e1034 = phi_1450_;
+                                let _e1036 = phi_1453_;
                                 continue;
                                 continuing {
-                                    phi_1442_ = _e1038;
-                                    phi_1445_ = _e1040;
-                                    break if !(_e926);
+                                    phi_1449_ = _e1034;
+                                    phi_1452_ = _e1036;
+                                    break if !(_e922);
                                 }
                             }
-                            let _e1044 = nodes.member[(0u + _e654)].links[0u];
-                            let _e1048 = nodes.member[(0u + _e654)].frame[3u];
-                            let _e1052 = local_3;
-                            if ((_e1052 & 4278190080u) == 0u) {
+                            let _e1040 = nodes.member[(0u + _e650)].links[0u];
+                            let _e1044 = nodes.member[(0u + _e650)].frame[3u];
+                            let _e1048 = local_3;
+                            if ((_e1048 & 4278190080u) == 0u) {
                             } else {
-                                let _e1056 = local_1.group_mask;
-                                if ((_e1056 & 4278190080u) == 0u) {
+                                let _e1052 = local_1.group_mask;
+                                if ((_e1052 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1060 = local_1.len;
-                                    if (_e1060 < 32u) {
-                                        let _e1063 = local_1.group;
-                                        let _e1065 = local_1.len;
-                                        if (_e1065 < 32u) {
+                                    let _e1056 = local_1.len;
+                                    if (_e1056 < 32u) {
+                                        let _e1059 = local_1.group;
+                                        let _e1061 = local_1.len;
+                                        if (_e1061 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e1065)] = _e1063;
-                                        let _e1071 = local_1.group_mask;
-                                        let _e1073 = local_1.len;
-                                        if (_e1073 < 32u) {
+                                        local_1.first[(0u + _e1061)] = _e1059;
+                                        let _e1067 = local_1.group_mask;
+                                        let _e1069 = local_1.len;
+                                        if (_e1069 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e1073)] = _e1071;
-                                        let _e1080 = local_1.len;
-                                        local_1.len = (_e1080 + 1u);
+                                        local_1.mask[(0u + _e1069)] = _e1067;
+                                        let _e1076 = local_1.len;
+                                        local_1.len = (_e1076 + 1u);
                                     }
                                 }
-                                local_1.group = (0u + _e1044);
-                                let _e1084 = local_4;
-                                local_1.group_mask = ((_e1084 & 4278190080u) | (_e1048 >> bitcast<u32>(24i)));
+                                local_1.group = (0u + _e1040);
+                                let _e1080 = local_4;
+                                local_1.group_mask = ((_e1080 & 4278190080u) | (_e1044 >> bitcast<u32>(24i)));
                             }
-                            let _e1089 = local_5;
-                            phi_1631_ = (_e1089 & 16777215u);
-                            phi_1634_ = _e656;
+                            let _e1085 = local_5;
+                            phi_1638_ = (_e1085 & 16777215u);
+                            phi_1641_ = _e652;
                             loop {
-                                let _e1092 = phi_1631_;
-                                let _e1094 = phi_1634_;
-                                local_8 = _e1094;
-                                let _e1095 = (_e1092 == 0u);
-                                local_6 = _e1095;
-                                local_10 = _e1095;
-                                if _e1095 {
-                                    phi_1632_ = u32();
-                                    phi_1635_ = bool();
-                                    phi_2438_ = bool();
-                                    phi_2439_ = false;
+                                let _e1088 = phi_1638_;
+                                let _e1090 = phi_1641_;
+                                local_8 = _e1090;
+                                let _e1091 = (_e1088 == 0u);
+                                local_6 = _e1091;
+                                local_10 = _e1091;
+                                if _e1091 {
+                                    phi_1639_ = u32();
+                                    phi_1642_ = bool();
+                                    phi_2445_ = bool();
+                                    phi_2446_ = false;
                                 } else {
-                                    let _e1098 = nodes.member[(0u + _e654)].links[1u];
-                                    let _e1103 = ((0u + _e1098) + select(firstTrailingBit(_e1092), 32u, (_e1092 == 0u)));
-                                    if (_e1103 < _e81) {
+                                    let _e1094 = nodes.member[(0u + _e650)].links[1u];
+                                    let _e1099 = ((0u + _e1094) + select(firstTrailingBit(_e1088), 32u, (_e1088 == 0u)));
+                                    if (_e1099 < _e81) {
                                     } else {
                                         return;
                                     }
-                                    let _e1110 = triangles.member[(0u + _e1103)].v0_;
-                                    let _e1112 = (_e1110.x - _e259);
-                                    let _e1114 = (_e1110.y - _e261);
-                                    let _e1116 = (_e1110.z - _e263);
-                                    if (_e489 == 0u) {
-                                        phi_1679_ = vec3<f32>(_e1114, _e1116, _e1112);
+                                    let _e1106 = triangles.member[(0u + _e1099)].v0_;
+                                    let _e1108 = (_e1106.x - _e259);
+                                    let _e1110 = (_e1106.y - _e261);
+                                    let _e1112 = (_e1106.z - _e263);
+                                    if (_e485 == 0u) {
+                                        phi_1686_ = vec3<f32>(_e1110, _e1112, _e1108);
                                     } else {
-                                        if (_e489 == 1u) {
-                                            phi_1678_ = vec3<f32>(_e1116, _e1112, _e1114);
+                                        if (_e485 == 1u) {
+                                            phi_1685_ = vec3<f32>(_e1112, _e1108, _e1110);
                                         } else {
-                                            phi_1678_ = (_e1110 - vec3<f32>(_e259, _e261, _e263));
+                                            phi_1685_ = (_e1106 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1124 = phi_1678_;
-                                        phi_1679_ = _e1124;
+                                        let _e1120 = phi_1685_;
+                                        phi_1686_ = _e1120;
                                     }
-                                    let _e1126 = phi_1679_;
-                                    let _e1130 = (_e1126.x - (_e500 * _e1126.z));
-                                    let _e1134 = (_e1126.y - (_e503 * _e1126.z));
-                                    let _e1136 = triangles.member[(0u + _e1103)].v1_;
-                                    let _e1138 = (_e1136.x - _e259);
-                                    let _e1140 = (_e1136.y - _e261);
-                                    let _e1142 = (_e1136.z - _e263);
-                                    if (_e489 == 0u) {
-                                        phi_1709_ = vec3<f32>(_e1140, _e1142, _e1138);
+                                    let _e1122 = phi_1686_;
+                                    let _e1126 = (_e1122.x - (_e496 * _e1122.z));
+                                    let _e1130 = (_e1122.y - (_e499 * _e1122.z));
+                                    let _e1132 = triangles.member[(0u + _e1099)].v1_;
+                                    let _e1134 = (_e1132.x - _e259);
+                                    let _e1136 = (_e1132.y - _e261);
+                                    let _e1138 = (_e1132.z - _e263);
+                                    if (_e485 == 0u) {
+                                        phi_1716_ = vec3<f32>(_e1136, _e1138, _e1134);
                                     } else {
-                                        if (_e489 == 1u) {
-                                            phi_1708_ = vec3<f32>(_e1142, _e1138, _e1140);
+                                        if (_e485 == 1u) {
+                                            phi_1715_ = vec3<f32>(_e1138, _e1134, _e1136);
                                         } else {
-                                            phi_1708_ = (_e1136 - vec3<f32>(_e259, _e261, _e263));
+                                            phi_1715_ = (_e1132 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1150 = phi_1708_;
-                                        phi_1709_ = _e1150;
+                                        let _e1146 = phi_1715_;
+                                        phi_1716_ = _e1146;
                                     }
-                                    let _e1152 = phi_1709_;
-                                    let _e1156 = (_e1152.x - (_e500 * _e1152.z));
-                                    let _e1160 = (_e1152.y - (_e503 * _e1152.z));
-                                    let _e1162 = triangles.member[(0u + _e1103)].v2_;
-                                    let _e1164 = (_e1162.x - _e259);
-                                    let _e1166 = (_e1162.y - _e261);
-                                    let _e1168 = (_e1162.z - _e263);
-                                    if (_e489 == 0u) {
-                                        phi_1739_ = vec3<f32>(_e1166, _e1168, _e1164);
+                                    let _e1148 = phi_1716_;
+                                    let _e1152 = (_e1148.x - (_e496 * _e1148.z));
+                                    let _e1156 = (_e1148.y - (_e499 * _e1148.z));
+                                    let _e1158 = triangles.member[(0u + _e1099)].v2_;
+                                    let _e1160 = (_e1158.x - _e259);
+                                    let _e1162 = (_e1158.y - _e261);
+                                    let _e1164 = (_e1158.z - _e263);
+                                    if (_e485 == 0u) {
+                                        phi_1746_ = vec3<f32>(_e1162, _e1164, _e1160);
                                     } else {
-                                        if (_e489 == 1u) {
-                                            phi_1738_ = vec3<f32>(_e1168, _e1164, _e1166);
+                                        if (_e485 == 1u) {
+                                            phi_1745_ = vec3<f32>(_e1164, _e1160, _e1162);
                                         } else {
-                                            phi_1738_ = (_e1162 - vec3<f32>(_e259, _e261, _e263));
+                                            phi_1745_ = (_e1158 - vec3<f32>(_e259, _e261, _e263));
                                         }
-                                        let _e1176 = phi_1738_;
-                                        phi_1739_ = _e1176;
+                                        let _e1172 = phi_1745_;
+                                        phi_1746_ = _e1172;
                                     }
-                                    let _e1178 = phi_1739_;
-                                    let _e1182 = (_e1178.x - (_e500 * _e1178.z));
-                                    let _e1186 = (_e1178.y - (_e503 * _e1178.z));
-                                    if (_e1156 < _e1182) {
-                                        phi_1758_ = true;
+                                    let _e1174 = phi_1746_;
+                                    let _e1178 = (_e1174.x - (_e496 * _e1174.z));
+                                    let _e1182 = (_e1174.y - (_e499 * _e1174.z));
+                                    if (_e1152 < _e1178) {
+                                        phi_1765_ = true;
                                     } else {
-                                        if (_e1156 == _e1182) {
-                                            phi_1757_ = (_e1160 < _e1186);
+                                        if (_e1152 == _e1178) {
+                                            phi_1764_ = (_e1156 < _e1182);
                                         } else {
-                                            phi_1757_ = false;
+                                            phi_1764_ = false;
                                         }
-                                        let _e1191 = phi_1757_;
-                                        phi_1758_ = _e1191;
+                                        let _e1187 = phi_1764_;
+                                        phi_1765_ = _e1187;
                                     }
-                                    let _e1193 = phi_1758_;
-                                    if _e1193 {
-                                        phi_1762_ = _e1186;
-                                        phi_1763_ = _e1182;
-                                        phi_1764_ = _e1160;
-                                        phi_1765_ = _e1156;
+                                    let _e1189 = phi_1765_;
+                                    if _e1189 {
+                                        phi_1769_ = _e1182;
+                                        phi_1770_ = _e1178;
+                                        phi_1771_ = _e1156;
+                                        phi_1772_ = _e1152;
                                     } else {
-                                        phi_1762_ = _e1160;
-                                        phi_1763_ = _e1156;
-                                        phi_1764_ = _e1186;
-                                        phi_1765_ = _e1182;
+                                        phi_1769_ = _e1156;
+                                        phi_1770_ = _e1152;
+                                        phi_1771_ = _e1182;
+                                        phi_1772_ = _e1178;
                                     }
-                                    let _e1195 = phi_1762_;
-                                    let _e1197 = phi_1763_;
-                                    let _e1199 = phi_1764_;
-                                    let _e1201 = phi_1765_;
-                                    let _e1204 = ((_e1201 * _e1195) - (_e1199 * _e1197));
-                                    if _e1193 {
-                                        phi_1773_ = -(_e1204);
+                                    let _e1191 = phi_1769_;
+                                    let _e1193 = phi_1770_;
+                                    let _e1195 = phi_1771_;
+                                    let _e1197 = phi_1772_;
+                                    let _e1200 = ((_e1197 * _e1191) - (_e1195 * _e1193));
+                                    if _e1189 {
+                                        phi_1780_ = -(_e1200);
                                     } else {
-                                        phi_1773_ = _e1204;
+                                        phi_1780_ = _e1200;
                                     }
-                                    let _e1207 = phi_1773_;
-                                    if (_e1182 < _e1130) {
-                                        phi_1784_ = true;
+                                    let _e1203 = phi_1780_;
+                                    if (_e1178 < _e1126) {
+                                        phi_1791_ = true;
                                     } else {
-                                        if (_e1182 == _e1130) {
-                                            phi_1783_ = (_e1186 < _e1134);
+                                        if (_e1178 == _e1126) {
+                                            phi_1790_ = (_e1182 < _e1130);
                                         } else {
-                                            phi_1783_ = false;
+                                            phi_1790_ = false;
                                         }
-                                        let _e1212 = phi_1783_;
-                                        phi_1784_ = _e1212;
+                                        let _e1208 = phi_1790_;
+                                        phi_1791_ = _e1208;
                                     }
-                                    let _e1214 = phi_1784_;
-                                    if _e1214 {
-                                        phi_1788_ = _e1134;
-                                        phi_1789_ = _e1130;
-                                        phi_1790_ = _e1186;
-                                        phi_1791_ = _e1182;
+                                    let _e1210 = phi_1791_;
+                                    if _e1210 {
+                                        phi_1795_ = _e1130;
+                                        phi_1796_ = _e1126;
+                                        phi_1797_ = _e1182;
+                                        phi_1798_ = _e1178;
                                     } else {
-                                        phi_1788_ = _e1186;
-                                        phi_1789_ = _e1182;
-                                        phi_1790_ = _e1134;
-                                        phi_1791_ = _e1130;
+                                        phi_1795_ = _e1182;
+                                        phi_1796_ = _e1178;
+                                        phi_1797_ = _e1130;
+                                        phi_1798_ = _e1126;
                                     }
-                                    let _e1216 = phi_1788_;
-                                    let _e1218 = phi_1789_;
-                                    let _e1220 = phi_1790_;
-                                    let _e1222 = phi_1791_;
-                                    let _e1225 = ((_e1222 * _e1216) - (_e1220 * _e1218));
-                                    if _e1214 {
-                                        phi_1799_ = -(_e1225);
+                                    let _e1212 = phi_1795_;
+                                    let _e1214 = phi_1796_;
+                                    let _e1216 = phi_1797_;
+                                    let _e1218 = phi_1798_;
+                                    let _e1221 = ((_e1218 * _e1212) - (_e1216 * _e1214));
+                                    if _e1210 {
+                                        phi_1806_ = -(_e1221);
                                     } else {
-                                        phi_1799_ = _e1225;
+                                        phi_1806_ = _e1221;
                                     }
-                                    let _e1228 = phi_1799_;
-                                    if (_e1130 < _e1156) {
-                                        phi_1810_ = true;
+                                    let _e1224 = phi_1806_;
+                                    if (_e1126 < _e1152) {
+                                        phi_1817_ = true;
                                     } else {
-                                        if (_e1130 == _e1156) {
-                                            phi_1809_ = (_e1134 < _e1160);
+                                        if (_e1126 == _e1152) {
+                                            phi_1816_ = (_e1130 < _e1156);
                                         } else {
-                                            phi_1809_ = false;
+                                            phi_1816_ = false;
                                         }
-                                        let _e1233 = phi_1809_;
-                                        phi_1810_ = _e1233;
+                                        let _e1229 = phi_1816_;
+                                        phi_1817_ = _e1229;
                                     }
-                                    let _e1235 = phi_1810_;
-                                    if _e1235 {
-                                        phi_1814_ = _e1160;
-                                        phi_1815_ = _e1156;
-                                        phi_1816_ = _e1134;
-                                        phi_1817_ = _e1130;
+                                    let _e1231 = phi_1817_;
+                                    if _e1231 {
+                                        phi_1821_ = _e1156;
+                                        phi_1822_ = _e1152;
+                                        phi_1823_ = _e1130;
+                                        phi_1824_ = _e1126;
                                     } else {
-                                        phi_1814_ = _e1134;
-                                        phi_1815_ = _e1130;
-                                        phi_1816_ = _e1160;
-                                        phi_1817_ = _e1156;
+                                        phi_1821_ = _e1130;
+                                        phi_1822_ = _e1126;
+                                        phi_1823_ = _e1156;
+                                        phi_1824_ = _e1152;
                                     }
-                                    let _e1237 = phi_1814_;
-                                    let _e1239 = phi_1815_;
-                                    let _e1241 = phi_1816_;
-                                    let _e1243 = phi_1817_;
-                                    let _e1246 = ((_e1243 * _e1237) - (_e1241 * _e1239));
-                                    if _e1235 {
-                                        phi_1825_ = -(_e1246);
+                                    let _e1233 = phi_1821_;
+                                    let _e1235 = phi_1822_;
+                                    let _e1237 = phi_1823_;
+                                    let _e1239 = phi_1824_;
+                                    let _e1242 = ((_e1239 * _e1233) - (_e1237 * _e1235));
+                                    if _e1231 {
+                                        phi_1832_ = -(_e1242);
                                     } else {
-                                        phi_1825_ = _e1246;
+                                        phi_1832_ = _e1242;
                                     }
-                                    let _e1249 = phi_1825_;
-                                    if (_e1207 >= 0f) {
-                                        if (_e1228 >= 0f) {
-                                            if (_e1249 >= 0f) {
-                                                phi_1840_ = ((_e1207 + _e1228) + _e1249);
-                                                phi_1841_ = false;
+                                    let _e1245 = phi_1832_;
+                                    if (_e1203 >= 0f) {
+                                        if (_e1224 >= 0f) {
+                                            if (_e1245 >= 0f) {
+                                                phi_1847_ = ((_e1203 + _e1224) + _e1245);
+                                                phi_1848_ = false;
                                             } else {
-                                                phi_1840_ = f32();
-                                                phi_1841_ = true;
+                                                phi_1847_ = f32();
+                                                phi_1848_ = true;
                                             }
-                                            let _e1256 = phi_1840_;
-                                            let _e1258 = phi_1841_;
-                                            phi_1842_ = _e1256;
-                                            phi_1843_ = _e1258;
+                                            let _e1252 = phi_1847_;
+                                            let _e1254 = phi_1848_;
+                                            phi_1849_ = _e1252;
+                                            phi_1850_ = _e1254;
                                         } else {
-                                            phi_1842_ = f32();
-                                            phi_1843_ = true;
+                                            phi_1849_ = f32();
+                                            phi_1850_ = true;
                                         }
-                                        let _e1260 = phi_1842_;
-                                        let _e1262 = phi_1843_;
-                                        phi_1844_ = _e1260;
-                                        phi_1845_ = _e1262;
+                                        let _e1256 = phi_1849_;
+                                        let _e1258 = phi_1850_;
+                                        phi_1851_ = _e1256;
+                                        phi_1852_ = _e1258;
                                     } else {
-                                        phi_1844_ = f32();
-                                        phi_1845_ = true;
+                                        phi_1851_ = f32();
+                                        phi_1852_ = true;
                                     }
-                                    let _e1264 = phi_1844_;
-                                    let _e1266 = phi_1845_;
-                                    if _e1266 {
-                                        if (_e1207 <= 0f) {
-                                            if (_e1228 <= 0f) {
-                                                let _e1269 = (_e1249 <= 0f);
-                                                if _e1269 {
+                                    let _e1260 = phi_1851_;
+                                    let _e1262 = phi_1852_;
+                                    if _e1262 {
+                                        if (_e1203 <= 0f) {
+                                            if (_e1224 <= 0f) {
+                                                let _e1265 = (_e1245 <= 0f);
+                                                if _e1265 {
                                                 }
-                                                phi_1863_ = ((_e1207 + _e1228) + _e1249);
-                                                phi_1864_ = false;
-                                                phi_1865_ = _e1269;
+                                                phi_1870_ = ((_e1203 + _e1224) + _e1245);
+                                                phi_1871_ = false;
+                                                phi_1872_ = _e1265;
                                             } else {
-                                                phi_1863_ = f32();
-                                                phi_1864_ = true;
-                                                phi_1865_ = false;
+                                                phi_1870_ = f32();
+                                                phi_1871_ = true;
+                                                phi_1872_ = false;
                                             }
-                                            let _e1273 = phi_1863_;
-                                            let _e1275 = phi_1864_;
-                                            let _e1277 = phi_1865_;
-                                            phi_1866_ = _e1273;
-                                            phi_1867_ = _e1275;
-                                            phi_1868_ = _e1277;
+                                            let _e1269 = phi_1870_;
+                                            let _e1271 = phi_1871_;
+                                            let _e1273 = phi_1872_;
+                                            phi_1873_ = _e1269;
+                                            phi_1874_ = _e1271;
+                                            phi_1875_ = _e1273;
                                         } else {
-                                            phi_1866_ = f32();
-                                            phi_1867_ = true;
-                                            phi_1868_ = false;
+                                            phi_1873_ = f32();
+                                            phi_1874_ = true;
+                                            phi_1875_ = false;
                                         }
-                                        let _e1279 = phi_1866_;
-                                        let _e1281 = phi_1867_;
-                                        let _e1283 = phi_1868_;
-                                        if _e1281 {
-                                            phi_1872_ = false;
+                                        let _e1275 = phi_1873_;
+                                        let _e1277 = phi_1874_;
+                                        let _e1279 = phi_1875_;
+                                        if _e1277 {
+                                            phi_1879_ = false;
                                         } else {
-                                            phi_1872_ = _e1283;
+                                            phi_1879_ = _e1279;
                                         }
-                                        let _e1285 = phi_1872_;
-                                        phi_1873_ = _e1279;
-                                        phi_1874_ = _e1285;
+                                        let _e1281 = phi_1879_;
+                                        phi_1880_ = _e1275;
+                                        phi_1881_ = _e1281;
                                     } else {
-                                        phi_1873_ = _e1264;
-                                        phi_1874_ = true;
+                                        phi_1880_ = _e1260;
+                                        phi_1881_ = true;
                                     }
-                                    let _e1287 = phi_1873_;
-                                    let _e1289 = phi_1874_;
-                                    if _e1289 {
-                                        let _e1290 = (_e1287 == 0f);
-                                        if _e1290 {
-                                            phi_2190_ = lt_bvh_triangle_Intersection();
-                                            phi_2191_ = false;
+                                    let _e1283 = phi_1880_;
+                                    let _e1285 = phi_1881_;
+                                    if _e1285 {
+                                        let _e1286 = (_e1283 == 0f);
+                                        if _e1286 {
+                                            phi_2197_ = lt_bvh_triangle_Intersection();
+                                            phi_2198_ = false;
                                         } else {
-                                            let _e1292 = triangles.member[(0u + _e1103)].v0_;
-                                            let _e1294 = (_e1292.x - _e259);
-                                            let _e1296 = (_e1292.y - _e261);
-                                            let _e1298 = (_e1292.z - _e263);
-                                            if (_e489 == 0u) {
-                                                phi_1903_ = vec3<f32>(_e1296, _e1298, _e1294);
+                                            let _e1288 = triangles.member[(0u + _e1099)].v0_;
+                                            let _e1290 = (_e1288.x - _e259);
+                                            let _e1292 = (_e1288.y - _e261);
+                                            let _e1294 = (_e1288.z - _e263);
+                                            if (_e485 == 0u) {
+                                                phi_1910_ = vec3<f32>(_e1292, _e1294, _e1290);
                                             } else {
-                                                if (_e489 == 1u) {
-                                                    phi_1902_ = vec3<f32>(_e1298, _e1294, _e1296);
+                                                if (_e485 == 1u) {
+                                                    phi_1909_ = vec3<f32>(_e1294, _e1290, _e1292);
                                                 } else {
-                                                    phi_1902_ = (_e1292 - vec3<f32>(_e259, _e261, _e263));
+                                                    phi_1909_ = (_e1288 - vec3<f32>(_e259, _e261, _e263));
                                                 }
-                                                let _e1306 = phi_1902_;
-                                                phi_1903_ = _e1306;
+                                                let _e1302 = phi_1909_;
+                                                phi_1910_ = _e1302;
                                             }
-                                            let _e1308 = phi_1903_;
-                                            let _e1310 = triangles.member[(0u + _e1103)].v1_;
-                                            let _e1312 = triangles.member[(0u + _e1103)].v0_;
-                                            let _e1315 = (_e1310.x - _e1312.x);
-                                            let _e1318 = (_e1310.y - _e1312.y);
-                                            let _e1321 = (_e1310.z - _e1312.z);
-                                            if (_e489 == 0u) {
-                                                phi_1929_ = vec3<f32>(_e1318, _e1321, _e1315);
+                                            let _e1304 = phi_1910_;
+                                            let _e1306 = triangles.member[(0u + _e1099)].v1_;
+                                            let _e1308 = triangles.member[(0u + _e1099)].v0_;
+                                            let _e1311 = (_e1306.x - _e1308.x);
+                                            let _e1314 = (_e1306.y - _e1308.y);
+                                            let _e1317 = (_e1306.z - _e1308.z);
+                                            if (_e485 == 0u) {
+                                                phi_1936_ = vec3<f32>(_e1314, _e1317, _e1311);
                                             } else {
-                                                if (_e489 == 1u) {
-                                                    phi_1928_ = vec3<f32>(_e1321, _e1315, _e1318);
+                                                if (_e485 == 1u) {
+                                                    phi_1935_ = vec3<f32>(_e1317, _e1311, _e1314);
                                                 } else {
-                                                    phi_1928_ = (_e1310 - _e1312);
+                                                    phi_1935_ = (_e1306 - _e1308);
                                                 }
-                                                let _e1328 = phi_1928_;
-                                                phi_1929_ = _e1328;
+                                                let _e1324 = phi_1935_;
+                                                phi_1936_ = _e1324;
                                             }
-                                            let _e1330 = phi_1929_;
-                                            let _e1332 = triangles.member[(0u + _e1103)].v2_;
-                                            let _e1334 = triangles.member[(0u + _e1103)].v0_;
-                                            let _e1337 = (_e1332.x - _e1334.x);
-                                            let _e1340 = (_e1332.y - _e1334.y);
-                                            let _e1343 = (_e1332.z - _e1334.z);
-                                            if (_e489 == 0u) {
-                                                phi_1955_ = vec3<f32>(_e1340, _e1343, _e1337);
+                                            let _e1326 = phi_1936_;
+                                            let _e1328 = triangles.member[(0u + _e1099)].v2_;
+                                            let _e1330 = triangles.member[(0u + _e1099)].v0_;
+                                            let _e1333 = (_e1328.x - _e1330.x);
+                                            let _e1336 = (_e1328.y - _e1330.y);
+                                            let _e1339 = (_e1328.z - _e1330.z);
+                                            if (_e485 == 0u) {
+                                                phi_1962_ = vec3<f32>(_e1336, _e1339, _e1333);
                                             } else {
-                                                if (_e489 == 1u) {
-                                                    phi_1954_ = vec3<f32>(_e1343, _e1337, _e1340);
+                                                if (_e485 == 1u) {
+                                                    phi_1961_ = vec3<f32>(_e1339, _e1333, _e1336);
                                                 } else {
-                                                    phi_1954_ = (_e1332 - _e1334);
+                                                    phi_1961_ = (_e1328 - _e1330);
                                                 }
-                                                let _e1350 = phi_1954_;
-                                                phi_1955_ = _e1350;
+                                                let _e1346 = phi_1961_;
+                                                phi_1962_ = _e1346;
                                             }
-                                            let _e1352 = phi_1955_;
-                                            let _e1359 = ((_e1330.y * _e1352.z) - (_e1330.z * _e1352.y));
-                                            let _e1366 = ((_e1330.z * _e1352.x) - (_e1330.x * _e1352.z));
-                                            let _e1373 = ((_e1330.x * _e1352.y) - (_e1330.y * _e1352.x));
-                                            let _e1387 = (((1f / _e497.z) * (((_e1359 * _e1308.x) + (_e1366 * _e1308.y)) + (_e1373 * _e1308.z))) / (((_e1359 * _e500) + (_e1366 * _e503)) + _e1373));
-                                            if (_e1387 > 0f) {
-                                                if (_e1387 < _e269) {
-                                                    let _e1391 = triangles.member[(0u + _e1103)].v0_;
-                                                    let _e1393 = triangles.member[(0u + _e1103)].v1_;
-                                                    if (_e1391.x < _e1393.x) {
-                                                        phi_2011_ = _e1391.x;
+                                            let _e1348 = phi_1962_;
+                                            let _e1355 = ((_e1326.y * _e1348.z) - (_e1326.z * _e1348.y));
+                                            let _e1362 = ((_e1326.z * _e1348.x) - (_e1326.x * _e1348.z));
+                                            let _e1369 = ((_e1326.x * _e1348.y) - (_e1326.y * _e1348.x));
+                                            let _e1383 = (((1f / _e493.z) * (((_e1355 * _e1304.x) + (_e1362 * _e1304.y)) + (_e1369 * _e1304.z))) / (((_e1355 * _e496) + (_e1362 * _e499)) + _e1369));
+                                            if (_e1383 > 0f) {
+                                                if (_e1383 < _e269) {
+                                                    let _e1387 = triangles.member[(0u + _e1099)].v0_;
+                                                    let _e1389 = triangles.member[(0u + _e1099)].v1_;
+                                                    if (_e1387.x < _e1389.x) {
+                                                        phi_2018_ = _e1387.x;
                                                     } else {
-                                                        phi_2011_ = _e1393.x;
+                                                        phi_2018_ = _e1389.x;
                                                     }
-                                                    let _e1400 = phi_2011_;
-                                                    if (_e1391.y < _e1393.y) {
-                                                        phi_2020_ = _e1391.y;
+                                                    let _e1396 = phi_2018_;
+                                                    if (_e1387.y < _e1389.y) {
+                                                        phi_2027_ = _e1387.y;
                                                     } else {
-                                                        phi_2020_ = _e1393.y;
+                                                        phi_2027_ = _e1389.y;
                                                     }
-                                                    let _e1407 = phi_2020_;
-                                                    if (_e1391.z < _e1393.z) {
-                                                        phi_2029_ = _e1391.z;
+                                                    let _e1403 = phi_2027_;
+                                                    if (_e1387.z < _e1389.z) {
+                                                        phi_2036_ = _e1387.z;
                                                     } else {
-                                                        phi_2029_ = _e1393.z;
+                                                        phi_2036_ = _e1389.z;
                                                     }
-                                                    let _e1414 = phi_2029_;
-                                                    let _e1416 = triangles.member[(0u + _e1103)].v2_;
-                                                    if (_e1400 < _e1416.x) {
-                                                        phi_2038_ = _e1400;
+                                                    let _e1410 = phi_2036_;
+                                                    let _e1412 = triangles.member[(0u + _e1099)].v2_;
+                                                    if (_e1396 < _e1412.x) {
+                                                        phi_2045_ = _e1396;
                                                     } else {
-                                                        phi_2038_ = _e1416.x;
+                                                        phi_2045_ = _e1412.x;
                                                     }
-                                                    let _e1421 = phi_2038_;
-                                                    if (_e1407 < _e1416.y) {
-                                                        phi_2045_ = _e1407;
+                                                    let _e1417 = phi_2045_;
+                                                    if (_e1403 < _e1412.y) {
+                                                        phi_2052_ = _e1403;
                                                     } else {
-                                                        phi_2045_ = _e1416.y;
+                                                        phi_2052_ = _e1412.y;
                                                     }
-                                                    let _e1426 = phi_2045_;
-                                                    if (_e1414 < _e1416.z) {
-                                                        phi_2052_ = _e1414;
+                                                    let _e1422 = phi_2052_;
+                                                    if (_e1410 < _e1412.z) {
+                                                        phi_2059_ = _e1410;
                                                     } else {
-                                                        phi_2052_ = _e1416.z;
+                                                        phi_2059_ = _e1412.z;
                                                     }
-                                                    let _e1431 = phi_2052_;
-                                                    let _e1433 = triangles.member[(0u + _e1103)].v0_;
-                                                    let _e1435 = triangles.member[(0u + _e1103)].v1_;
-                                                    if (_e1433.x > _e1435.x) {
-                                                        phi_2065_ = _e1433.x;
+                                                    let _e1427 = phi_2059_;
+                                                    let _e1429 = triangles.member[(0u + _e1099)].v0_;
+                                                    let _e1431 = triangles.member[(0u + _e1099)].v1_;
+                                                    if (_e1429.x > _e1431.x) {
+                                                        phi_2072_ = _e1429.x;
                                                     } else {
-                                                        phi_2065_ = _e1435.x;
+                                                        phi_2072_ = _e1431.x;
                                                     }
-                                                    let _e1442 = phi_2065_;
-                                                    if (_e1433.y > _e1435.y) {
-                                                        phi_2074_ = _e1433.y;
+                                                    let _e1438 = phi_2072_;
+                                                    if (_e1429.y > _e1431.y) {
+                                                        phi_2081_ = _e1429.y;
                                                     } else {
-                                                        phi_2074_ = _e1435.y;
+                                                        phi_2081_ = _e1431.y;
                                                     }
-                                                    let _e1449 = phi_2074_;
-                                                    if (_e1433.z > _e1435.z) {
-                                                        phi_2083_ = _e1433.z;
+                                                    let _e1445 = phi_2081_;
+                                                    if (_e1429.z > _e1431.z) {
+                                                        phi_2090_ = _e1429.z;
                                                     } else {
-                                                        phi_2083_ = _e1435.z;
+                                                        phi_2090_ = _e1431.z;
                                                     }
-                                                    let _e1456 = phi_2083_;
-                                                    let _e1458 = triangles.member[(0u + _e1103)].v2_;
-                                                    if (_e1442 > _e1458.x) {
-                                                        phi_2092_ = _e1442;
+                                                    let _e1452 = phi_2090_;
+                                                    let _e1454 = triangles.member[(0u + _e1099)].v2_;
+                                                    if (_e1438 > _e1454.x) {
+                                                        phi_2099_ = _e1438;
                                                     } else {
-                                                        phi_2092_ = _e1458.x;
+                                                        phi_2099_ = _e1454.x;
                                                     }
-                                                    let _e1463 = phi_2092_;
-                                                    if (_e1449 > _e1458.y) {
-                                                        phi_2099_ = _e1449;
+                                                    let _e1459 = phi_2099_;
+                                                    if (_e1445 > _e1454.y) {
+                                                        phi_2106_ = _e1445;
                                                     } else {
-                                                        phi_2099_ = _e1458.y;
+                                                        phi_2106_ = _e1454.y;
                                                     }
-                                                    let _e1468 = phi_2099_;
-                                                    if (_e1456 > _e1458.z) {
-                                                        phi_2106_ = _e1456;
+                                                    let _e1464 = phi_2106_;
+                                                    if (_e1452 > _e1454.z) {
+                                                        phi_2113_ = _e1452;
                                                     } else {
-                                                        phi_2106_ = _e1458.z;
+                                                        phi_2113_ = _e1454.z;
                                                     }
-                                                    let _e1473 = phi_2106_;
-                                                    let _e1477 = ((_e1421 - _e259) * _e418);
-                                                    let _e1478 = ((_e1426 - _e261) * _e428);
-                                                    let _e1479 = ((_e1431 - _e263) * _e438);
-                                                    let _e1483 = ((_e1463 - _e259) * _e418);
-                                                    let _e1484 = ((_e1468 - _e261) * _e428);
-                                                    let _e1485 = ((_e1473 - _e263) * _e438);
-                                                    if (_e1477 < _e1483) {
-                                                        phi_2123_ = _e1477;
+                                                    let _e1469 = phi_2113_;
+                                                    let _e1473 = ((_e1417 - _e259) * _e410);
+                                                    let _e1474 = ((_e1422 - _e261) * _e420);
+                                                    let _e1475 = ((_e1427 - _e263) * _e430);
+                                                    let _e1479 = ((_e1459 - _e259) * _e410);
+                                                    let _e1480 = ((_e1464 - _e261) * _e420);
+                                                    let _e1481 = ((_e1469 - _e263) * _e430);
+                                                    if (_e1473 < _e1479) {
+                                                        phi_2130_ = _e1473;
                                                     } else {
-                                                        phi_2123_ = _e1483;
+                                                        phi_2130_ = _e1479;
                                                     }
-                                                    let _e1488 = phi_2123_;
-                                                    if (_e1478 < _e1484) {
-                                                        phi_2128_ = _e1478;
+                                                    let _e1484 = phi_2130_;
+                                                    if (_e1474 < _e1480) {
+                                                        phi_2135_ = _e1474;
                                                     } else {
-                                                        phi_2128_ = _e1484;
+                                                        phi_2135_ = _e1480;
                                                     }
-                                                    let _e1491 = phi_2128_;
-                                                    if (_e1479 < _e1485) {
-                                                        phi_2133_ = _e1479;
+                                                    let _e1487 = phi_2135_;
+                                                    if (_e1475 < _e1481) {
+                                                        phi_2140_ = _e1475;
                                                     } else {
-                                                        phi_2133_ = _e1485;
+                                                        phi_2140_ = _e1481;
                                                     }
-                                                    let _e1494 = phi_2133_;
-                                                    if (_e1477 > _e1483) {
-                                                        phi_2141_ = _e1477;
+                                                    let _e1490 = phi_2140_;
+                                                    if (_e1473 > _e1479) {
+                                                        phi_2148_ = _e1473;
                                                     } else {
-                                                        phi_2141_ = _e1483;
+                                                        phi_2148_ = _e1479;
                                                     }
-                                                    let _e1500 = phi_2141_;
-                                                    if (_e1478 > _e1484) {
-                                                        phi_2146_ = _e1478;
+                                                    let _e1496 = phi_2148_;
+                                                    if (_e1474 > _e1480) {
+                                                        phi_2153_ = _e1474;
                                                     } else {
-                                                        phi_2146_ = _e1484;
+                                                        phi_2153_ = _e1480;
                                                     }
-                                                    let _e1503 = phi_2146_;
-                                                    if (_e1479 > _e1485) {
-                                                        phi_2151_ = _e1479;
+                                                    let _e1499 = phi_2153_;
+                                                    if (_e1475 > _e1481) {
+                                                        phi_2158_ = _e1475;
                                                     } else {
-                                                        phi_2151_ = _e1485;
+                                                        phi_2158_ = _e1481;
                                                     }
-                                                    let _e1506 = phi_2151_;
-                                                    let _e1510 = core_intrinsics_maximum_number_nsz_f32_((_e1488 - _e473), (_e1491 - _e474));
-                                                    let _e1511 = core_intrinsics_maximum_number_nsz_f32_(_e1510, (_e1494 - _e475));
-                                                    let _e1512 = core_intrinsics_minimum_number_nsz_f32_((_e1500 + _e473), (_e1503 + _e474));
-                                                    let _e1513 = core_intrinsics_minimum_number_nsz_f32_(_e1512, (_e1506 + _e475));
-                                                    if (_e1511 > -300000000000000000000000000000000000000f) {
-                                                        phi_2163_ = _e1511;
+                                                    let _e1502 = phi_2158_;
+                                                    let _e1506 = core_intrinsics_maximum_number_nsz_f32_((_e1484 - _e469), (_e1487 - _e470));
+                                                    let _e1507 = core_intrinsics_maximum_number_nsz_f32_(_e1506, (_e1490 - _e471));
+                                                    let _e1508 = core_intrinsics_minimum_number_nsz_f32_((_e1496 + _e469), (_e1499 + _e470));
+                                                    let _e1509 = core_intrinsics_minimum_number_nsz_f32_(_e1508, (_e1502 + _e471));
+                                                    if (_e1507 > -300000000000000000000000000000000000000f) {
+                                                        phi_2170_ = _e1507;
                                                     } else {
-                                                        phi_2163_ = -300000000000000000000000000000000000000f;
+                                                        phi_2170_ = -300000000000000000000000000000000000000f;
                                                     }
-                                                    let _e1516 = phi_2163_;
-                                                    if (_e1513 < 300000000000000000000000000000000000000f) {
-                                                        phi_2168_ = _e1513;
+                                                    let _e1512 = phi_2170_;
+                                                    if (_e1509 < 300000000000000000000000000000000000000f) {
+                                                        phi_2175_ = _e1509;
                                                     } else {
-                                                        phi_2168_ = 300000000000000000000000000000000000000f;
+                                                        phi_2175_ = 300000000000000000000000000000000000000f;
                                                     }
-                                                    let _e1519 = phi_2168_;
-                                                    if (_e1387 < _e1516) {
-                                                        phi_2173_ = _e1516;
+                                                    let _e1515 = phi_2175_;
+                                                    if (_e1383 < _e1512) {
+                                                        phi_2180_ = _e1512;
                                                     } else {
-                                                        phi_2173_ = _e1387;
+                                                        phi_2180_ = _e1383;
                                                     }
-                                                    let _e1522 = phi_2173_;
-                                                    if (_e1522 > _e1519) {
-                                                        phi_2178_ = _e1519;
+                                                    let _e1518 = phi_2180_;
+                                                    if (_e1518 > _e1515) {
+                                                        phi_2185_ = _e1515;
                                                     } else {
-                                                        phi_2178_ = _e1522;
+                                                        phi_2185_ = _e1518;
                                                     }
-                                                    let _e1525 = phi_2178_;
-                                                    phi_2183_ = lt_bvh_triangle_Intersection(_e1525, (_e1228 / _e1287), (_e1249 / _e1287), (_e1516 <= _e1519));
-                                                    phi_2184_ = false;
+                                                    let _e1521 = phi_2185_;
+                                                    phi_2190_ = lt_bvh_triangle_Intersection(_e1521, (_e1224 / _e1283), (_e1245 / _e1283), (_e1512 <= _e1515));
+                                                    phi_2191_ = false;
                                                 } else {
-                                                    phi_2183_ = lt_bvh_triangle_Intersection();
-                                                    phi_2184_ = true;
+                                                    phi_2190_ = lt_bvh_triangle_Intersection();
+                                                    phi_2191_ = true;
                                                 }
-                                                let _e1531 = phi_2183_;
-                                                let _e1533 = phi_2184_;
-                                                phi_2185_ = _e1531;
-                                                phi_2186_ = _e1533;
+                                                let _e1527 = phi_2190_;
+                                                let _e1529 = phi_2191_;
+                                                phi_2192_ = _e1527;
+                                                phi_2193_ = _e1529;
                                             } else {
-                                                phi_2185_ = lt_bvh_triangle_Intersection();
-                                                phi_2186_ = true;
+                                                phi_2192_ = lt_bvh_triangle_Intersection();
+                                                phi_2193_ = true;
                                             }
-                                            let _e1535 = phi_2185_;
-                                            let _e1537 = phi_2186_;
-                                            if _e1537 {
+                                            let _e1531 = phi_2192_;
+                                            let _e1533 = phi_2193_;
+                                            if _e1533 {
                                             }
-                                            phi_2190_ = _e1535;
-                                            phi_2191_ = _e1537;
+                                            phi_2197_ = _e1531;
+                                            phi_2198_ = _e1533;
                                         }
-                                        let _e1539 = phi_2190_;
-                                        let _e1541 = phi_2191_;
-                                        phi_2192_ = _e1539;
-                                        phi_2193_ = _e1290;
-                                        phi_2194_ = _e1541;
+                                        let _e1535 = phi_2197_;
+                                        let _e1537 = phi_2198_;
+                                        phi_2199_ = _e1535;
+                                        phi_2200_ = _e1286;
+                                        phi_2201_ = _e1537;
                                     } else {
-                                        phi_2192_ = lt_bvh_triangle_Intersection();
-                                        phi_2193_ = true;
-                                        phi_2194_ = false;
+                                        phi_2199_ = lt_bvh_triangle_Intersection();
+                                        phi_2200_ = true;
+                                        phi_2201_ = false;
                                     }
-                                    let _e1543 = phi_2192_;
-                                    let _e1545 = phi_2193_;
-                                    let _e1547 = phi_2194_;
+                                    let _e1539 = phi_2199_;
+                                    let _e1541 = phi_2200_;
+                                    let _e1543 = phi_2201_;
+                                    if _e1541 {
+                                        phi_2205_ = true;
+                                    } else {
+                                        phi_2205_ = _e1543;
+                                    }
+                                    let _e1545 = phi_2205_;
                                     if _e1545 {
-                                        phi_2198_ = true;
+                                        phi_2209_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                     } else {
-                                        phi_2198_ = _e1547;
+                                        phi_2209_ = _e1539;
                                     }
-                                    let _e1549 = phi_2198_;
-                                    if _e1549 {
-                                        phi_2202_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_2202_ = _e1543;
-                                    }
-                                    let _e1551 = phi_2202_;
-                                    if _e1551.is_hit {
-                                        if (_e1551.t > 0f) {
-                                            if (_e1551.t < _e269) {
-                                                let _e1558 = triangles.member[(0u + _e1103)].i0_;
-                                                if ((_e1558 & 2147483648u) == 0u) {
-                                                    phi_2421_ = true;
+                                    let _e1547 = phi_2209_;
+                                    if _e1547.is_hit {
+                                        if (_e1547.t > 0f) {
+                                            if (_e1547.t < _e269) {
+                                                let _e1554 = triangles.member[(0u + _e1099)].i0_;
+                                                if ((_e1554 & 2147483648u) == 0u) {
+                                                    phi_2428_ = true;
                                                 } else {
-                                                    if (_e1103 < _e81) {
+                                                    if (_e1099 < _e81) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1567 = triangles.member[(0u + _e1103)].i0_;
-                                                    let _e1568 = (_e1567 & 2147483647u);
-                                                    let _e1570 = triangles.member[(0u + _e1103)].i1_;
-                                                    let _e1572 = triangles.member[(0u + _e1103)].i2_;
+                                                    let _e1563 = triangles.member[(0u + _e1099)].i0_;
+                                                    let _e1564 = (_e1563 & 2147483647u);
+                                                    let _e1566 = triangles.member[(0u + _e1099)].i1_;
+                                                    let _e1568 = triangles.member[(0u + _e1099)].i2_;
+                                                    if (_e1564 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1572 = vertices.member[(0u + _e1564)];
+                                                    if (_e1566 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1576 = vertices.member[(0u + _e1566)];
                                                     if (_e1568 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1576 = vertices.member[(0u + _e1568)];
-                                                    if (_e1570 < _e87) {
+                                                    let _e1580 = vertices.member[(0u + _e1568)];
+                                                    let _e1581 = array<abi_Vertex, 3>(_e1572, _e1576, _e1580);
+                                                    if (_e1581[0].material < arrayLength((&materials.member))) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1580 = vertices.member[(0u + _e1570)];
-                                                    if (_e1572 < _e87) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1584 = vertices.member[(0u + _e1572)];
-                                                    let _e1585 = array<abi_Vertex, 3>(_e1576, _e1580, _e1584);
-                                                    if (_e1585[0].material < arrayLength((&materials.member))) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1591 = materials.member[(0u + _e1585[0].material)];
-                                                    if ((_e1591.flags & 1u) == 1u) {
-                                                        let _e1596 = ((1f - _e1551.u) - _e1551.v);
-                                                        if (_e1591.cutoff <= 0f) {
-                                                            phi_2419_ = true;
+                                                    let _e1587 = materials.member[(0u + _e1581[0].material)];
+                                                    if ((_e1587.flags & 1u) == 1u) {
+                                                        let _e1592 = ((1f - _e1547.u) - _e1547.v);
+                                                        if (_e1587.cutoff <= 0f) {
+                                                            phi_2426_ = true;
                                                         } else {
-                                                            let _e1623 = (_e1591.base_color.w * ((((f32((_e1585[0].color >> bitcast<u32>(24i))) * _e1596) + (f32((_e1585[1].color >> bitcast<u32>(24i))) * _e1551.u)) + (f32((_e1585[2].color >> bitcast<u32>(24i))) * _e1551.v)) * (1f / 255f)));
-                                                            if (_e1591.alpha_size == 0u) {
-                                                                phi_2416_ = _e1623;
+                                                            let _e1619 = (_e1587.base_color.w * ((((f32((_e1581[0].color >> bitcast<u32>(24i))) * _e1592) + (f32((_e1581[1].color >> bitcast<u32>(24i))) * _e1547.u)) + (f32((_e1581[2].color >> bitcast<u32>(24i))) * _e1547.v)) * (1f / 255f)));
+                                                            if (_e1587.alpha_size == 0u) {
+                                                                phi_2423_ = _e1619;
                                                             } else {
-                                                                local.offset = _e1591.alpha_offset;
-                                                                local.size = _e1591.alpha_size;
-                                                                local.flags = _e1591.flags;
-                                                                let _e1654 = _lt_shaders_texture_TextureView_quad((&local), (((_e1585[0].u * _e1596) + (_e1585[1].u * _e1551.u)) + (_e1585[2].u * _e1551.v)), (((_e1585[0].v * _e1596) + (_e1585[1].v * _e1551.u)) + (_e1585[2].v * _e1551.v)));
-                                                                let _e1658 = (_e1654.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1658 < _e93) {
+                                                                local.offset = _e1587.alpha_offset;
+                                                                local.size = _e1587.alpha_size;
+                                                                local.flags = _e1587.flags;
+                                                                let _e1650 = _lt_shaders_texture_TextureView_quad((&local), (((_e1581[0].u * _e1592) + (_e1581[1].u * _e1547.u)) + (_e1581[2].u * _e1547.v)), (((_e1581[0].v * _e1592) + (_e1581[1].v * _e1547.u)) + (_e1581[2].v * _e1547.v)));
+                                                                let _e1654 = (_e1650.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1654 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1662 = alpha_texels.member[(0u + _e1658)];
-                                                                let _e1678 = (_e1654.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1678 < _e93) {
+                                                                let _e1658 = alpha_texels.member[(0u + _e1654)];
+                                                                let _e1674 = (_e1650.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1674 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1682 = alpha_texels.member[(0u + _e1678)];
-                                                                let _e1699 = (_e1654.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1699 < _e93) {
+                                                                let _e1678 = alpha_texels.member[(0u + _e1674)];
+                                                                let _e1695 = (_e1650.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1695 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1703 = alpha_texels.member[(0u + _e1699)];
-                                                                let _e1720 = (_e1654.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1720 < _e93) {
+                                                                let _e1699 = alpha_texels.member[(0u + _e1695)];
+                                                                let _e1716 = (_e1650.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1716 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1724 = alpha_texels.member[(0u + _e1720)];
-                                                                phi_2416_ = (_e1623 * (((((f32(((_e1662 >> bitcast<u32>((((_e1654.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.x) + ((f32(((_e1682 >> bitcast<u32>((((_e1654.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.y)) + ((f32(((_e1703 >> bitcast<u32>((((_e1654.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.z)) + ((f32(((_e1724 >> bitcast<u32>((((_e1654.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1654.weights.w)));
+                                                                let _e1720 = alpha_texels.member[(0u + _e1716)];
+                                                                phi_2423_ = (_e1619 * (((((f32(((_e1658 >> bitcast<u32>((((_e1650.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.x) + ((f32(((_e1678 >> bitcast<u32>((((_e1650.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.y)) + ((f32(((_e1699 >> bitcast<u32>((((_e1650.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.z)) + ((f32(((_e1720 >> bitcast<u32>((((_e1650.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1650.weights.w)));
                                                             }
-                                                            let _e1740 = phi_2416_;
-                                                            phi_2419_ = (_e1740 >= _e1591.cutoff);
+                                                            let _e1736 = phi_2423_;
+                                                            phi_2426_ = (_e1736 >= _e1587.cutoff);
                                                         }
-                                                        let _e1744 = phi_2419_;
-                                                        phi_2420_ = _e1744;
+                                                        let _e1740 = phi_2426_;
+                                                        phi_2427_ = _e1740;
                                                     } else {
-                                                        phi_2420_ = false;
+                                                        phi_2427_ = false;
                                                     }
-                                                    let _e1746 = phi_2420_;
-                                                    phi_2421_ = _e1746;
+                                                    let _e1742 = phi_2427_;
+                                                    phi_2428_ = _e1742;
                                                 }
-                                                let _e1748 = phi_2421_;
-                                                if _e1748 {
-                                                    phi_2425_ = false;
+                                                let _e1744 = phi_2428_;
+                                                if _e1744 {
+                                                    phi_2432_ = false;
                                                 } else {
-                                                    phi_2425_ = true;
+                                                    phi_2432_ = true;
                                                 }
-                                                let _e1750 = phi_2425_;
-                                                phi_2426_ = _e1748;
-                                                phi_2427_ = _e1748;
-                                                phi_2428_ = _e1750;
+                                                let _e1746 = phi_2432_;
+                                                phi_2433_ = _e1744;
+                                                phi_2434_ = _e1744;
+                                                phi_2435_ = _e1746;
                                             } else {
-                                                phi_2426_ = bool();
-                                                phi_2427_ = _e1094;
-                                                phi_2428_ = true;
+                                                phi_2433_ = bool();
+                                                phi_2434_ = _e1090;
+                                                phi_2435_ = true;
                                             }
-                                            let _e1752 = phi_2426_;
-                                            let _e1754 = phi_2427_;
-                                            let _e1756 = phi_2428_;
-                                            phi_2429_ = _e1752;
-                                            phi_2430_ = _e1754;
-                                            phi_2431_ = _e1756;
+                                            let _e1748 = phi_2433_;
+                                            let _e1750 = phi_2434_;
+                                            let _e1752 = phi_2435_;
+                                            phi_2436_ = _e1748;
+                                            phi_2437_ = _e1750;
+                                            phi_2438_ = _e1752;
                                         } else {
-                                            phi_2429_ = bool();
-                                            phi_2430_ = _e1094;
-                                            phi_2431_ = true;
+                                            phi_2436_ = bool();
+                                            phi_2437_ = _e1090;
+                                            phi_2438_ = true;
                                         }
-                                        let _e1758 = phi_2429_;
-                                        let _e1760 = phi_2430_;
-                                        let _e1762 = phi_2431_;
-                                        phi_2432_ = _e1758;
-                                        phi_2433_ = _e1760;
-                                        phi_2434_ = _e1762;
+                                        let _e1754 = phi_2436_;
+                                        let _e1756 = phi_2437_;
+                                        let _e1758 = phi_2438_;
+                                        phi_2439_ = _e1754;
+                                        phi_2440_ = _e1756;
+                                        phi_2441_ = _e1758;
                                     } else {
-                                        phi_2432_ = bool();
-                                        phi_2433_ = _e1094;
-                                        phi_2434_ = true;
+                                        phi_2439_ = bool();
+                                        phi_2440_ = _e1090;
+                                        phi_2441_ = true;
                                     }
-                                    let _e1764 = phi_2432_;
-                                    let _e1766 = phi_2433_;
-                                    let _e1768 = phi_2434_;
-                                    if _e1768 {
+                                    let _e1760 = phi_2439_;
+                                    let _e1762 = phi_2440_;
+                                    let _e1764 = phi_2441_;
+                                    if _e1764 {
                                     }
-                                    phi_1632_ = (_e1092 & (_e1092 - 1u));
-                                    phi_1635_ = _e1766;
-                                    phi_2438_ = _e1764;
-                                    phi_2439_ = _e1768;
+                                    phi_1639_ = (_e1088 & (_e1088 - 1u));
+                                    phi_1642_ = _e1762;
+                                    phi_2445_ = _e1760;
+                                    phi_2446_ = _e1764;
                                 }
-                                let _e1770 = phi_1632_;
-                                let _e1772 = phi_1635_;
-                                let _e1774 = phi_2438_;
-                                let _e1776 = phi_2439_;
-                                local_9 = _e1774;
+                                let _e1766 = phi_1639_;
+                                let _e1768 = phi_1642_;
+                                let _e1770 = phi_2445_;
+                                let _e1772 = phi_2446_;
+                                local_9 = _e1770;
                                 continue;
                                 continuing {
-                                    phi_1631_ = _e1770;
-                                    phi_1634_ = _e1772;
-                                    break if !(_e1776);
+                                    phi_1638_ = _e1766;
+                                    phi_1641_ = _e1768;
+                                    break if !(_e1772);
                                 }
                             }
-                            let _e1779 = local_6;
-                            if _e1779 {
-                                let _e1781 = local_1.group_mask;
-                                if ((_e1781 & 4278190080u) == 0u) {
-                                    let _e1785 = local_1.len;
-                                    if (_e1785 == 0u) {
-                                        phi_2481_ = false;
+                            let _e1775 = local_6;
+                            if _e1775 {
+                                let _e1777 = local_1.group_mask;
+                                if ((_e1777 & 4278190080u) == 0u) {
+                                    let _e1781 = local_1.len;
+                                    if (_e1781 == 0u) {
+                                        phi_2488_ = false;
                                     } else {
-                                        let _e1789 = local_1.len;
-                                        local_1.len = (_e1789 - 1u);
-                                        let _e1792 = local_1.len;
-                                        if (_e1792 < 32u) {
+                                        let _e1785 = local_1.len;
+                                        local_1.len = (_e1785 - 1u);
+                                        let _e1788 = local_1.len;
+                                        if (_e1788 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1797 = local_1.first[(0u + _e1792)];
-                                        local_1.group = _e1797;
-                                        let _e1800 = local_1.len;
-                                        if (_e1800 < 32u) {
+                                        let _e1793 = local_1.first[(0u + _e1788)];
+                                        local_1.group = _e1793;
+                                        let _e1796 = local_1.len;
+                                        if (_e1796 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1805 = local_1.mask[(0u + _e1800)];
-                                        local_1.group_mask = _e1805;
-                                        phi_2481_ = true;
+                                        let _e1801 = local_1.mask[(0u + _e1796)];
+                                        local_1.group_mask = _e1801;
+                                        phi_2488_ = true;
                                     }
-                                    let _e1808 = phi_2481_;
-                                    phi_2482_ = _e1808;
+                                    let _e1804 = phi_2488_;
+                                    phi_2489_ = _e1804;
                                 } else {
-                                    phi_2482_ = true;
+                                    phi_2489_ = true;
                                 }
-                                let _e1810 = phi_2482_;
-                                if _e1810 {
-                                    let _e1812 = local_1.group_mask;
-                                    let _e1818 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1812)), 32u, (_e1812 == 0u)));
-                                    let _e1822 = local_1.group_mask;
-                                    let _e1836 = local_1.group_mask;
-                                    local_1.group_mask = (_e1836 & ~((1u << bitcast<u32>((_e1818 & 31u)))));
-                                    let _e1839 = local_1.group;
-                                    phi_2513_ = (_e1839 + countOneBits(((_e1822 & ~((4294967295u << bitcast<u32>((((_e1818 - 24u) ^ _e516) & 31u))))) & 255u)));
+                                let _e1806 = phi_2489_;
+                                if _e1806 {
+                                    let _e1808 = local_1.group_mask;
+                                    let _e1814 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1808)), 32u, (_e1808 == 0u)));
+                                    let _e1818 = local_1.group_mask;
+                                    let _e1832 = local_1.group_mask;
+                                    local_1.group_mask = (_e1832 & ~((1u << bitcast<u32>((_e1814 & 31u)))));
+                                    let _e1835 = local_1.group;
+                                    phi_2520_ = (_e1835 + countOneBits(((_e1818 & ~((4294967295u << bitcast<u32>((((_e1814 - 24u) ^ _e512) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2513_ = 4294967295u;
+                                    phi_2520_ = 4294967295u;
                                 }
-                                let _e1842 = phi_2513_;
-                                phi_2514_ = _e1842;
+                                let _e1838 = phi_2520_;
+                                phi_2521_ = _e1838;
                             } else {
-                                phi_2514_ = u32();
+                                phi_2521_ = u32();
                             }
-                            let _e1844 = phi_2514_;
-                            phi_1300_ = _e1844;
-                            let _e2062 = local_8;
-                            phi_1303_ = _e2062;
-                            let _e2065 = local_9;
-                            phi_2515_ = _e2065;
-                            let _e2068 = local_10;
-                            phi_2516_ = _e2068;
-                            phi_2517_ = false;
+                            let _e1840 = phi_2521_;
+                            phi_1307_ = _e1840;
+                            let _e2056 = local_8;
+                            phi_1310_ = _e2056;
+                            let _e2059 = local_9;
+                            phi_2522_ = _e2059;
+                            let _e2062 = local_10;
+                            phi_2523_ = _e2062;
+                            phi_2524_ = false;
                         } else {
-                            phi_1300_ = u32();
-                            phi_1303_ = bool();
-                            phi_2515_ = bool();
-                            phi_2516_ = false;
-                            phi_2517_ = true;
+                            phi_1307_ = u32();
+                            phi_1310_ = bool();
+                            phi_2522_ = bool();
+                            phi_2523_ = false;
+                            phi_2524_ = true;
                         }
-                        let _e1846 = phi_1300_;
-                        let _e1848 = phi_1303_;
-                        let _e1850 = phi_2515_;
-                        let _e1852 = phi_2516_;
-                        let _e1854 = phi_2517_;
-                        local_7 = _e1854;
-                        local_11 = _e1850;
+                        let _e1842 = phi_1307_;
+                        let _e1844 = phi_1310_;
+                        let _e1846 = phi_2522_;
+                        let _e1848 = phi_2523_;
+                        let _e1850 = phi_2524_;
+                        local_7 = _e1850;
+                        local_11 = _e1846;
                         continue;
                         continuing {
-                            phi_1299_ = _e1846;
-                            phi_1302_ = _e1848;
-                            break if !(_e1852);
+                            phi_1306_ = _e1842;
+                            phi_1309_ = _e1844;
+                            break if !(_e1848);
                         }
                     }
-                    let _e1857 = local_7;
-                    if _e1857 {
-                        phi_2521_ = false;
+                    let _e1853 = local_7;
+                    if _e1853 {
+                        phi_2528_ = false;
                     } else {
-                        phi_2521_ = true;
+                        phi_2528_ = true;
                     }
-                    let _e1859 = phi_2521_;
-                    if _e1859 {
-                        let _e2074 = local_11;
-                        phi_2525_ = _e2074;
+                    let _e1855 = phi_2528_;
+                    if _e1855 {
+                        let _e2068 = local_11;
+                        phi_2532_ = _e2068;
                     } else {
-                        let _e2076 = local_12;
-                        phi_2525_ = _e2076;
+                        let _e2070 = local_12;
+                        phi_2532_ = _e2070;
                     }
-                    let _e1861 = phi_2525_;
-                    phi_2526_ = _e1861;
+                    let _e1857 = phi_2532_;
+                    phi_2533_ = _e1857;
                 }
-                let _e1863 = phi_2526_;
-                phi_2527_ = _e1863;
-                phi_2528_ = _e342;
+                let _e1859 = phi_2533_;
+                phi_2534_ = _e1859;
+                phi_2535_ = _e334;
             } else {
-                phi_2527_ = bool();
-                phi_2528_ = true;
+                phi_2534_ = bool();
+                phi_2535_ = true;
             }
-            let _e1865 = phi_2527_;
-            let _e1867 = phi_2528_;
-            if _e1867 {
-                phi_2532_ = false;
+            let _e1861 = phi_2534_;
+            let _e1863 = phi_2535_;
+            if _e1863 {
+                phi_2539_ = false;
             } else {
-                phi_2532_ = _e1865;
+                phi_2539_ = _e1861;
             }
-            let _e1869 = phi_2532_;
-            if _e1869 {
-                phi_2536_ = 0f;
+            let _e1865 = phi_2539_;
+            if _e1865 {
+                phi_2543_ = 0f;
             } else {
-                phi_2536_ = 1f;
+                phi_2543_ = 1f;
             }
-            let _e1871 = phi_2536_;
-            phi_2537_ = _e1871;
+            let _e1867 = phi_2543_;
+            phi_2544_ = _e1867;
         }
-        let _e1873 = phi_2537_;
-        if (_e99.first_primitive < arrayLength((&visibility.member))) {
+        let _e1869 = phi_2544_;
+        if (_e99.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1873;
+        visibility.member[(0u + _e99.shift)] = _e1869;
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -24,9 +25,9 @@ struct type_13 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -97,8 +98,8 @@ struct type_41 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -121,19 +122,19 @@ var<storage> nodes: type_37;
 @group(0) @binding(3) 
 var<storage> triangles: type_41;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_173_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_173_: lt_mask_LightPlace;
     var phi_174_: bool;
-    var phi_175_: lt_bvh_traverse_Tree;
+    var phi_175_: lt_mask_LightPlace;
     var phi_176_: bool;
-    var phi_181_: lt_bvh_traverse_Tree;
+    var phi_181_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_173_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_173_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_174_ = false;
         } else {
-            phi_173_ = lt_bvh_traverse_Tree();
+            phi_173_ = lt_mask_LightPlace();
             phi_174_ = true;
         }
         let _e65 = phi_173_;
@@ -141,18 +142,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_175_ = _e65;
         phi_176_ = _e67;
     } else {
-        phi_175_ = lt_bvh_traverse_Tree();
+        phi_175_ = lt_mask_LightPlace();
         phi_176_ = true;
     }
     let _e69 = phi_175_;
     let _e71 = phi_176_;
     if _e71 {
-        phi_181_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_181_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_181_ = _e69;
     }
     let _e76 = phi_181_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    return lt_mask_LightPlace(_e76.word, _e76.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -200,11 +201,11 @@ fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
-    var phi_1891_: bool;
-    var phi_1892_: bool;
-    var phi_1893_: bool;
-    var phi_1894_: bool;
     var phi_1898_: bool;
+    var phi_1899_: bool;
+    var phi_1900_: bool;
+    var phi_1901_: bool;
+    var phi_1905_: bool;
 
     let _e55 = (*param_7).normal[0u];
     let _e57 = global[0u];
@@ -214,28 +215,28 @@ fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
         if (_e60 == _e62) {
             let _e65 = (*param_7).normal[2u];
             let _e67 = global[2u];
-            phi_1891_ = (_e65 == _e67);
-            phi_1892_ = false;
+            phi_1898_ = (_e65 == _e67);
+            phi_1899_ = false;
         } else {
-            phi_1891_ = bool();
-            phi_1892_ = true;
+            phi_1898_ = bool();
+            phi_1899_ = true;
         }
-        let _e70 = phi_1891_;
-        let _e72 = phi_1892_;
-        phi_1893_ = _e70;
-        phi_1894_ = _e72;
+        let _e70 = phi_1898_;
+        let _e72 = phi_1899_;
+        phi_1900_ = _e70;
+        phi_1901_ = _e72;
     } else {
-        phi_1893_ = bool();
-        phi_1894_ = true;
+        phi_1900_ = bool();
+        phi_1901_ = true;
     }
-    let _e74 = phi_1893_;
-    let _e76 = phi_1894_;
+    let _e74 = phi_1900_;
+    let _e76 = phi_1901_;
     if _e76 {
-        phi_1898_ = false;
+        phi_1905_ = false;
     } else {
-        phi_1898_ = _e74;
+        phi_1905_ = _e74;
     }
-    let _e78 = phi_1898_;
+    let _e78 = phi_1905_;
     return !(_e78);
 }
 
@@ -251,184 +252,182 @@ fn function_() {
     var phi_349_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_391_: f32;
-    var phi_446_: bool;
-    var phi_447_: bool;
-    var phi_448_: bool;
-    var phi_452_: bool;
-    var phi_453_: bool;
-    var phi_454_: bool;
-    var phi_455_: bool;
-    var phi_456_: bool;
-    var phi_457_: bool;
-    var phi_458_: bool;
-    var phi_459_: bool;
-    var phi_460_: bool;
-    var phi_461_: bool;
+    var phi_422_: bool;
+    var phi_423_: bool;
+    var phi_424_: bool;
+    var phi_425_: bool;
+    var phi_429_: bool;
+    var phi_442_: bool;
+    var phi_443_: bool;
+    var phi_444_: bool;
+    var phi_445_: bool;
+    var phi_449_: bool;
     var phi_462_: bool;
     var phi_463_: bool;
     var phi_464_: bool;
-    var phi_465_: bool;
-    var phi_466_: bool;
-    var phi_467_: bool;
     var phi_468_: bool;
     var phi_469_: bool;
-    var phi_473_: bool;
-    var phi_477_: bool;
-    var phi_547_: f32;
-    var phi_554_: f32;
-    var phi_561_: f32;
-    var phi_568_: f32;
-    var phi_575_: f32;
-    var phi_582_: f32;
-    var phi_599_: f32;
-    var phi_604_: f32;
-    var phi_609_: f32;
-    var phi_637_: bool;
-    var phi_638_: bool;
-    var phi_646_: u32;
-    var phi_647_: u32;
-    var phi_658_: vec3<f32>;
-    var phi_659_: vec3<f32>;
-    var phi_672_: u32;
-    var phi_677_: u32;
-    var phi_682_: u32;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_828_: u32;
-    var phi_830_: u32;
-    var phi_833_: bool;
-    var phi_913_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_940_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_967_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_973_: u32;
-    var phi_976_: u32;
-    var phi_990_: u32;
-    var phi_1000_: u32;
-    var phi_1010_: u32;
-    var phi_1028_: u32;
-    var phi_1038_: u32;
-    var phi_1048_: u32;
-    var phi_1084_: u32;
-    var phi_1097_: u32;
-    var phi_1102_: u32;
-    var phi_1103_: u32;
+    var phi_470_: bool;
+    var phi_471_: bool;
+    var phi_472_: bool;
+    var phi_476_: bool;
+    var phi_546_: f32;
+    var phi_553_: f32;
+    var phi_560_: f32;
+    var phi_567_: f32;
+    var phi_574_: f32;
+    var phi_581_: f32;
+    var phi_598_: f32;
+    var phi_603_: f32;
+    var phi_608_: f32;
+    var phi_613_: f32;
+    var phi_618_: f32;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_653_: u32;
+    var phi_654_: u32;
+    var phi_665_: vec3<f32>;
+    var phi_666_: vec3<f32>;
+    var phi_679_: u32;
+    var phi_684_: u32;
+    var phi_689_: u32;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_835_: u32;
+    var phi_837_: u32;
+    var phi_840_: bool;
+    var phi_920_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_947_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_974_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_980_: u32;
+    var phi_983_: u32;
+    var phi_997_: u32;
+    var phi_1007_: u32;
+    var phi_1017_: u32;
+    var phi_1035_: u32;
+    var phi_1045_: u32;
+    var phi_1055_: u32;
+    var phi_1091_: u32;
     var phi_1104_: u32;
-    var phi_974_: u32;
-    var phi_977_: u32;
+    var phi_1109_: u32;
+    var phi_1110_: u32;
+    var phi_1111_: u32;
+    var phi_981_: u32;
+    var phi_984_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1162_: u32;
-    var phi_1165_: bool;
-    var phi_1209_: vec3<f32>;
-    var phi_1210_: vec3<f32>;
-    var phi_1239_: vec3<f32>;
-    var phi_1240_: vec3<f32>;
-    var phi_1269_: vec3<f32>;
-    var phi_1270_: vec3<f32>;
-    var phi_1288_: bool;
-    var phi_1289_: bool;
-    var phi_1293_: f32;
-    var phi_1294_: f32;
-    var phi_1295_: f32;
-    var phi_1296_: f32;
-    var phi_1304_: f32;
-    var phi_1314_: bool;
-    var phi_1315_: bool;
-    var phi_1319_: f32;
-    var phi_1320_: f32;
-    var phi_1321_: f32;
-    var phi_1322_: f32;
-    var phi_1330_: f32;
-    var phi_1340_: bool;
-    var phi_1341_: bool;
-    var phi_1345_: f32;
-    var phi_1346_: f32;
-    var phi_1347_: f32;
-    var phi_1348_: f32;
-    var phi_1356_: f32;
-    var phi_1371_: f32;
-    var phi_1372_: bool;
-    var phi_1373_: f32;
-    var phi_1374_: bool;
-    var phi_1375_: f32;
-    var phi_1376_: bool;
-    var phi_1394_: f32;
-    var phi_1395_: bool;
-    var phi_1396_: bool;
-    var phi_1397_: f32;
-    var phi_1398_: bool;
-    var phi_1399_: bool;
+    var phi_1169_: u32;
+    var phi_1172_: bool;
+    var phi_1216_: vec3<f32>;
+    var phi_1217_: vec3<f32>;
+    var phi_1246_: vec3<f32>;
+    var phi_1247_: vec3<f32>;
+    var phi_1276_: vec3<f32>;
+    var phi_1277_: vec3<f32>;
+    var phi_1295_: bool;
+    var phi_1296_: bool;
+    var phi_1300_: f32;
+    var phi_1301_: f32;
+    var phi_1302_: f32;
+    var phi_1303_: f32;
+    var phi_1311_: f32;
+    var phi_1321_: bool;
+    var phi_1322_: bool;
+    var phi_1326_: f32;
+    var phi_1327_: f32;
+    var phi_1328_: f32;
+    var phi_1329_: f32;
+    var phi_1337_: f32;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1352_: f32;
+    var phi_1353_: f32;
+    var phi_1354_: f32;
+    var phi_1355_: f32;
+    var phi_1363_: f32;
+    var phi_1378_: f32;
+    var phi_1379_: bool;
+    var phi_1380_: f32;
+    var phi_1381_: bool;
+    var phi_1382_: f32;
+    var phi_1383_: bool;
+    var phi_1401_: f32;
+    var phi_1402_: bool;
     var phi_1403_: bool;
     var phi_1404_: f32;
     var phi_1405_: bool;
-    var phi_1433_: vec3<f32>;
-    var phi_1434_: vec3<f32>;
-    var phi_1459_: vec3<f32>;
-    var phi_1460_: vec3<f32>;
-    var phi_1485_: vec3<f32>;
-    var phi_1486_: vec3<f32>;
-    var phi_1542_: f32;
-    var phi_1551_: f32;
-    var phi_1560_: f32;
-    var phi_1569_: f32;
+    var phi_1406_: bool;
+    var phi_1410_: bool;
+    var phi_1411_: f32;
+    var phi_1412_: bool;
+    var phi_1440_: vec3<f32>;
+    var phi_1441_: vec3<f32>;
+    var phi_1466_: vec3<f32>;
+    var phi_1467_: vec3<f32>;
+    var phi_1492_: vec3<f32>;
+    var phi_1493_: vec3<f32>;
+    var phi_1549_: f32;
+    var phi_1558_: f32;
+    var phi_1567_: f32;
     var phi_1576_: f32;
     var phi_1583_: f32;
-    var phi_1596_: f32;
-    var phi_1605_: f32;
-    var phi_1614_: f32;
-    var phi_1623_: f32;
+    var phi_1590_: f32;
+    var phi_1603_: f32;
+    var phi_1612_: f32;
+    var phi_1621_: f32;
     var phi_1630_: f32;
     var phi_1637_: f32;
-    var phi_1654_: f32;
-    var phi_1659_: f32;
-    var phi_1664_: f32;
-    var phi_1672_: f32;
-    var phi_1677_: f32;
-    var phi_1682_: f32;
-    var phi_1694_: f32;
-    var phi_1699_: f32;
-    var phi_1704_: f32;
-    var phi_1709_: f32;
-    var phi_1714_: lt_bvh_triangle_Intersection;
-    var phi_1715_: bool;
-    var phi_1716_: lt_bvh_triangle_Intersection;
-    var phi_1717_: bool;
+    var phi_1644_: f32;
+    var phi_1661_: f32;
+    var phi_1666_: f32;
+    var phi_1671_: f32;
+    var phi_1679_: f32;
+    var phi_1684_: f32;
+    var phi_1689_: f32;
+    var phi_1701_: f32;
+    var phi_1706_: f32;
+    var phi_1711_: f32;
+    var phi_1716_: f32;
     var phi_1721_: lt_bvh_triangle_Intersection;
     var phi_1722_: bool;
     var phi_1723_: lt_bvh_triangle_Intersection;
     var phi_1724_: bool;
-    var phi_1725_: bool;
+    var phi_1728_: lt_bvh_triangle_Intersection;
     var phi_1729_: bool;
-    var phi_1733_: lt_bvh_triangle_Intersection;
-    var phi_1753_: bool;
-    var phi_1754_: bool;
-    var phi_1755_: bool;
-    var phi_1756_: bool;
-    var phi_1757_: bool;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1163_: u32;
-    var phi_1166_: bool;
+    var phi_1730_: lt_bvh_triangle_Intersection;
+    var phi_1731_: bool;
+    var phi_1732_: bool;
+    var phi_1736_: bool;
+    var phi_1740_: lt_bvh_triangle_Intersection;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: bool;
     var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1170_: u32;
+    var phi_1173_: bool;
+    var phi_1770_: bool;
     var local_5: bool;
-    var phi_1805_: bool;
-    var phi_1806_: bool;
-    var phi_1837_: u32;
-    var phi_1838_: u32;
-    var phi_831_: u32;
-    var phi_834_: bool;
-    var phi_1839_: bool;
-    var phi_1840_: bool;
+    var phi_1812_: bool;
+    var phi_1813_: bool;
+    var phi_1844_: u32;
+    var phi_1845_: u32;
+    var phi_838_: u32;
+    var phi_841_: bool;
+    var phi_1846_: bool;
+    var phi_1847_: bool;
     var local_6: bool;
-    var phi_1844_: bool;
-    var phi_1848_: bool;
-    var phi_1849_: bool;
-    var phi_1850_: bool;
     var phi_1851_: bool;
     var phi_1855_: bool;
-    var phi_1859_: f32;
-    var phi_1860_: f32;
+    var phi_1856_: bool;
+    var phi_1857_: bool;
+    var phi_1858_: bool;
+    var phi_1862_: bool;
+    var phi_1866_: f32;
+    var phi_1867_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -438,12 +437,12 @@ fn function_() {
     let _e70 = p.member.size[0u];
     let _e72 = p.member.size[1u];
     let _e73 = lt_shaders_entry_pixel_index(_e54, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        if (_e73.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e73.word) != 0i) {
+        if (_e73.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e81 = samples.member[(0u + _e73.first_primitive)];
+        let _e81 = samples.member[(0u + _e73.shift)];
         local_1 = abi_Sample(_e81.position, _e81.magnitude, _e81.normal, _e81.flags, _e81.shading_normal, _e81.albedo);
         let _e90 = _lt_shaders_abi_Sample_is_valid((&local_1));
         if _e90 {
@@ -508,7 +507,7 @@ fn function_() {
         }
         let _e213 = phi_353_;
         if _e213.unnamed_1 {
-            phi_1860_ = _e213.unnamed.visibility;
+            phi_1867_ = _e213.unnamed.visibility;
         } else {
             let _e219 = local_1.position;
             let _e221 = local_1.normal;
@@ -527,1167 +526,1168 @@ fn function_() {
             let _e251 = (_e239.x - (_e233 * _e239.w));
             let _e252 = (_e239.y - (_e235 * _e239.w));
             let _e253 = (_e239.z - (_e237 * _e239.w));
-            let _e258 = abs(_e251);
-            let _e259 = abs(_e252);
-            let _e260 = abs(_e253);
+            let _e255 = abs(_e251);
+            let _e256 = abs(_e252);
+            let _e257 = abs(_e253);
             if (abs(_e233) < 1000000000000000f) {
                 if (abs(_e235) < 1000000000000000f) {
-                    if (abs(_e237) < 1000000000000000f) {
-                        if (_e258 < 1000000000000000f) {
-                            if (_e259 < 1000000000000000f) {
-                                if (_e260 < 1000000000000000f) {
-                                    if (_e258 > 0f) {
-                                        phi_447_ = bool();
-                                        phi_448_ = true;
-                                    } else {
-                                        let _e268 = (_e259 > 0f);
-                                        if _e268 {
-                                            phi_446_ = bool();
-                                        } else {
-                                            phi_446_ = (_e260 > 0f);
-                                        }
-                                        let _e271 = phi_446_;
-                                        phi_447_ = _e271;
-                                        phi_448_ = _e268;
-                                    }
-                                    let _e273 = phi_447_;
-                                    let _e275 = phi_448_;
-                                    if _e275 {
-                                        phi_452_ = true;
-                                    } else {
-                                        phi_452_ = _e273;
-                                    }
-                                    let _e277 = phi_452_;
-                                    phi_453_ = _e277;
-                                    phi_454_ = false;
-                                } else {
-                                    phi_453_ = bool();
-                                    phi_454_ = true;
-                                }
-                                let _e279 = phi_453_;
-                                let _e281 = phi_454_;
-                                phi_455_ = _e279;
-                                phi_456_ = false;
-                                phi_457_ = _e281;
-                            } else {
-                                phi_455_ = bool();
-                                phi_456_ = true;
-                                phi_457_ = false;
-                            }
-                            let _e283 = phi_455_;
-                            let _e285 = phi_456_;
-                            let _e287 = phi_457_;
-                            phi_458_ = _e283;
-                            phi_459_ = _e285;
-                            phi_460_ = _e287;
-                        } else {
-                            phi_458_ = bool();
-                            phi_459_ = true;
-                            phi_460_ = false;
-                        }
-                        let _e289 = phi_458_;
-                        let _e291 = phi_459_;
-                        let _e293 = phi_460_;
-                        phi_461_ = _e289;
-                        phi_462_ = _e291;
-                        phi_463_ = _e293;
-                    } else {
-                        phi_461_ = bool();
-                        phi_462_ = true;
-                        phi_463_ = false;
-                    }
-                    let _e295 = phi_461_;
-                    let _e297 = phi_462_;
-                    let _e299 = phi_463_;
-                    phi_464_ = _e295;
-                    phi_465_ = _e297;
-                    phi_466_ = _e299;
+                    phi_422_ = (abs(_e237) < 1000000000000000f);
+                    phi_423_ = false;
                 } else {
-                    phi_464_ = bool();
-                    phi_465_ = true;
-                    phi_466_ = false;
+                    phi_422_ = bool();
+                    phi_423_ = true;
                 }
-                let _e301 = phi_464_;
-                let _e303 = phi_465_;
-                let _e305 = phi_466_;
-                phi_467_ = _e301;
-                phi_468_ = _e303;
-                phi_469_ = _e305;
+                let _e265 = phi_422_;
+                let _e267 = phi_423_;
+                phi_424_ = _e265;
+                phi_425_ = _e267;
             } else {
-                phi_467_ = bool();
-                phi_468_ = true;
-                phi_469_ = false;
+                phi_424_ = bool();
+                phi_425_ = true;
             }
-            let _e307 = phi_467_;
-            let _e309 = phi_468_;
-            let _e311 = phi_469_;
-            if _e309 {
-                phi_473_ = true;
+            let _e269 = phi_424_;
+            let _e271 = phi_425_;
+            if _e271 {
+                phi_429_ = false;
             } else {
-                phi_473_ = _e311;
+                phi_429_ = _e269;
             }
-            let _e313 = phi_473_;
-            if _e313 {
-                phi_477_ = false;
+            let _e273 = phi_429_;
+            if _e273 {
+                if (_e255 < 1000000000000000f) {
+                    if (_e256 < 1000000000000000f) {
+                        phi_442_ = (_e257 < 1000000000000000f);
+                        phi_443_ = false;
+                    } else {
+                        phi_442_ = bool();
+                        phi_443_ = true;
+                    }
+                    let _e278 = phi_442_;
+                    let _e280 = phi_443_;
+                    phi_444_ = _e278;
+                    phi_445_ = _e280;
+                } else {
+                    phi_444_ = bool();
+                    phi_445_ = true;
+                }
+                let _e282 = phi_444_;
+                let _e284 = phi_445_;
+                if _e284 {
+                    phi_449_ = false;
+                } else {
+                    phi_449_ = _e282;
+                }
+                let _e286 = phi_449_;
+                if _e286 {
+                    if (_e255 > 0f) {
+                        phi_463_ = bool();
+                        phi_464_ = true;
+                    } else {
+                        let _e288 = (_e256 > 0f);
+                        if _e288 {
+                            phi_462_ = bool();
+                        } else {
+                            phi_462_ = (_e257 > 0f);
+                        }
+                        let _e291 = phi_462_;
+                        phi_463_ = _e291;
+                        phi_464_ = _e288;
+                    }
+                    let _e293 = phi_463_;
+                    let _e295 = phi_464_;
+                    if _e295 {
+                        phi_468_ = true;
+                    } else {
+                        phi_468_ = _e293;
+                    }
+                    let _e297 = phi_468_;
+                    phi_469_ = _e297;
+                    phi_470_ = false;
+                } else {
+                    phi_469_ = bool();
+                    phi_470_ = true;
+                }
+                let _e299 = phi_469_;
+                let _e301 = phi_470_;
+                phi_471_ = _e299;
+                phi_472_ = _e301;
             } else {
-                phi_477_ = _e307;
+                phi_471_ = bool();
+                phi_472_ = true;
             }
-            let _e315 = phi_477_;
-            if _e315 {
-                let _e316 = (0u >= _e61);
-                if _e316 {
-                    phi_1849_ = bool();
+            let _e303 = phi_471_;
+            let _e305 = phi_472_;
+            if _e305 {
+                phi_476_ = false;
+            } else {
+                phi_476_ = _e303;
+            }
+            let _e307 = phi_476_;
+            if _e307 {
+                let _e308 = (0u >= _e61);
+                if _e308 {
+                    phi_1856_ = bool();
                 } else {
                     if (0u < _e61) {
                     } else {
                         return;
                     }
-                    let _e322 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e326 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e330 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e334 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e338 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e342 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e346 = nodes.member[(0u + 0u)].frame[3u];
-                    let _e380 = core_intrinsics_maximum_number_nsz_f32_(abs(_e251), abs(_e252));
-                    let _e381 = core_intrinsics_maximum_number_nsz_f32_(_e380, abs(_e253));
-                    let _e382 = (_e381 * 0.0000000000009094947f);
-                    if (abs(_e251) < _e382) {
-                        phi_547_ = _e382;
+                    let _e314 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e318 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e322 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e326 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e330 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e334 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e338 = nodes.member[(0u + 0u)].frame[3u];
+                    let _e372 = core_intrinsics_maximum_number_nsz_f32_(abs(_e251), abs(_e252));
+                    let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e372, abs(_e253));
+                    let _e374 = (_e373 * 0.0000000000009094947f);
+                    if (abs(_e251) < _e374) {
+                        phi_546_ = _e374;
                     } else {
-                        phi_547_ = abs(_e251);
+                        phi_546_ = abs(_e251);
                     }
-                    let _e387 = phi_547_;
+                    let _e379 = phi_546_;
                     if (_e251 < 0f) {
-                        phi_554_ = (-1f / _e387);
+                        phi_553_ = (-1f / _e379);
                     } else {
-                        phi_554_ = (1f / _e387);
+                        phi_553_ = (1f / _e379);
                     }
-                    let _e392 = phi_554_;
-                    if (abs(_e252) < _e382) {
-                        phi_561_ = _e382;
+                    let _e384 = phi_553_;
+                    if (abs(_e252) < _e374) {
+                        phi_560_ = _e374;
                     } else {
-                        phi_561_ = abs(_e252);
+                        phi_560_ = abs(_e252);
                     }
-                    let _e397 = phi_561_;
+                    let _e389 = phi_560_;
                     if (_e252 < 0f) {
-                        phi_568_ = (-1f / _e397);
+                        phi_567_ = (-1f / _e389);
                     } else {
-                        phi_568_ = (1f / _e397);
+                        phi_567_ = (1f / _e389);
                     }
-                    let _e402 = phi_568_;
-                    if (abs(_e253) < _e382) {
-                        phi_575_ = _e382;
+                    let _e394 = phi_567_;
+                    if (abs(_e253) < _e374) {
+                        phi_574_ = _e374;
                     } else {
-                        phi_575_ = abs(_e253);
+                        phi_574_ = abs(_e253);
                     }
-                    let _e407 = phi_575_;
+                    let _e399 = phi_574_;
                     if (_e253 < 0f) {
-                        phi_582_ = (-1f / _e407);
+                        phi_581_ = (-1f / _e399);
                     } else {
-                        phi_582_ = (1f / _e407);
+                        phi_581_ = (1f / _e399);
                     }
-                    let _e412 = phi_582_;
-                    let _e416 = abs((bitcast<f32>(_e322) - _e233));
-                    let _e417 = abs((bitcast<f32>(_e326) - _e235));
-                    let _e418 = abs((bitcast<f32>(_e330) - _e237));
-                    let _e422 = abs(((bitcast<f32>(_e334) + (bitcast<f32>((((_e346 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e233));
-                    let _e423 = abs(((bitcast<f32>(_e338) + (bitcast<f32>((((_e346 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e235));
-                    let _e424 = abs(((bitcast<f32>(_e342) + (bitcast<f32>((((_e346 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e237));
-                    if (_e416 > _e422) {
-                        phi_599_ = _e416;
+                    let _e404 = phi_581_;
+                    let _e408 = abs((bitcast<f32>(_e314) - _e233));
+                    let _e409 = abs((bitcast<f32>(_e318) - _e235));
+                    let _e410 = abs((bitcast<f32>(_e322) - _e237));
+                    let _e414 = abs(((bitcast<f32>(_e326) + (bitcast<f32>((((_e338 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e233));
+                    let _e415 = abs(((bitcast<f32>(_e330) + (bitcast<f32>((((_e338 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e235));
+                    let _e416 = abs(((bitcast<f32>(_e334) + (bitcast<f32>((((_e338 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e237));
+                    if (_e408 > _e414) {
+                        phi_598_ = _e408;
                     } else {
-                        phi_599_ = _e422;
+                        phi_598_ = _e414;
                     }
-                    let _e427 = phi_599_;
-                    if (_e417 > _e423) {
-                        phi_604_ = _e417;
+                    let _e419 = phi_598_;
+                    if (_e409 > _e415) {
+                        phi_603_ = _e409;
                     } else {
-                        phi_604_ = _e423;
+                        phi_603_ = _e415;
                     }
-                    let _e430 = phi_604_;
-                    if (_e418 > _e424) {
-                        phi_609_ = _e418;
+                    let _e422 = phi_603_;
+                    if (_e410 > _e416) {
+                        phi_608_ = _e410;
                     } else {
-                        phi_609_ = _e424;
+                        phi_608_ = _e416;
                     }
-                    let _e433 = phi_609_;
-                    let _e434 = core_intrinsics_maximum_number_nsz_f32_(_e427, _e430);
-                    let _e435 = core_intrinsics_maximum_number_nsz_f32_(_e434, _e433);
-                    let _e439 = (_e435 * 0.0000019073486f);
-                    let _e440 = (abs(_e392) * _e439);
-                    let _e441 = (abs(_e402) * _e439);
-                    let _e442 = (abs(_e412) * _e439);
-                    let _e446 = (_e435 * 0.0000009536743f);
-                    let _e447 = (abs(_e392) * _e446);
-                    let _e448 = (abs(_e402) * _e446);
-                    let _e449 = (abs(_e412) * _e446);
-                    let _e450 = abs(_e251);
-                    let _e451 = abs(_e252);
-                    let _e452 = abs(_e253);
-                    if (_e450 >= _e451) {
-                        if (_e450 >= _e452) {
-                            phi_637_ = false;
+                    let _e425 = phi_608_;
+                    if (_e419 > _e422) {
+                        phi_613_ = _e419;
+                    } else {
+                        phi_613_ = _e422;
+                    }
+                    let _e428 = phi_613_;
+                    if (_e428 > _e425) {
+                        phi_618_ = _e428;
+                    } else {
+                        phi_618_ = _e425;
+                    }
+                    let _e431 = phi_618_;
+                    let _e435 = (_e431 * 0.0000019073486f);
+                    let _e436 = (abs(_e384) * _e435);
+                    let _e437 = (abs(_e394) * _e435);
+                    let _e438 = (abs(_e404) * _e435);
+                    let _e442 = (_e431 * 0.0000009536743f);
+                    let _e443 = (abs(_e384) * _e442);
+                    let _e444 = (abs(_e394) * _e442);
+                    let _e445 = (abs(_e404) * _e442);
+                    let _e446 = abs(_e251);
+                    let _e447 = abs(_e252);
+                    let _e448 = abs(_e253);
+                    if (_e446 >= _e447) {
+                        if (_e446 >= _e448) {
+                            phi_644_ = false;
                         } else {
-                            phi_637_ = true;
+                            phi_644_ = true;
                         }
-                        let _e456 = phi_637_;
-                        phi_638_ = _e456;
+                        let _e452 = phi_644_;
+                        phi_645_ = _e452;
                     } else {
-                        phi_638_ = true;
+                        phi_645_ = true;
                     }
-                    let _e458 = phi_638_;
-                    if _e458 {
-                        if (_e451 >= _e452) {
-                            phi_646_ = 1u;
+                    let _e454 = phi_645_;
+                    if _e454 {
+                        if (_e447 >= _e448) {
+                            phi_653_ = 1u;
                         } else {
-                            phi_646_ = 2u;
+                            phi_653_ = 2u;
                         }
-                        let _e461 = phi_646_;
-                        phi_647_ = _e461;
+                        let _e457 = phi_653_;
+                        phi_654_ = _e457;
                     } else {
-                        phi_647_ = 0u;
+                        phi_654_ = 0u;
                     }
-                    let _e463 = phi_647_;
-                    if (_e463 == 0u) {
-                        phi_659_ = vec3<f32>(_e252, _e253, _e251);
+                    let _e459 = phi_654_;
+                    if (_e459 == 0u) {
+                        phi_666_ = vec3<f32>(_e252, _e253, _e251);
                     } else {
-                        if (_e463 == 1u) {
-                            phi_658_ = vec3<f32>(_e253, _e251, _e252);
+                        if (_e459 == 1u) {
+                            phi_665_ = vec3<f32>(_e253, _e251, _e252);
                         } else {
-                            phi_658_ = vec3<f32>(_e251, _e252, _e253);
+                            phi_665_ = vec3<f32>(_e251, _e252, _e253);
                         }
-                        let _e469 = phi_658_;
-                        phi_659_ = _e469;
+                        let _e465 = phi_665_;
+                        phi_666_ = _e465;
                     }
-                    let _e471 = phi_659_;
-                    let _e474 = (_e471.x / _e471.z);
-                    let _e477 = (_e471.y / _e471.z);
-                    if (_e392 < 0f) {
-                        phi_672_ = 0u;
+                    let _e467 = phi_666_;
+                    let _e470 = (_e467.x / _e467.z);
+                    let _e473 = (_e467.y / _e467.z);
+                    if (_e384 < 0f) {
+                        phi_679_ = 0u;
                     } else {
-                        phi_672_ = 1u;
+                        phi_679_ = 1u;
                     }
-                    let _e482 = phi_672_;
-                    if (_e402 < 0f) {
-                        phi_677_ = 0u;
+                    let _e478 = phi_679_;
+                    if (_e394 < 0f) {
+                        phi_684_ = 0u;
                     } else {
-                        phi_677_ = 2u;
+                        phi_684_ = 2u;
                     }
-                    let _e485 = phi_677_;
-                    if (_e412 < 0f) {
-                        phi_682_ = 0u;
+                    let _e481 = phi_684_;
+                    if (_e404 < 0f) {
+                        phi_689_ = 0u;
                     } else {
-                        phi_682_ = 4u;
+                        phi_689_ = 4u;
                     }
-                    let _e488 = phi_682_;
-                    let _e490 = ((_e482 | _e485) | _e488);
-                    let _e491 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e491.first[0], _e491.first[1], _e491.first[2], _e491.first[3], _e491.first[4], _e491.first[5], _e491.first[6], _e491.first[7], _e491.first[8], _e491.first[9], _e491.first[10], _e491.first[11], _e491.first[12], _e491.first[13], _e491.first[14], _e491.first[15], _e491.first[16], _e491.first[17], _e491.first[18], _e491.first[19], _e491.first[20], _e491.first[21], _e491.first[22], _e491.first[23], _e491.first[24], _e491.first[25], _e491.first[26], _e491.first[27], _e491.first[28], _e491.first[29], _e491.first[30], _e491.first[31]), array<u32, 32>(_e491.mask[0], _e491.mask[1], _e491.mask[2], _e491.mask[3], _e491.mask[4], _e491.mask[5], _e491.mask[6], _e491.mask[7], _e491.mask[8], _e491.mask[9], _e491.mask[10], _e491.mask[11], _e491.mask[12], _e491.mask[13], _e491.mask[14], _e491.mask[15], _e491.mask[16], _e491.mask[17], _e491.mask[18], _e491.mask[19], _e491.mask[20], _e491.mask[21], _e491.mask[22], _e491.mask[23], _e491.mask[24], _e491.mask[25], _e491.mask[26], _e491.mask[27], _e491.mask[28], _e491.mask[29], _e491.mask[30], _e491.mask[31]), _e491.len, _e491.group, _e491.group_mask);
-                    let _e565 = local.group_mask;
-                    if ((_e565 & 4278190080u) == 0u) {
-                        let _e569 = local.len;
-                        if (_e569 == 0u) {
-                            phi_796_ = false;
+                    let _e484 = phi_689_;
+                    let _e486 = ((_e478 | _e481) | _e484);
+                    let _e487 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e487.first[0], _e487.first[1], _e487.first[2], _e487.first[3], _e487.first[4], _e487.first[5], _e487.first[6], _e487.first[7], _e487.first[8], _e487.first[9], _e487.first[10], _e487.first[11], _e487.first[12], _e487.first[13], _e487.first[14], _e487.first[15], _e487.first[16], _e487.first[17], _e487.first[18], _e487.first[19], _e487.first[20], _e487.first[21], _e487.first[22], _e487.first[23], _e487.first[24], _e487.first[25], _e487.first[26], _e487.first[27], _e487.first[28], _e487.first[29], _e487.first[30], _e487.first[31]), array<u32, 32>(_e487.mask[0], _e487.mask[1], _e487.mask[2], _e487.mask[3], _e487.mask[4], _e487.mask[5], _e487.mask[6], _e487.mask[7], _e487.mask[8], _e487.mask[9], _e487.mask[10], _e487.mask[11], _e487.mask[12], _e487.mask[13], _e487.mask[14], _e487.mask[15], _e487.mask[16], _e487.mask[17], _e487.mask[18], _e487.mask[19], _e487.mask[20], _e487.mask[21], _e487.mask[22], _e487.mask[23], _e487.mask[24], _e487.mask[25], _e487.mask[26], _e487.mask[27], _e487.mask[28], _e487.mask[29], _e487.mask[30], _e487.mask[31]), _e487.len, _e487.group, _e487.group_mask);
+                    let _e561 = local.group_mask;
+                    if ((_e561 & 4278190080u) == 0u) {
+                        let _e565 = local.len;
+                        if (_e565 == 0u) {
+                            phi_803_ = false;
                         } else {
-                            let _e573 = local.len;
-                            local.len = (_e573 - 1u);
-                            let _e576 = local.len;
-                            if (_e576 < 32u) {
+                            let _e569 = local.len;
+                            local.len = (_e569 - 1u);
+                            let _e572 = local.len;
+                            if (_e572 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e581 = local.first[(0u + _e576)];
-                            local.group = _e581;
-                            let _e584 = local.len;
-                            if (_e584 < 32u) {
+                            let _e577 = local.first[(0u + _e572)];
+                            local.group = _e577;
+                            let _e580 = local.len;
+                            if (_e580 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e589 = local.mask[(0u + _e584)];
-                            local.group_mask = _e589;
-                            phi_796_ = true;
+                            let _e585 = local.mask[(0u + _e580)];
+                            local.group_mask = _e585;
+                            phi_803_ = true;
                         }
-                        let _e592 = phi_796_;
-                        phi_797_ = _e592;
+                        let _e588 = phi_803_;
+                        phi_804_ = _e588;
                     } else {
-                        phi_797_ = true;
+                        phi_804_ = true;
                     }
-                    let _e594 = phi_797_;
-                    if _e594 {
-                        let _e596 = local.group_mask;
-                        let _e602 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e596)), 32u, (_e596 == 0u)));
-                        let _e606 = local.group_mask;
-                        let _e620 = local.group_mask;
-                        local.group_mask = (_e620 & ~((1u << bitcast<u32>((_e602 & 31u)))));
-                        let _e623 = local.group;
-                        phi_828_ = (_e623 + countOneBits(((_e606 & ~((4294967295u << bitcast<u32>((((_e602 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e590 = phi_804_;
+                    if _e590 {
+                        let _e592 = local.group_mask;
+                        let _e598 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e592)), 32u, (_e592 == 0u)));
+                        let _e602 = local.group_mask;
+                        let _e616 = local.group_mask;
+                        local.group_mask = (_e616 & ~((1u << bitcast<u32>((_e598 & 31u)))));
+                        let _e619 = local.group;
+                        phi_835_ = (_e619 + countOneBits(((_e602 & ~((4294967295u << bitcast<u32>((((_e598 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_828_ = 4294967295u;
+                        phi_835_ = 4294967295u;
                     }
-                    let _e626 = phi_828_;
-                    phi_830_ = _e626;
-                    phi_833_ = false;
+                    let _e622 = phi_835_;
+                    phi_837_ = _e622;
+                    phi_840_ = false;
                     loop {
-                        let _e628 = phi_830_;
-                        let _e630 = phi_833_;
-                        local_9 = _e630;
-                        if (_e628 != 4294967295u) {
-                            if (_e628 < _e61) {
+                        let _e624 = phi_837_;
+                        let _e626 = phi_840_;
+                        local_9 = _e626;
+                        if (_e624 != 4294967295u) {
+                            if (_e624 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e637 = nodes.member[(0u + _e628)].frame[3u];
-                            let _e662 = (bitcast<f32>((((_e637 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e392);
-                            let _e663 = (bitcast<f32>((((_e637 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e402);
-                            let _e664 = (bitcast<f32>((((_e637 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e412);
-                            let _e667 = nodes.member[(0u + _e628)].frame[0u];
-                            let _e671 = nodes.member[(0u + _e628)].frame[1u];
-                            let _e675 = nodes.member[(0u + _e628)].frame[2u];
-                            let _e680 = ((bitcast<f32>(_e667) - _e233) * _e392);
-                            let _e681 = ((bitcast<f32>(_e671) - _e235) * _e402);
-                            let _e682 = ((bitcast<f32>(_e675) - _e237) * _e412);
-                            let _e690 = nodes.member[(0u + _e628)].x;
-                            if (_e392 < 0f) {
-                                let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e690.w), _e701.unnamed_1);
-                                let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e690.x, _e707.unnamed_1.first_primitive));
-                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e690.y));
+                            let _e633 = nodes.member[(0u + _e624)].frame[3u];
+                            let _e658 = (bitcast<f32>((((_e633 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e384);
+                            let _e659 = (bitcast<f32>((((_e633 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e394);
+                            let _e660 = (bitcast<f32>((((_e633 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e404);
+                            let _e663 = nodes.member[(0u + _e624)].frame[0u];
+                            let _e667 = nodes.member[(0u + _e624)].frame[1u];
+                            let _e671 = nodes.member[(0u + _e624)].frame[2u];
+                            let _e676 = ((bitcast<f32>(_e663) - _e233) * _e384);
+                            let _e677 = ((bitcast<f32>(_e667) - _e235) * _e394);
+                            let _e678 = ((bitcast<f32>(_e671) - _e237) * _e404);
+                            let _e686 = nodes.member[(0u + _e624)].x;
+                            if (_e384 < 0f) {
+                                let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.unnamed.word, _e686.w), _e697.unnamed_1);
+                                let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e686.x, _e703.unnamed_1.shift));
+                                phi_920_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e709.unnamed_1.word, _e686.y));
                             } else {
-                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e690.y), _e729.unnamed_1);
-                                let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e690.z, _e735.unnamed_1.first_primitive));
-                                phi_913_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e690.w));
+                                let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e725.unnamed.word, _e686.y), _e725.unnamed_1);
+                                let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e686.z, _e731.unnamed_1.shift));
+                                phi_920_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e737.unnamed_1.word, _e686.w));
                             }
-                            let _e749 = phi_913_;
-                            let _e759 = nodes.member[(0u + _e628)].y;
-                            if (_e402 < 0f) {
-                                let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e759.w), _e770.unnamed_1);
-                                let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e759.x, _e776.unnamed_1.first_primitive));
-                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e759.y));
+                            let _e745 = phi_920_;
+                            let _e755 = nodes.member[(0u + _e624)].y;
+                            if (_e394 < 0f) {
+                                let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.unnamed.word, _e755.w), _e766.unnamed_1);
+                                let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e755.x, _e772.unnamed_1.shift));
+                                phi_947_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_mask_LightPlace(_e778.unnamed_1.word, _e755.y));
                             } else {
-                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e798.unnamed.root, _e759.y), _e798.unnamed_1);
-                                let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e759.z, _e804.unnamed_1.first_primitive));
-                                phi_940_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_bvh_traverse_Tree(_e810.unnamed_1.root, _e759.w));
+                                let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e794.unnamed.word, _e755.y), _e794.unnamed_1);
+                                let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_mask_LightPlace(_e755.z, _e800.unnamed_1.shift));
+                                phi_947_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_mask_LightPlace(_e806.unnamed_1.word, _e755.w));
                             }
-                            let _e818 = phi_940_;
-                            let _e828 = nodes.member[(0u + _e628)].z;
-                            if (_e412 < 0f) {
-                                let _e839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e828.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e839.unnamed.root, _e828.w), _e839.unnamed_1);
-                                let _e851 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e845.unnamed, lt_bvh_traverse_Tree(_e828.x, _e845.unnamed_1.first_primitive));
-                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e851.unnamed, lt_bvh_traverse_Tree(_e851.unnamed_1.root, _e828.y));
+                            let _e814 = phi_947_;
+                            let _e824 = nodes.member[(0u + _e624)].z;
+                            if (_e404 < 0f) {
+                                let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e824.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e841 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e835.unnamed.word, _e824.w), _e835.unnamed_1);
+                                let _e847 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e841.unnamed, lt_mask_LightPlace(_e824.x, _e841.unnamed_1.shift));
+                                phi_974_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e847.unnamed, lt_mask_LightPlace(_e847.unnamed_1.word, _e824.y));
                             } else {
-                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e828.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e867.unnamed.root, _e828.y), _e867.unnamed_1);
-                                let _e879 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_bvh_traverse_Tree(_e828.z, _e873.unnamed_1.first_primitive));
-                                phi_967_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e879.unnamed, lt_bvh_traverse_Tree(_e879.unnamed_1.root, _e828.w));
+                                let _e863 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e824.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e869 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e863.unnamed.word, _e824.y), _e863.unnamed_1);
+                                let _e875 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e869.unnamed, lt_mask_LightPlace(_e824.z, _e869.unnamed_1.shift));
+                                phi_974_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e875.unnamed, lt_mask_LightPlace(_e875.unnamed_1.word, _e824.w));
                             }
-                            let _e887 = phi_967_;
-                            phi_973_ = 0u;
-                            phi_976_ = 0u;
+                            let _e883 = phi_974_;
+                            phi_980_ = 0u;
+                            phi_983_ = 0u;
                             loop {
-                                let _e897 = phi_973_;
-                                let _e899 = phi_976_;
-                                local_2 = _e899;
-                                local_3 = _e899;
-                                local_4 = _e899;
-                                let _e900 = (_e897 < 8u);
-                                if _e900 {
-                                    let _e902 = (_e897 >> bitcast<u32>(2i));
-                                    let _e903 = (_e897 & 3u);
-                                    if (_e902 == 0u) {
-                                        phi_990_ = _e749.unnamed.root;
+                                let _e893 = phi_980_;
+                                let _e895 = phi_983_;
+                                local_2 = _e895;
+                                local_3 = _e895;
+                                local_4 = _e895;
+                                let _e896 = (_e893 < 8u);
+                                if _e896 {
+                                    let _e898 = (_e893 >> bitcast<u32>(2i));
+                                    let _e899 = (_e893 & 3u);
+                                    if (_e898 == 0u) {
+                                        phi_997_ = _e745.unnamed.word;
                                     } else {
-                                        phi_990_ = _e749.unnamed.first_primitive;
+                                        phi_997_ = _e745.unnamed.shift;
                                     }
-                                    let _e906 = phi_990_;
-                                    if (_e902 == 0u) {
-                                        phi_1000_ = _e818.unnamed.root;
+                                    let _e902 = phi_997_;
+                                    if (_e898 == 0u) {
+                                        phi_1007_ = _e814.unnamed.word;
                                     } else {
-                                        phi_1000_ = _e818.unnamed.first_primitive;
+                                        phi_1007_ = _e814.unnamed.shift;
                                     }
-                                    let _e915 = phi_1000_;
-                                    if (_e902 == 0u) {
-                                        phi_1010_ = _e887.unnamed.root;
+                                    let _e911 = phi_1007_;
+                                    if (_e898 == 0u) {
+                                        phi_1017_ = _e883.unnamed.word;
                                     } else {
-                                        phi_1010_ = _e887.unnamed.first_primitive;
+                                        phi_1017_ = _e883.unnamed.shift;
                                     }
-                                    let _e924 = phi_1010_;
-                                    let _e937 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e906 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e662) + (_e680 - _e440)), ((f32(((_e915 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e663) + (_e681 - _e441)));
-                                    let _e938 = core_intrinsics_maximum_number_nsz_f32_(_e937, ((f32(((_e924 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e664) + (_e682 - _e442)));
-                                    if (_e902 == 0u) {
-                                        phi_1028_ = _e749.unnamed_1.root;
+                                    let _e920 = phi_1017_;
+                                    let _e933 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e902 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e658) + (_e676 - _e436)), ((f32(((_e911 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e659) + (_e677 - _e437)));
+                                    let _e934 = core_intrinsics_maximum_number_nsz_f32_(_e933, ((f32(((_e920 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e660) + (_e678 - _e438)));
+                                    if (_e898 == 0u) {
+                                        phi_1035_ = _e745.unnamed_1.word;
                                     } else {
-                                        phi_1028_ = _e749.unnamed_1.first_primitive;
+                                        phi_1035_ = _e745.unnamed_1.shift;
                                     }
-                                    let _e941 = phi_1028_;
-                                    if (_e902 == 0u) {
-                                        phi_1038_ = _e818.unnamed_1.root;
+                                    let _e937 = phi_1035_;
+                                    if (_e898 == 0u) {
+                                        phi_1045_ = _e814.unnamed_1.word;
                                     } else {
-                                        phi_1038_ = _e818.unnamed_1.first_primitive;
+                                        phi_1045_ = _e814.unnamed_1.shift;
                                     }
-                                    let _e950 = phi_1038_;
-                                    if (_e902 == 0u) {
-                                        phi_1048_ = _e887.unnamed_1.root;
+                                    let _e946 = phi_1045_;
+                                    if (_e898 == 0u) {
+                                        phi_1055_ = _e883.unnamed_1.word;
                                     } else {
-                                        phi_1048_ = _e887.unnamed_1.first_primitive;
+                                        phi_1055_ = _e883.unnamed_1.shift;
                                     }
-                                    let _e959 = phi_1048_;
-                                    let _e972 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e941 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e662) + (_e680 + _e440)), ((f32(((_e950 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e663) + (_e681 + _e441)));
-                                    let _e973 = core_intrinsics_minimum_number_nsz_f32_(_e972, ((f32(((_e959 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u)) * _e664) + (_e682 + _e442)));
-                                    if (_e938 <= _e973) {
-                                        if (_e938 <= _e243) {
-                                            if (_e973 >= 0f) {
-                                                if (_e902 == 0u) {
-                                                    let _e980 = nodes.member[(0u + _e628)].links[2u];
-                                                    phi_1084_ = _e980;
+                                    let _e955 = phi_1055_;
+                                    let _e968 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e937 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e658) + (_e676 + _e436)), ((f32(((_e946 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e659) + (_e677 + _e437)));
+                                    let _e969 = core_intrinsics_minimum_number_nsz_f32_(_e968, ((f32(((_e955 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e660) + (_e678 + _e438)));
+                                    if (_e934 <= _e969) {
+                                        if (_e934 <= _e243) {
+                                            if (_e969 >= 0f) {
+                                                if (_e898 == 0u) {
+                                                    let _e976 = nodes.member[(0u + _e624)].links[2u];
+                                                    phi_1091_ = _e976;
                                                 } else {
-                                                    let _e983 = nodes.member[(0u + _e628)].links[3u];
-                                                    phi_1084_ = _e983;
+                                                    let _e979 = nodes.member[(0u + _e624)].links[3u];
+                                                    phi_1091_ = _e979;
                                                 }
-                                                let _e985 = phi_1084_;
-                                                let _e990 = ((_e985 >> bitcast<u32>(((_e903 * 8u) & 31u))) & 255u);
-                                                let _e991 = (_e990 & 31u);
-                                                if (_e991 >= 24u) {
-                                                    phi_1097_ = (24u + ((_e991 - 24u) ^ _e490));
+                                                let _e981 = phi_1091_;
+                                                let _e986 = ((_e981 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u);
+                                                let _e987 = (_e986 & 31u);
+                                                if (_e987 >= 24u) {
+                                                    phi_1104_ = (24u + ((_e987 - 24u) ^ _e486));
                                                 } else {
-                                                    phi_1097_ = _e991;
+                                                    phi_1104_ = _e987;
                                                 }
-                                                let _e997 = phi_1097_;
-                                                phi_1102_ = (_e899 | ((_e990 >> bitcast<u32>(5i)) << bitcast<u32>((_e997 & 31u))));
+                                                let _e993 = phi_1104_;
+                                                phi_1109_ = (_e895 | ((_e986 >> bitcast<u32>(5i)) << bitcast<u32>((_e993 & 31u))));
                                             } else {
-                                                phi_1102_ = _e899;
+                                                phi_1109_ = _e895;
                                             }
-                                            let _e1005 = phi_1102_;
-                                            phi_1103_ = _e1005;
+                                            let _e1001 = phi_1109_;
+                                            phi_1110_ = _e1001;
                                         } else {
-                                            phi_1103_ = _e899;
+                                            phi_1110_ = _e895;
                                         }
-                                        let _e1007 = phi_1103_;
-                                        phi_1104_ = _e1007;
+                                        let _e1003 = phi_1110_;
+                                        phi_1111_ = _e1003;
                                     } else {
-                                        phi_1104_ = _e899;
+                                        phi_1111_ = _e895;
                                     }
-                                    let _e1009 = phi_1104_;
-                                    phi_974_ = (_e897 + 1u);
-                                    phi_977_ = _e1009;
+                                    let _e1005 = phi_1111_;
+                                    phi_981_ = (_e893 + 1u);
+                                    phi_984_ = _e1005;
                                 } else {
-                                    phi_974_ = u32();
-                                    phi_977_ = u32();
+                                    phi_981_ = u32();
+                                    phi_984_ = u32();
                                 }
-                                let _e1012 = phi_974_;
-                                let _e1014 = phi_977_;
+                                let _e1008 = phi_981_;
+                                let _e1010 = phi_984_;
                                 continue;
                                 continuing {
-                                    phi_973_ = _e1012;
-                                    phi_976_ = _e1014;
-                                    break if !(_e900);
+                                    phi_980_ = _e1008;
+                                    phi_983_ = _e1010;
+                                    break if !(_e896);
                                 }
                             }
-                            let _e1018 = nodes.member[(0u + _e628)].links[0u];
-                            let _e1022 = nodes.member[(0u + _e628)].frame[3u];
-                            let _e1026 = local_2;
-                            if ((_e1026 & 4278190080u) == 0u) {
+                            let _e1014 = nodes.member[(0u + _e624)].links[0u];
+                            let _e1018 = nodes.member[(0u + _e624)].frame[3u];
+                            let _e1022 = local_2;
+                            if ((_e1022 & 4278190080u) == 0u) {
                             } else {
-                                let _e1030 = local.group_mask;
-                                if ((_e1030 & 4278190080u) == 0u) {
+                                let _e1026 = local.group_mask;
+                                if ((_e1026 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1034 = local.len;
-                                    if (_e1034 < 32u) {
-                                        let _e1037 = local.group;
-                                        let _e1039 = local.len;
-                                        if (_e1039 < 32u) {
+                                    let _e1030 = local.len;
+                                    if (_e1030 < 32u) {
+                                        let _e1033 = local.group;
+                                        let _e1035 = local.len;
+                                        if (_e1035 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local.first[(0u + _e1039)] = _e1037;
-                                        let _e1045 = local.group_mask;
-                                        let _e1047 = local.len;
-                                        if (_e1047 < 32u) {
+                                        local.first[(0u + _e1035)] = _e1033;
+                                        let _e1041 = local.group_mask;
+                                        let _e1043 = local.len;
+                                        if (_e1043 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local.mask[(0u + _e1047)] = _e1045;
-                                        let _e1054 = local.len;
-                                        local.len = (_e1054 + 1u);
+                                        local.mask[(0u + _e1043)] = _e1041;
+                                        let _e1050 = local.len;
+                                        local.len = (_e1050 + 1u);
                                     }
                                 }
-                                local.group = (0u + _e1018);
-                                let _e1058 = local_3;
-                                local.group_mask = ((_e1058 & 4278190080u) | (_e1022 >> bitcast<u32>(24i)));
+                                local.group = (0u + _e1014);
+                                let _e1054 = local_3;
+                                local.group_mask = ((_e1054 & 4278190080u) | (_e1018 >> bitcast<u32>(24i)));
                             }
-                            let _e1063 = local_4;
-                            phi_1162_ = (_e1063 & 16777215u);
-                            phi_1165_ = _e630;
+                            let _e1059 = local_4;
+                            phi_1169_ = (_e1059 & 16777215u);
+                            phi_1172_ = _e626;
                             loop {
-                                let _e1066 = phi_1162_;
-                                let _e1068 = phi_1165_;
-                                local_7 = _e1068;
-                                let _e1069 = (_e1066 == 0u);
-                                local_5 = _e1069;
-                                local_8 = _e1069;
-                                if _e1069 {
-                                    phi_1163_ = u32();
-                                    phi_1166_ = bool();
-                                    phi_1763_ = false;
+                                let _e1062 = phi_1169_;
+                                let _e1064 = phi_1172_;
+                                local_7 = _e1064;
+                                let _e1065 = (_e1062 == 0u);
+                                local_5 = _e1065;
+                                local_8 = _e1065;
+                                if _e1065 {
+                                    phi_1170_ = u32();
+                                    phi_1173_ = bool();
+                                    phi_1770_ = false;
                                 } else {
-                                    let _e1072 = nodes.member[(0u + _e628)].links[1u];
-                                    let _e1077 = ((0u + _e1072) + select(firstTrailingBit(_e1066), 32u, (_e1066 == 0u)));
-                                    if (_e1077 < arrayLength((&triangles.member))) {
+                                    let _e1068 = nodes.member[(0u + _e624)].links[1u];
+                                    let _e1073 = ((0u + _e1068) + select(firstTrailingBit(_e1062), 32u, (_e1062 == 0u)));
+                                    if (_e1073 < arrayLength((&triangles.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1084 = triangles.member[(0u + _e1077)].v0_;
-                                    let _e1086 = (_e1084.x - _e233);
-                                    let _e1088 = (_e1084.y - _e235);
-                                    let _e1090 = (_e1084.z - _e237);
-                                    if (_e463 == 0u) {
-                                        phi_1210_ = vec3<f32>(_e1088, _e1090, _e1086);
+                                    let _e1080 = triangles.member[(0u + _e1073)].v0_;
+                                    let _e1082 = (_e1080.x - _e233);
+                                    let _e1084 = (_e1080.y - _e235);
+                                    let _e1086 = (_e1080.z - _e237);
+                                    if (_e459 == 0u) {
+                                        phi_1217_ = vec3<f32>(_e1084, _e1086, _e1082);
                                     } else {
-                                        if (_e463 == 1u) {
-                                            phi_1209_ = vec3<f32>(_e1090, _e1086, _e1088);
+                                        if (_e459 == 1u) {
+                                            phi_1216_ = vec3<f32>(_e1086, _e1082, _e1084);
                                         } else {
-                                            phi_1209_ = (_e1084 - vec3<f32>(_e233, _e235, _e237));
+                                            phi_1216_ = (_e1080 - vec3<f32>(_e233, _e235, _e237));
                                         }
-                                        let _e1098 = phi_1209_;
-                                        phi_1210_ = _e1098;
+                                        let _e1094 = phi_1216_;
+                                        phi_1217_ = _e1094;
                                     }
-                                    let _e1100 = phi_1210_;
-                                    let _e1104 = (_e1100.x - (_e474 * _e1100.z));
-                                    let _e1108 = (_e1100.y - (_e477 * _e1100.z));
-                                    let _e1110 = triangles.member[(0u + _e1077)].v1_;
-                                    let _e1112 = (_e1110.x - _e233);
-                                    let _e1114 = (_e1110.y - _e235);
-                                    let _e1116 = (_e1110.z - _e237);
-                                    if (_e463 == 0u) {
-                                        phi_1240_ = vec3<f32>(_e1114, _e1116, _e1112);
+                                    let _e1096 = phi_1217_;
+                                    let _e1100 = (_e1096.x - (_e470 * _e1096.z));
+                                    let _e1104 = (_e1096.y - (_e473 * _e1096.z));
+                                    let _e1106 = triangles.member[(0u + _e1073)].v1_;
+                                    let _e1108 = (_e1106.x - _e233);
+                                    let _e1110 = (_e1106.y - _e235);
+                                    let _e1112 = (_e1106.z - _e237);
+                                    if (_e459 == 0u) {
+                                        phi_1247_ = vec3<f32>(_e1110, _e1112, _e1108);
                                     } else {
-                                        if (_e463 == 1u) {
-                                            phi_1239_ = vec3<f32>(_e1116, _e1112, _e1114);
+                                        if (_e459 == 1u) {
+                                            phi_1246_ = vec3<f32>(_e1112, _e1108, _e1110);
                                         } else {
-                                            phi_1239_ = (_e1110 - vec3<f32>(_e233, _e235, _e237));
+                                            phi_1246_ = (_e1106 - vec3<f32>(_e233, _e235, _e237));
                                         }
-                                        let _e1124 = phi_1239_;
-                                        phi_1240_ = _e1124;
+                                        let _e1120 = phi_1246_;
+                                        phi_1247_ = _e1120;
                                     }
-                                    let _e1126 = phi_1240_;
-                                    let _e1130 = (_e1126.x - (_e474 * _e1126.z));
-                                    let _e1134 = (_e1126.y - (_e477 * _e1126.z));
-                                    let _e1136 = triangles.member[(0u + _e1077)].v2_;
-                                    let _e1138 = (_e1136.x - _e233);
-                                    let _e1140 = (_e1136.y - _e235);
-                                    let _e1142 = (_e1136.z - _e237);
-                                    if (_e463 == 0u) {
-                                        phi_1270_ = vec3<f32>(_e1140, _e1142, _e1138);
+                                    let _e1122 = phi_1247_;
+                                    let _e1126 = (_e1122.x - (_e470 * _e1122.z));
+                                    let _e1130 = (_e1122.y - (_e473 * _e1122.z));
+                                    let _e1132 = triangles.member[(0u + _e1073)].v2_;
+                                    let _e1134 = (_e1132.x - _e233);
+                                    let _e1136 = (_e1132.y - _e235);
+                                    let _e1138 = (_e1132.z - _e237);
+                                    if (_e459 == 0u) {
+                                        phi_1277_ = vec3<f32>(_e1136, _e1138, _e1134);
                                     } else {
-                                        if (_e463 == 1u) {
-                                            phi_1269_ = vec3<f32>(_e1142, _e1138, _e1140);
+                                        if (_e459 == 1u) {
+                                            phi_1276_ = vec3<f32>(_e1138, _e1134, _e1136);
                                         } else {
-                                            phi_1269_ = (_e1136 - vec3<f32>(_e233, _e235, _e237));
+                                            phi_1276_ = (_e1132 - vec3<f32>(_e233, _e235, _e237));
                                         }
-                                        let _e1150 = phi_1269_;
-                                        phi_1270_ = _e1150;
+                                        let _e1146 = phi_1276_;
+                                        phi_1277_ = _e1146;
                                     }
-                                    let _e1152 = phi_1270_;
-                                    let _e1156 = (_e1152.x - (_e474 * _e1152.z));
-                                    let _e1160 = (_e1152.y - (_e477 * _e1152.z));
-                                    if (_e1130 < _e1156) {
-                                        phi_1289_ = true;
+                                    let _e1148 = phi_1277_;
+                                    let _e1152 = (_e1148.x - (_e470 * _e1148.z));
+                                    let _e1156 = (_e1148.y - (_e473 * _e1148.z));
+                                    if (_e1126 < _e1152) {
+                                        phi_1296_ = true;
                                     } else {
-                                        if (_e1130 == _e1156) {
-                                            phi_1288_ = (_e1134 < _e1160);
+                                        if (_e1126 == _e1152) {
+                                            phi_1295_ = (_e1130 < _e1156);
                                         } else {
-                                            phi_1288_ = false;
+                                            phi_1295_ = false;
                                         }
-                                        let _e1165 = phi_1288_;
-                                        phi_1289_ = _e1165;
+                                        let _e1161 = phi_1295_;
+                                        phi_1296_ = _e1161;
                                     }
-                                    let _e1167 = phi_1289_;
-                                    if _e1167 {
-                                        phi_1293_ = _e1160;
-                                        phi_1294_ = _e1156;
-                                        phi_1295_ = _e1134;
-                                        phi_1296_ = _e1130;
+                                    let _e1163 = phi_1296_;
+                                    if _e1163 {
+                                        phi_1300_ = _e1156;
+                                        phi_1301_ = _e1152;
+                                        phi_1302_ = _e1130;
+                                        phi_1303_ = _e1126;
                                     } else {
-                                        phi_1293_ = _e1134;
-                                        phi_1294_ = _e1130;
-                                        phi_1295_ = _e1160;
-                                        phi_1296_ = _e1156;
+                                        phi_1300_ = _e1130;
+                                        phi_1301_ = _e1126;
+                                        phi_1302_ = _e1156;
+                                        phi_1303_ = _e1152;
                                     }
-                                    let _e1169 = phi_1293_;
-                                    let _e1171 = phi_1294_;
-                                    let _e1173 = phi_1295_;
-                                    let _e1175 = phi_1296_;
-                                    let _e1178 = ((_e1175 * _e1169) - (_e1173 * _e1171));
-                                    if _e1167 {
-                                        phi_1304_ = -(_e1178);
+                                    let _e1165 = phi_1300_;
+                                    let _e1167 = phi_1301_;
+                                    let _e1169 = phi_1302_;
+                                    let _e1171 = phi_1303_;
+                                    let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
+                                    if _e1163 {
+                                        phi_1311_ = -(_e1174);
                                     } else {
-                                        phi_1304_ = _e1178;
+                                        phi_1311_ = _e1174;
                                     }
-                                    let _e1181 = phi_1304_;
-                                    if (_e1156 < _e1104) {
-                                        phi_1315_ = true;
+                                    let _e1177 = phi_1311_;
+                                    if (_e1152 < _e1100) {
+                                        phi_1322_ = true;
                                     } else {
-                                        if (_e1156 == _e1104) {
-                                            phi_1314_ = (_e1160 < _e1108);
+                                        if (_e1152 == _e1100) {
+                                            phi_1321_ = (_e1156 < _e1104);
                                         } else {
-                                            phi_1314_ = false;
+                                            phi_1321_ = false;
                                         }
-                                        let _e1186 = phi_1314_;
-                                        phi_1315_ = _e1186;
+                                        let _e1182 = phi_1321_;
+                                        phi_1322_ = _e1182;
                                     }
-                                    let _e1188 = phi_1315_;
-                                    if _e1188 {
-                                        phi_1319_ = _e1108;
-                                        phi_1320_ = _e1104;
-                                        phi_1321_ = _e1160;
-                                        phi_1322_ = _e1156;
+                                    let _e1184 = phi_1322_;
+                                    if _e1184 {
+                                        phi_1326_ = _e1104;
+                                        phi_1327_ = _e1100;
+                                        phi_1328_ = _e1156;
+                                        phi_1329_ = _e1152;
                                     } else {
-                                        phi_1319_ = _e1160;
-                                        phi_1320_ = _e1156;
-                                        phi_1321_ = _e1108;
-                                        phi_1322_ = _e1104;
+                                        phi_1326_ = _e1156;
+                                        phi_1327_ = _e1152;
+                                        phi_1328_ = _e1104;
+                                        phi_1329_ = _e1100;
                                     }
-                                    let _e1190 = phi_1319_;
-                                    let _e1192 = phi_1320_;
-                                    let _e1194 = phi_1321_;
-                                    let _e1196 = phi_1322_;
-                                    let _e1199 = ((_e1196 * _e1190) - (_e1194 * _e1192));
-                                    if _e1188 {
-                                        phi_1330_ = -(_e1199);
+                                    let _e1186 = phi_1326_;
+                                    let _e1188 = phi_1327_;
+                                    let _e1190 = phi_1328_;
+                                    let _e1192 = phi_1329_;
+                                    let _e1195 = ((_e1192 * _e1186) - (_e1190 * _e1188));
+                                    if _e1184 {
+                                        phi_1337_ = -(_e1195);
                                     } else {
-                                        phi_1330_ = _e1199;
+                                        phi_1337_ = _e1195;
                                     }
-                                    let _e1202 = phi_1330_;
-                                    if (_e1104 < _e1130) {
-                                        phi_1341_ = true;
+                                    let _e1198 = phi_1337_;
+                                    if (_e1100 < _e1126) {
+                                        phi_1348_ = true;
                                     } else {
-                                        if (_e1104 == _e1130) {
-                                            phi_1340_ = (_e1108 < _e1134);
+                                        if (_e1100 == _e1126) {
+                                            phi_1347_ = (_e1104 < _e1130);
                                         } else {
-                                            phi_1340_ = false;
+                                            phi_1347_ = false;
                                         }
-                                        let _e1207 = phi_1340_;
-                                        phi_1341_ = _e1207;
+                                        let _e1203 = phi_1347_;
+                                        phi_1348_ = _e1203;
                                     }
-                                    let _e1209 = phi_1341_;
-                                    if _e1209 {
-                                        phi_1345_ = _e1134;
-                                        phi_1346_ = _e1130;
-                                        phi_1347_ = _e1108;
-                                        phi_1348_ = _e1104;
+                                    let _e1205 = phi_1348_;
+                                    if _e1205 {
+                                        phi_1352_ = _e1130;
+                                        phi_1353_ = _e1126;
+                                        phi_1354_ = _e1104;
+                                        phi_1355_ = _e1100;
                                     } else {
-                                        phi_1345_ = _e1108;
-                                        phi_1346_ = _e1104;
-                                        phi_1347_ = _e1134;
-                                        phi_1348_ = _e1130;
+                                        phi_1352_ = _e1104;
+                                        phi_1353_ = _e1100;
+                                        phi_1354_ = _e1130;
+                                        phi_1355_ = _e1126;
                                     }
-                                    let _e1211 = phi_1345_;
-                                    let _e1213 = phi_1346_;
-                                    let _e1215 = phi_1347_;
-                                    let _e1217 = phi_1348_;
-                                    let _e1220 = ((_e1217 * _e1211) - (_e1215 * _e1213));
-                                    if _e1209 {
-                                        phi_1356_ = -(_e1220);
+                                    let _e1207 = phi_1352_;
+                                    let _e1209 = phi_1353_;
+                                    let _e1211 = phi_1354_;
+                                    let _e1213 = phi_1355_;
+                                    let _e1216 = ((_e1213 * _e1207) - (_e1211 * _e1209));
+                                    if _e1205 {
+                                        phi_1363_ = -(_e1216);
                                     } else {
-                                        phi_1356_ = _e1220;
+                                        phi_1363_ = _e1216;
                                     }
-                                    let _e1223 = phi_1356_;
-                                    if (_e1181 >= 0f) {
-                                        if (_e1202 >= 0f) {
-                                            if (_e1223 >= 0f) {
-                                                phi_1371_ = ((_e1181 + _e1202) + _e1223);
-                                                phi_1372_ = false;
+                                    let _e1219 = phi_1363_;
+                                    if (_e1177 >= 0f) {
+                                        if (_e1198 >= 0f) {
+                                            if (_e1219 >= 0f) {
+                                                phi_1378_ = ((_e1177 + _e1198) + _e1219);
+                                                phi_1379_ = false;
                                             } else {
-                                                phi_1371_ = f32();
-                                                phi_1372_ = true;
+                                                phi_1378_ = f32();
+                                                phi_1379_ = true;
                                             }
-                                            let _e1230 = phi_1371_;
-                                            let _e1232 = phi_1372_;
-                                            phi_1373_ = _e1230;
-                                            phi_1374_ = _e1232;
+                                            let _e1226 = phi_1378_;
+                                            let _e1228 = phi_1379_;
+                                            phi_1380_ = _e1226;
+                                            phi_1381_ = _e1228;
                                         } else {
-                                            phi_1373_ = f32();
-                                            phi_1374_ = true;
+                                            phi_1380_ = f32();
+                                            phi_1381_ = true;
                                         }
-                                        let _e1234 = phi_1373_;
-                                        let _e1236 = phi_1374_;
-                                        phi_1375_ = _e1234;
-                                        phi_1376_ = _e1236;
+                                        let _e1230 = phi_1380_;
+                                        let _e1232 = phi_1381_;
+                                        phi_1382_ = _e1230;
+                                        phi_1383_ = _e1232;
                                     } else {
-                                        phi_1375_ = f32();
-                                        phi_1376_ = true;
+                                        phi_1382_ = f32();
+                                        phi_1383_ = true;
                                     }
-                                    let _e1238 = phi_1375_;
-                                    let _e1240 = phi_1376_;
-                                    if _e1240 {
-                                        if (_e1181 <= 0f) {
-                                            if (_e1202 <= 0f) {
-                                                let _e1243 = (_e1223 <= 0f);
-                                                if _e1243 {
+                                    let _e1234 = phi_1382_;
+                                    let _e1236 = phi_1383_;
+                                    if _e1236 {
+                                        if (_e1177 <= 0f) {
+                                            if (_e1198 <= 0f) {
+                                                let _e1239 = (_e1219 <= 0f);
+                                                if _e1239 {
                                                 }
-                                                phi_1394_ = ((_e1181 + _e1202) + _e1223);
-                                                phi_1395_ = false;
-                                                phi_1396_ = _e1243;
+                                                phi_1401_ = ((_e1177 + _e1198) + _e1219);
+                                                phi_1402_ = false;
+                                                phi_1403_ = _e1239;
                                             } else {
-                                                phi_1394_ = f32();
-                                                phi_1395_ = true;
-                                                phi_1396_ = false;
+                                                phi_1401_ = f32();
+                                                phi_1402_ = true;
+                                                phi_1403_ = false;
                                             }
-                                            let _e1247 = phi_1394_;
-                                            let _e1249 = phi_1395_;
-                                            let _e1251 = phi_1396_;
-                                            phi_1397_ = _e1247;
-                                            phi_1398_ = _e1249;
-                                            phi_1399_ = _e1251;
+                                            let _e1243 = phi_1401_;
+                                            let _e1245 = phi_1402_;
+                                            let _e1247 = phi_1403_;
+                                            phi_1404_ = _e1243;
+                                            phi_1405_ = _e1245;
+                                            phi_1406_ = _e1247;
                                         } else {
-                                            phi_1397_ = f32();
-                                            phi_1398_ = true;
-                                            phi_1399_ = false;
+                                            phi_1404_ = f32();
+                                            phi_1405_ = true;
+                                            phi_1406_ = false;
                                         }
-                                        let _e1253 = phi_1397_;
-                                        let _e1255 = phi_1398_;
-                                        let _e1257 = phi_1399_;
-                                        if _e1255 {
-                                            phi_1403_ = false;
+                                        let _e1249 = phi_1404_;
+                                        let _e1251 = phi_1405_;
+                                        let _e1253 = phi_1406_;
+                                        if _e1251 {
+                                            phi_1410_ = false;
                                         } else {
-                                            phi_1403_ = _e1257;
+                                            phi_1410_ = _e1253;
                                         }
-                                        let _e1259 = phi_1403_;
-                                        phi_1404_ = _e1253;
-                                        phi_1405_ = _e1259;
+                                        let _e1255 = phi_1410_;
+                                        phi_1411_ = _e1249;
+                                        phi_1412_ = _e1255;
                                     } else {
-                                        phi_1404_ = _e1238;
-                                        phi_1405_ = true;
+                                        phi_1411_ = _e1234;
+                                        phi_1412_ = true;
                                     }
-                                    let _e1261 = phi_1404_;
-                                    let _e1263 = phi_1405_;
-                                    if _e1263 {
-                                        let _e1264 = (_e1261 == 0f);
-                                        if _e1264 {
-                                            phi_1721_ = lt_bvh_triangle_Intersection();
-                                            phi_1722_ = false;
+                                    let _e1257 = phi_1411_;
+                                    let _e1259 = phi_1412_;
+                                    if _e1259 {
+                                        let _e1260 = (_e1257 == 0f);
+                                        if _e1260 {
+                                            phi_1728_ = lt_bvh_triangle_Intersection();
+                                            phi_1729_ = false;
                                         } else {
-                                            let _e1266 = triangles.member[(0u + _e1077)].v0_;
-                                            let _e1268 = (_e1266.x - _e233);
-                                            let _e1270 = (_e1266.y - _e235);
-                                            let _e1272 = (_e1266.z - _e237);
-                                            if (_e463 == 0u) {
-                                                phi_1434_ = vec3<f32>(_e1270, _e1272, _e1268);
+                                            let _e1262 = triangles.member[(0u + _e1073)].v0_;
+                                            let _e1264 = (_e1262.x - _e233);
+                                            let _e1266 = (_e1262.y - _e235);
+                                            let _e1268 = (_e1262.z - _e237);
+                                            if (_e459 == 0u) {
+                                                phi_1441_ = vec3<f32>(_e1266, _e1268, _e1264);
                                             } else {
-                                                if (_e463 == 1u) {
-                                                    phi_1433_ = vec3<f32>(_e1272, _e1268, _e1270);
+                                                if (_e459 == 1u) {
+                                                    phi_1440_ = vec3<f32>(_e1268, _e1264, _e1266);
                                                 } else {
-                                                    phi_1433_ = (_e1266 - vec3<f32>(_e233, _e235, _e237));
+                                                    phi_1440_ = (_e1262 - vec3<f32>(_e233, _e235, _e237));
                                                 }
-                                                let _e1280 = phi_1433_;
-                                                phi_1434_ = _e1280;
+                                                let _e1276 = phi_1440_;
+                                                phi_1441_ = _e1276;
                                             }
-                                            let _e1282 = phi_1434_;
-                                            let _e1284 = triangles.member[(0u + _e1077)].v1_;
-                                            let _e1286 = triangles.member[(0u + _e1077)].v0_;
-                                            let _e1289 = (_e1284.x - _e1286.x);
-                                            let _e1292 = (_e1284.y - _e1286.y);
-                                            let _e1295 = (_e1284.z - _e1286.z);
-                                            if (_e463 == 0u) {
-                                                phi_1460_ = vec3<f32>(_e1292, _e1295, _e1289);
+                                            let _e1278 = phi_1441_;
+                                            let _e1280 = triangles.member[(0u + _e1073)].v1_;
+                                            let _e1282 = triangles.member[(0u + _e1073)].v0_;
+                                            let _e1285 = (_e1280.x - _e1282.x);
+                                            let _e1288 = (_e1280.y - _e1282.y);
+                                            let _e1291 = (_e1280.z - _e1282.z);
+                                            if (_e459 == 0u) {
+                                                phi_1467_ = vec3<f32>(_e1288, _e1291, _e1285);
                                             } else {
-                                                if (_e463 == 1u) {
-                                                    phi_1459_ = vec3<f32>(_e1295, _e1289, _e1292);
+                                                if (_e459 == 1u) {
+                                                    phi_1466_ = vec3<f32>(_e1291, _e1285, _e1288);
                                                 } else {
-                                                    phi_1459_ = (_e1284 - _e1286);
+                                                    phi_1466_ = (_e1280 - _e1282);
                                                 }
-                                                let _e1302 = phi_1459_;
-                                                phi_1460_ = _e1302;
+                                                let _e1298 = phi_1466_;
+                                                phi_1467_ = _e1298;
                                             }
-                                            let _e1304 = phi_1460_;
-                                            let _e1306 = triangles.member[(0u + _e1077)].v2_;
-                                            let _e1308 = triangles.member[(0u + _e1077)].v0_;
-                                            let _e1311 = (_e1306.x - _e1308.x);
-                                            let _e1314 = (_e1306.y - _e1308.y);
-                                            let _e1317 = (_e1306.z - _e1308.z);
-                                            if (_e463 == 0u) {
-                                                phi_1486_ = vec3<f32>(_e1314, _e1317, _e1311);
+                                            let _e1300 = phi_1467_;
+                                            let _e1302 = triangles.member[(0u + _e1073)].v2_;
+                                            let _e1304 = triangles.member[(0u + _e1073)].v0_;
+                                            let _e1307 = (_e1302.x - _e1304.x);
+                                            let _e1310 = (_e1302.y - _e1304.y);
+                                            let _e1313 = (_e1302.z - _e1304.z);
+                                            if (_e459 == 0u) {
+                                                phi_1493_ = vec3<f32>(_e1310, _e1313, _e1307);
                                             } else {
-                                                if (_e463 == 1u) {
-                                                    phi_1485_ = vec3<f32>(_e1317, _e1311, _e1314);
+                                                if (_e459 == 1u) {
+                                                    phi_1492_ = vec3<f32>(_e1313, _e1307, _e1310);
                                                 } else {
-                                                    phi_1485_ = (_e1306 - _e1308);
+                                                    phi_1492_ = (_e1302 - _e1304);
                                                 }
-                                                let _e1324 = phi_1485_;
-                                                phi_1486_ = _e1324;
+                                                let _e1320 = phi_1492_;
+                                                phi_1493_ = _e1320;
                                             }
-                                            let _e1326 = phi_1486_;
-                                            let _e1333 = ((_e1304.y * _e1326.z) - (_e1304.z * _e1326.y));
-                                            let _e1340 = ((_e1304.z * _e1326.x) - (_e1304.x * _e1326.z));
-                                            let _e1347 = ((_e1304.x * _e1326.y) - (_e1304.y * _e1326.x));
-                                            let _e1361 = (((1f / _e471.z) * (((_e1333 * _e1282.x) + (_e1340 * _e1282.y)) + (_e1347 * _e1282.z))) / (((_e1333 * _e474) + (_e1340 * _e477)) + _e1347));
-                                            if (_e1361 > 0f) {
-                                                if (_e1361 < _e243) {
-                                                    let _e1365 = triangles.member[(0u + _e1077)].v0_;
-                                                    let _e1367 = triangles.member[(0u + _e1077)].v1_;
-                                                    if (_e1365.x < _e1367.x) {
-                                                        phi_1542_ = _e1365.x;
+                                            let _e1322 = phi_1493_;
+                                            let _e1329 = ((_e1300.y * _e1322.z) - (_e1300.z * _e1322.y));
+                                            let _e1336 = ((_e1300.z * _e1322.x) - (_e1300.x * _e1322.z));
+                                            let _e1343 = ((_e1300.x * _e1322.y) - (_e1300.y * _e1322.x));
+                                            let _e1357 = (((1f / _e467.z) * (((_e1329 * _e1278.x) + (_e1336 * _e1278.y)) + (_e1343 * _e1278.z))) / (((_e1329 * _e470) + (_e1336 * _e473)) + _e1343));
+                                            if (_e1357 > 0f) {
+                                                if (_e1357 < _e243) {
+                                                    let _e1361 = triangles.member[(0u + _e1073)].v0_;
+                                                    let _e1363 = triangles.member[(0u + _e1073)].v1_;
+                                                    if (_e1361.x < _e1363.x) {
+                                                        phi_1549_ = _e1361.x;
                                                     } else {
-                                                        phi_1542_ = _e1367.x;
+                                                        phi_1549_ = _e1363.x;
                                                     }
-                                                    let _e1374 = phi_1542_;
-                                                    if (_e1365.y < _e1367.y) {
-                                                        phi_1551_ = _e1365.y;
+                                                    let _e1370 = phi_1549_;
+                                                    if (_e1361.y < _e1363.y) {
+                                                        phi_1558_ = _e1361.y;
                                                     } else {
-                                                        phi_1551_ = _e1367.y;
+                                                        phi_1558_ = _e1363.y;
                                                     }
-                                                    let _e1381 = phi_1551_;
-                                                    if (_e1365.z < _e1367.z) {
-                                                        phi_1560_ = _e1365.z;
+                                                    let _e1377 = phi_1558_;
+                                                    if (_e1361.z < _e1363.z) {
+                                                        phi_1567_ = _e1361.z;
                                                     } else {
-                                                        phi_1560_ = _e1367.z;
+                                                        phi_1567_ = _e1363.z;
                                                     }
-                                                    let _e1388 = phi_1560_;
-                                                    let _e1390 = triangles.member[(0u + _e1077)].v2_;
-                                                    if (_e1374 < _e1390.x) {
-                                                        phi_1569_ = _e1374;
+                                                    let _e1384 = phi_1567_;
+                                                    let _e1386 = triangles.member[(0u + _e1073)].v2_;
+                                                    if (_e1370 < _e1386.x) {
+                                                        phi_1576_ = _e1370;
                                                     } else {
-                                                        phi_1569_ = _e1390.x;
+                                                        phi_1576_ = _e1386.x;
                                                     }
-                                                    let _e1395 = phi_1569_;
-                                                    if (_e1381 < _e1390.y) {
-                                                        phi_1576_ = _e1381;
+                                                    let _e1391 = phi_1576_;
+                                                    if (_e1377 < _e1386.y) {
+                                                        phi_1583_ = _e1377;
                                                     } else {
-                                                        phi_1576_ = _e1390.y;
+                                                        phi_1583_ = _e1386.y;
                                                     }
-                                                    let _e1400 = phi_1576_;
-                                                    if (_e1388 < _e1390.z) {
-                                                        phi_1583_ = _e1388;
+                                                    let _e1396 = phi_1583_;
+                                                    if (_e1384 < _e1386.z) {
+                                                        phi_1590_ = _e1384;
                                                     } else {
-                                                        phi_1583_ = _e1390.z;
+                                                        phi_1590_ = _e1386.z;
                                                     }
-                                                    let _e1405 = phi_1583_;
-                                                    let _e1407 = triangles.member[(0u + _e1077)].v0_;
-                                                    let _e1409 = triangles.member[(0u + _e1077)].v1_;
-                                                    if (_e1407.x > _e1409.x) {
-                                                        phi_1596_ = _e1407.x;
+                                                    let _e1401 = phi_1590_;
+                                                    let _e1403 = triangles.member[(0u + _e1073)].v0_;
+                                                    let _e1405 = triangles.member[(0u + _e1073)].v1_;
+                                                    if (_e1403.x > _e1405.x) {
+                                                        phi_1603_ = _e1403.x;
                                                     } else {
-                                                        phi_1596_ = _e1409.x;
+                                                        phi_1603_ = _e1405.x;
                                                     }
-                                                    let _e1416 = phi_1596_;
-                                                    if (_e1407.y > _e1409.y) {
-                                                        phi_1605_ = _e1407.y;
+                                                    let _e1412 = phi_1603_;
+                                                    if (_e1403.y > _e1405.y) {
+                                                        phi_1612_ = _e1403.y;
                                                     } else {
-                                                        phi_1605_ = _e1409.y;
+                                                        phi_1612_ = _e1405.y;
                                                     }
-                                                    let _e1423 = phi_1605_;
-                                                    if (_e1407.z > _e1409.z) {
-                                                        phi_1614_ = _e1407.z;
+                                                    let _e1419 = phi_1612_;
+                                                    if (_e1403.z > _e1405.z) {
+                                                        phi_1621_ = _e1403.z;
                                                     } else {
-                                                        phi_1614_ = _e1409.z;
+                                                        phi_1621_ = _e1405.z;
                                                     }
-                                                    let _e1430 = phi_1614_;
-                                                    let _e1432 = triangles.member[(0u + _e1077)].v2_;
-                                                    if (_e1416 > _e1432.x) {
-                                                        phi_1623_ = _e1416;
+                                                    let _e1426 = phi_1621_;
+                                                    let _e1428 = triangles.member[(0u + _e1073)].v2_;
+                                                    if (_e1412 > _e1428.x) {
+                                                        phi_1630_ = _e1412;
                                                     } else {
-                                                        phi_1623_ = _e1432.x;
+                                                        phi_1630_ = _e1428.x;
                                                     }
-                                                    let _e1437 = phi_1623_;
-                                                    if (_e1423 > _e1432.y) {
-                                                        phi_1630_ = _e1423;
+                                                    let _e1433 = phi_1630_;
+                                                    if (_e1419 > _e1428.y) {
+                                                        phi_1637_ = _e1419;
                                                     } else {
-                                                        phi_1630_ = _e1432.y;
+                                                        phi_1637_ = _e1428.y;
                                                     }
-                                                    let _e1442 = phi_1630_;
-                                                    if (_e1430 > _e1432.z) {
-                                                        phi_1637_ = _e1430;
+                                                    let _e1438 = phi_1637_;
+                                                    if (_e1426 > _e1428.z) {
+                                                        phi_1644_ = _e1426;
                                                     } else {
-                                                        phi_1637_ = _e1432.z;
+                                                        phi_1644_ = _e1428.z;
                                                     }
-                                                    let _e1447 = phi_1637_;
-                                                    let _e1451 = ((_e1395 - _e233) * _e392);
-                                                    let _e1452 = ((_e1400 - _e235) * _e402);
-                                                    let _e1453 = ((_e1405 - _e237) * _e412);
-                                                    let _e1457 = ((_e1437 - _e233) * _e392);
-                                                    let _e1458 = ((_e1442 - _e235) * _e402);
-                                                    let _e1459 = ((_e1447 - _e237) * _e412);
-                                                    if (_e1451 < _e1457) {
-                                                        phi_1654_ = _e1451;
+                                                    let _e1443 = phi_1644_;
+                                                    let _e1447 = ((_e1391 - _e233) * _e384);
+                                                    let _e1448 = ((_e1396 - _e235) * _e394);
+                                                    let _e1449 = ((_e1401 - _e237) * _e404);
+                                                    let _e1453 = ((_e1433 - _e233) * _e384);
+                                                    let _e1454 = ((_e1438 - _e235) * _e394);
+                                                    let _e1455 = ((_e1443 - _e237) * _e404);
+                                                    if (_e1447 < _e1453) {
+                                                        phi_1661_ = _e1447;
                                                     } else {
-                                                        phi_1654_ = _e1457;
+                                                        phi_1661_ = _e1453;
                                                     }
-                                                    let _e1462 = phi_1654_;
-                                                    if (_e1452 < _e1458) {
-                                                        phi_1659_ = _e1452;
+                                                    let _e1458 = phi_1661_;
+                                                    if (_e1448 < _e1454) {
+                                                        phi_1666_ = _e1448;
                                                     } else {
-                                                        phi_1659_ = _e1458;
+                                                        phi_1666_ = _e1454;
                                                     }
-                                                    let _e1465 = phi_1659_;
-                                                    if (_e1453 < _e1459) {
-                                                        phi_1664_ = _e1453;
+                                                    let _e1461 = phi_1666_;
+                                                    if (_e1449 < _e1455) {
+                                                        phi_1671_ = _e1449;
                                                     } else {
-                                                        phi_1664_ = _e1459;
+                                                        phi_1671_ = _e1455;
                                                     }
-                                                    let _e1468 = phi_1664_;
-                                                    if (_e1451 > _e1457) {
-                                                        phi_1672_ = _e1451;
+                                                    let _e1464 = phi_1671_;
+                                                    if (_e1447 > _e1453) {
+                                                        phi_1679_ = _e1447;
                                                     } else {
-                                                        phi_1672_ = _e1457;
+                                                        phi_1679_ = _e1453;
                                                     }
-                                                    let _e1474 = phi_1672_;
-                                                    if (_e1452 > _e1458) {
-                                                        phi_1677_ = _e1452;
+                                                    let _e1470 = phi_1679_;
+                                                    if (_e1448 > _e1454) {
+                                                        phi_1684_ = _e1448;
                                                     } else {
-                                                        phi_1677_ = _e1458;
+                                                        phi_1684_ = _e1454;
                                                     }
-                                                    let _e1477 = phi_1677_;
-                                                    if (_e1453 > _e1459) {
-                                                        phi_1682_ = _e1453;
+                                                    let _e1473 = phi_1684_;
+                                                    if (_e1449 > _e1455) {
+                                                        phi_1689_ = _e1449;
                                                     } else {
-                                                        phi_1682_ = _e1459;
+                                                        phi_1689_ = _e1455;
                                                     }
-                                                    let _e1480 = phi_1682_;
-                                                    let _e1484 = core_intrinsics_maximum_number_nsz_f32_((_e1462 - _e447), (_e1465 - _e448));
-                                                    let _e1485 = core_intrinsics_maximum_number_nsz_f32_(_e1484, (_e1468 - _e449));
-                                                    let _e1486 = core_intrinsics_minimum_number_nsz_f32_((_e1474 + _e447), (_e1477 + _e448));
-                                                    let _e1487 = core_intrinsics_minimum_number_nsz_f32_(_e1486, (_e1480 + _e449));
-                                                    if (_e1485 > -300000000000000000000000000000000000000f) {
-                                                        phi_1694_ = _e1485;
+                                                    let _e1476 = phi_1689_;
+                                                    let _e1480 = core_intrinsics_maximum_number_nsz_f32_((_e1458 - _e443), (_e1461 - _e444));
+                                                    let _e1481 = core_intrinsics_maximum_number_nsz_f32_(_e1480, (_e1464 - _e445));
+                                                    let _e1482 = core_intrinsics_minimum_number_nsz_f32_((_e1470 + _e443), (_e1473 + _e444));
+                                                    let _e1483 = core_intrinsics_minimum_number_nsz_f32_(_e1482, (_e1476 + _e445));
+                                                    if (_e1481 > -300000000000000000000000000000000000000f) {
+                                                        phi_1701_ = _e1481;
                                                     } else {
-                                                        phi_1694_ = -300000000000000000000000000000000000000f;
+                                                        phi_1701_ = -300000000000000000000000000000000000000f;
                                                     }
-                                                    let _e1490 = phi_1694_;
-                                                    if (_e1487 < 300000000000000000000000000000000000000f) {
-                                                        phi_1699_ = _e1487;
+                                                    let _e1486 = phi_1701_;
+                                                    if (_e1483 < 300000000000000000000000000000000000000f) {
+                                                        phi_1706_ = _e1483;
                                                     } else {
-                                                        phi_1699_ = 300000000000000000000000000000000000000f;
+                                                        phi_1706_ = 300000000000000000000000000000000000000f;
                                                     }
-                                                    let _e1493 = phi_1699_;
-                                                    if (_e1361 < _e1490) {
-                                                        phi_1704_ = _e1490;
+                                                    let _e1489 = phi_1706_;
+                                                    if (_e1357 < _e1486) {
+                                                        phi_1711_ = _e1486;
                                                     } else {
-                                                        phi_1704_ = _e1361;
+                                                        phi_1711_ = _e1357;
                                                     }
-                                                    let _e1496 = phi_1704_;
-                                                    if (_e1496 > _e1493) {
-                                                        phi_1709_ = _e1493;
+                                                    let _e1492 = phi_1711_;
+                                                    if (_e1492 > _e1489) {
+                                                        phi_1716_ = _e1489;
                                                     } else {
-                                                        phi_1709_ = _e1496;
+                                                        phi_1716_ = _e1492;
                                                     }
-                                                    let _e1499 = phi_1709_;
-                                                    phi_1714_ = lt_bvh_triangle_Intersection(_e1499, (_e1202 / _e1261), (_e1223 / _e1261), (_e1490 <= _e1493));
-                                                    phi_1715_ = false;
+                                                    let _e1495 = phi_1716_;
+                                                    phi_1721_ = lt_bvh_triangle_Intersection(_e1495, (_e1198 / _e1257), (_e1219 / _e1257), (_e1486 <= _e1489));
+                                                    phi_1722_ = false;
                                                 } else {
-                                                    phi_1714_ = lt_bvh_triangle_Intersection();
-                                                    phi_1715_ = true;
+                                                    phi_1721_ = lt_bvh_triangle_Intersection();
+                                                    phi_1722_ = true;
                                                 }
-                                                let _e1505 = phi_1714_;
-                                                let _e1507 = phi_1715_;
-                                                phi_1716_ = _e1505;
-                                                phi_1717_ = _e1507;
+                                                let _e1501 = phi_1721_;
+                                                let _e1503 = phi_1722_;
+                                                phi_1723_ = _e1501;
+                                                phi_1724_ = _e1503;
                                             } else {
-                                                phi_1716_ = lt_bvh_triangle_Intersection();
-                                                phi_1717_ = true;
+                                                phi_1723_ = lt_bvh_triangle_Intersection();
+                                                phi_1724_ = true;
                                             }
-                                            let _e1509 = phi_1716_;
-                                            let _e1511 = phi_1717_;
-                                            if _e1511 {
+                                            let _e1505 = phi_1723_;
+                                            let _e1507 = phi_1724_;
+                                            if _e1507 {
                                             }
-                                            phi_1721_ = _e1509;
-                                            phi_1722_ = _e1511;
+                                            phi_1728_ = _e1505;
+                                            phi_1729_ = _e1507;
                                         }
-                                        let _e1513 = phi_1721_;
-                                        let _e1515 = phi_1722_;
-                                        phi_1723_ = _e1513;
-                                        phi_1724_ = _e1264;
-                                        phi_1725_ = _e1515;
+                                        let _e1509 = phi_1728_;
+                                        let _e1511 = phi_1729_;
+                                        phi_1730_ = _e1509;
+                                        phi_1731_ = _e1260;
+                                        phi_1732_ = _e1511;
                                     } else {
-                                        phi_1723_ = lt_bvh_triangle_Intersection();
-                                        phi_1724_ = true;
-                                        phi_1725_ = false;
+                                        phi_1730_ = lt_bvh_triangle_Intersection();
+                                        phi_1731_ = true;
+                                        phi_1732_ = false;
                                     }
-                                    let _e1517 = phi_1723_;
-                                    let _e1519 = phi_1724_;
-                                    let _e1521 = phi_1725_;
+                                    let _e1513 = phi_1730_;
+                                    let _e1515 = phi_1731_;
+                                    let _e1517 = phi_1732_;
+                                    if _e1515 {
+                                        phi_1736_ = true;
+                                    } else {
+                                        phi_1736_ = _e1517;
+                                    }
+                                    let _e1519 = phi_1736_;
                                     if _e1519 {
-                                        phi_1729_ = true;
+                                        phi_1740_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                     } else {
-                                        phi_1729_ = _e1521;
+                                        phi_1740_ = _e1513;
                                     }
-                                    let _e1523 = phi_1729_;
-                                    if _e1523 {
-                                        phi_1733_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_1733_ = _e1517;
-                                    }
-                                    let _e1525 = phi_1733_;
-                                    if _e1525.is_hit {
-                                        if (_e1525.t > 0f) {
-                                            if (_e1525.t < _e243) {
+                                    let _e1521 = phi_1740_;
+                                    if _e1521.is_hit {
+                                        if (_e1521.t > 0f) {
+                                            if (_e1521.t < _e243) {
                                                 if true {
-                                                    phi_1753_ = false;
+                                                    phi_1760_ = false;
                                                 } else {
-                                                    phi_1753_ = true;
+                                                    phi_1760_ = true;
                                                 }
-                                                let _e1534 = phi_1753_;
-                                                phi_1754_ = true;
-                                                phi_1755_ = _e1534;
+                                                let _e1530 = phi_1760_;
+                                                phi_1761_ = true;
+                                                phi_1762_ = _e1530;
                                             } else {
-                                                phi_1754_ = _e1068;
-                                                phi_1755_ = true;
+                                                phi_1761_ = _e1064;
+                                                phi_1762_ = true;
                                             }
-                                            let _e1536 = phi_1754_;
-                                            let _e1538 = phi_1755_;
-                                            phi_1756_ = _e1536;
-                                            phi_1757_ = _e1538;
+                                            let _e1532 = phi_1761_;
+                                            let _e1534 = phi_1762_;
+                                            phi_1763_ = _e1532;
+                                            phi_1764_ = _e1534;
                                         } else {
-                                            phi_1756_ = _e1068;
-                                            phi_1757_ = true;
+                                            phi_1763_ = _e1064;
+                                            phi_1764_ = true;
                                         }
-                                        let _e1540 = phi_1756_;
-                                        let _e1542 = phi_1757_;
-                                        phi_1758_ = _e1540;
-                                        phi_1759_ = _e1542;
+                                        let _e1536 = phi_1763_;
+                                        let _e1538 = phi_1764_;
+                                        phi_1765_ = _e1536;
+                                        phi_1766_ = _e1538;
                                     } else {
-                                        phi_1758_ = _e1068;
-                                        phi_1759_ = true;
+                                        phi_1765_ = _e1064;
+                                        phi_1766_ = true;
                                     }
-                                    let _e1544 = phi_1758_;
-                                    let _e1546 = phi_1759_;
-                                    if _e1546 {
+                                    let _e1540 = phi_1765_;
+                                    let _e1542 = phi_1766_;
+                                    if _e1542 {
                                     }
-                                    phi_1163_ = (_e1066 & (_e1066 - 1u));
-                                    phi_1166_ = _e1544;
-                                    phi_1763_ = _e1546;
+                                    phi_1170_ = (_e1062 & (_e1062 - 1u));
+                                    phi_1173_ = _e1540;
+                                    phi_1770_ = _e1542;
                                 }
-                                let _e1548 = phi_1163_;
-                                let _e1550 = phi_1166_;
-                                let _e1552 = phi_1763_;
+                                let _e1544 = phi_1170_;
+                                let _e1546 = phi_1173_;
+                                let _e1548 = phi_1770_;
                                 continue;
                                 continuing {
-                                    phi_1162_ = _e1548;
-                                    phi_1165_ = _e1550;
-                                    break if !(_e1552);
+                                    phi_1169_ = _e1544;
+                                    phi_1172_ = _e1546;
+                                    break if !(_e1548);
                                 }
                             }
-                            let _e1555 = local_5;
-                            if _e1555 {
-                                let _e1557 = local.group_mask;
-                                if ((_e1557 & 4278190080u) == 0u) {
-                                    let _e1561 = local.len;
-                                    if (_e1561 == 0u) {
-                                        phi_1805_ = false;
+                            let _e1551 = local_5;
+                            if _e1551 {
+                                let _e1553 = local.group_mask;
+                                if ((_e1553 & 4278190080u) == 0u) {
+                                    let _e1557 = local.len;
+                                    if (_e1557 == 0u) {
+                                        phi_1812_ = false;
                                     } else {
-                                        let _e1565 = local.len;
-                                        local.len = (_e1565 - 1u);
-                                        let _e1568 = local.len;
-                                        if (_e1568 < 32u) {
+                                        let _e1561 = local.len;
+                                        local.len = (_e1561 - 1u);
+                                        let _e1564 = local.len;
+                                        if (_e1564 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1573 = local.first[(0u + _e1568)];
-                                        local.group = _e1573;
-                                        let _e1576 = local.len;
-                                        if (_e1576 < 32u) {
+                                        let _e1569 = local.first[(0u + _e1564)];
+                                        local.group = _e1569;
+                                        let _e1572 = local.len;
+                                        if (_e1572 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1581 = local.mask[(0u + _e1576)];
-                                        local.group_mask = _e1581;
-                                        phi_1805_ = true;
+                                        let _e1577 = local.mask[(0u + _e1572)];
+                                        local.group_mask = _e1577;
+                                        phi_1812_ = true;
                                     }
-                                    let _e1584 = phi_1805_;
-                                    phi_1806_ = _e1584;
+                                    let _e1580 = phi_1812_;
+                                    phi_1813_ = _e1580;
                                 } else {
-                                    phi_1806_ = true;
+                                    phi_1813_ = true;
                                 }
-                                let _e1586 = phi_1806_;
-                                if _e1586 {
-                                    let _e1588 = local.group_mask;
-                                    let _e1594 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1588)), 32u, (_e1588 == 0u)));
-                                    let _e1598 = local.group_mask;
-                                    let _e1612 = local.group_mask;
-                                    local.group_mask = (_e1612 & ~((1u << bitcast<u32>((_e1594 & 31u)))));
-                                    let _e1615 = local.group;
-                                    phi_1837_ = (_e1615 + countOneBits(((_e1598 & ~((4294967295u << bitcast<u32>((((_e1594 - 24u) ^ _e490) & 31u))))) & 255u)));
+                                let _e1582 = phi_1813_;
+                                if _e1582 {
+                                    let _e1584 = local.group_mask;
+                                    let _e1590 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1584)), 32u, (_e1584 == 0u)));
+                                    let _e1594 = local.group_mask;
+                                    let _e1608 = local.group_mask;
+                                    local.group_mask = (_e1608 & ~((1u << bitcast<u32>((_e1590 & 31u)))));
+                                    let _e1611 = local.group;
+                                    phi_1844_ = (_e1611 + countOneBits(((_e1594 & ~((4294967295u << bitcast<u32>((((_e1590 - 24u) ^ _e486) & 31u))))) & 255u)));
                                 } else {
-                                    phi_1837_ = 4294967295u;
+                                    phi_1844_ = 4294967295u;
                                 }
-                                let _e1618 = phi_1837_;
-                                phi_1838_ = _e1618;
+                                let _e1614 = phi_1844_;
+                                phi_1845_ = _e1614;
                             } else {
-                                phi_1838_ = u32();
+                                phi_1845_ = u32();
                             }
-                            let _e1620 = phi_1838_;
-                            phi_831_ = _e1620;
-                            let _e1828 = local_7;
-                            phi_834_ = _e1828;
-                            let _e1831 = local_8;
-                            phi_1839_ = _e1831;
-                            phi_1840_ = false;
+                            let _e1616 = phi_1845_;
+                            phi_838_ = _e1616;
+                            let _e1822 = local_7;
+                            phi_841_ = _e1822;
+                            let _e1825 = local_8;
+                            phi_1846_ = _e1825;
+                            phi_1847_ = false;
                         } else {
-                            phi_831_ = u32();
-                            phi_834_ = bool();
-                            phi_1839_ = false;
-                            phi_1840_ = true;
+                            phi_838_ = u32();
+                            phi_841_ = bool();
+                            phi_1846_ = false;
+                            phi_1847_ = true;
                         }
-                        let _e1622 = phi_831_;
-                        let _e1624 = phi_834_;
-                        let _e1626 = phi_1839_;
-                        let _e1628 = phi_1840_;
-                        local_6 = _e1628;
+                        let _e1618 = phi_838_;
+                        let _e1620 = phi_841_;
+                        let _e1622 = phi_1846_;
+                        let _e1624 = phi_1847_;
+                        local_6 = _e1624;
                         continue;
                         continuing {
-                            phi_830_ = _e1622;
-                            phi_833_ = _e1624;
-                            break if !(_e1626);
+                            phi_837_ = _e1618;
+                            phi_840_ = _e1620;
+                            break if !(_e1622);
                         }
                     }
-                    let _e1631 = local_6;
-                    if _e1631 {
-                        phi_1844_ = false;
+                    let _e1627 = local_6;
+                    if _e1627 {
+                        phi_1851_ = false;
                     } else {
-                        phi_1844_ = true;
+                        phi_1851_ = true;
                     }
-                    let _e1633 = phi_1844_;
-                    if _e1633 {
-                        phi_1848_ = true;
+                    let _e1629 = phi_1851_;
+                    if _e1629 {
+                        phi_1855_ = true;
                     } else {
-                        let _e1837 = local_9;
-                        phi_1848_ = _e1837;
+                        let _e1831 = local_9;
+                        phi_1855_ = _e1831;
                     }
-                    let _e1635 = phi_1848_;
-                    phi_1849_ = _e1635;
+                    let _e1631 = phi_1855_;
+                    phi_1856_ = _e1631;
                 }
-                let _e1637 = phi_1849_;
-                phi_1850_ = _e1637;
-                phi_1851_ = _e316;
+                let _e1633 = phi_1856_;
+                phi_1857_ = _e1633;
+                phi_1858_ = _e308;
             } else {
-                phi_1850_ = bool();
-                phi_1851_ = true;
+                phi_1857_ = bool();
+                phi_1858_ = true;
             }
-            let _e1639 = phi_1850_;
-            let _e1641 = phi_1851_;
-            if _e1641 {
-                phi_1855_ = false;
+            let _e1635 = phi_1857_;
+            let _e1637 = phi_1858_;
+            if _e1637 {
+                phi_1862_ = false;
             } else {
-                phi_1855_ = _e1639;
+                phi_1862_ = _e1635;
             }
-            let _e1643 = phi_1855_;
-            if _e1643 {
-                phi_1859_ = 0f;
+            let _e1639 = phi_1862_;
+            if _e1639 {
+                phi_1866_ = 0f;
             } else {
-                phi_1859_ = 1f;
+                phi_1866_ = 1f;
             }
-            let _e1645 = phi_1859_;
-            phi_1860_ = _e1645;
+            let _e1641 = phi_1866_;
+            phi_1867_ = _e1641;
         }
-        let _e1647 = phi_1860_;
-        if (_e73.first_primitive < arrayLength((&visibility.member))) {
+        let _e1643 = phi_1867_;
+        if (_e73.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.first_primitive)] = _e1647;
+        visibility.member[(0u + _e73.shift)] = _e1643;
     }
     return;
 }

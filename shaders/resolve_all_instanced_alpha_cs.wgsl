@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -135,8 +136,8 @@ struct type_55 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -193,19 +194,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(5) 
 var<storage> instances: type_69;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_234_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_234_: lt_mask_LightPlace;
     var phi_235_: bool;
-    var phi_236_: lt_bvh_traverse_Tree;
+    var phi_236_: lt_mask_LightPlace;
     var phi_237_: bool;
-    var phi_242_: lt_bvh_traverse_Tree;
+    var phi_242_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_234_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_234_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_235_ = false;
         } else {
-            phi_234_ = lt_bvh_traverse_Tree();
+            phi_234_ = lt_mask_LightPlace();
             phi_235_ = true;
         }
         let _e81 = phi_234_;
@@ -213,18 +214,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_236_ = _e81;
         phi_237_ = _e83;
     } else {
-        phi_236_ = lt_bvh_traverse_Tree();
+        phi_236_ = lt_mask_LightPlace();
         phi_237_ = true;
     }
     let _e85 = phi_236_;
     let _e87 = phi_237_;
     if _e87 {
-        phi_242_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_242_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_242_ = _e85;
     }
     let _e92 = phi_242_;
-    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
+    return lt_mask_LightPlace(_e92.word, _e92.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -674,289 +675,285 @@ fn function_() {
     var phi_824_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_828_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_880_: f32;
-    var phi_936_: bool;
-    var phi_937_: bool;
-    var phi_938_: bool;
-    var phi_942_: bool;
-    var phi_943_: bool;
-    var phi_944_: bool;
-    var phi_945_: bool;
-    var phi_946_: bool;
-    var phi_947_: bool;
-    var phi_948_: bool;
-    var phi_949_: bool;
-    var phi_950_: bool;
-    var phi_951_: bool;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_914_: bool;
+    var phi_915_: bool;
+    var phi_919_: bool;
+    var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_934_: bool;
+    var phi_935_: bool;
+    var phi_939_: bool;
     var phi_952_: bool;
     var phi_953_: bool;
     var phi_954_: bool;
-    var phi_955_: bool;
-    var phi_956_: bool;
-    var phi_957_: bool;
     var phi_958_: bool;
     var phi_959_: bool;
-    var phi_963_: bool;
-    var phi_967_: bool;
-    var phi_1037_: f32;
-    var phi_1044_: f32;
-    var phi_1051_: f32;
-    var phi_1058_: f32;
-    var phi_1065_: f32;
-    var phi_1072_: f32;
-    var phi_1089_: f32;
-    var phi_1094_: f32;
-    var phi_1099_: f32;
-    var phi_1120_: u32;
-    var phi_1125_: u32;
-    var phi_1130_: u32;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1276_: u32;
-    var phi_1278_: u32;
-    var phi_1281_: bool;
-    var phi_1361_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1388_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1415_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1421_: u32;
-    var phi_1424_: u32;
-    var phi_1438_: u32;
-    var phi_1448_: u32;
-    var phi_1458_: u32;
-    var phi_1476_: u32;
-    var phi_1486_: u32;
-    var phi_1496_: u32;
-    var phi_1532_: u32;
-    var phi_1545_: u32;
-    var phi_1550_: u32;
-    var phi_1551_: u32;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_962_: bool;
+    var phi_966_: bool;
+    var phi_1036_: f32;
+    var phi_1043_: f32;
+    var phi_1050_: f32;
+    var phi_1057_: f32;
+    var phi_1064_: f32;
+    var phi_1071_: f32;
+    var phi_1088_: f32;
+    var phi_1093_: f32;
+    var phi_1098_: f32;
+    var phi_1103_: f32;
+    var phi_1108_: f32;
+    var phi_1127_: u32;
+    var phi_1132_: u32;
+    var phi_1137_: u32;
+    var phi_1251_: bool;
+    var phi_1252_: bool;
+    var phi_1283_: u32;
+    var phi_1285_: u32;
+    var phi_1288_: bool;
+    var phi_1368_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1395_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1422_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1428_: u32;
+    var phi_1431_: u32;
+    var phi_1445_: u32;
+    var phi_1455_: u32;
+    var phi_1465_: u32;
+    var phi_1483_: u32;
+    var phi_1493_: u32;
+    var phi_1503_: u32;
+    var phi_1539_: u32;
     var phi_1552_: u32;
-    var phi_1422_: u32;
-    var phi_1425_: u32;
+    var phi_1557_: u32;
+    var phi_1558_: u32;
+    var phi_1559_: u32;
+    var phi_1429_: u32;
+    var phi_1432_: u32;
     var local_4: u32;
     var local_5: u32;
     var local_6: u32;
-    var phi_1610_: u32;
-    var phi_1613_: bool;
-    var phi_1662_: f32;
-    var phi_1667_: f32;
-    var phi_1672_: f32;
-    var phi_1680_: f32;
-    var phi_1685_: f32;
-    var phi_1690_: f32;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1836_: bool;
+    var phi_1617_: u32;
+    var phi_1620_: bool;
+    var phi_1669_: f32;
+    var phi_1674_: f32;
+    var phi_1679_: f32;
+    var phi_1687_: f32;
+    var phi_1692_: f32;
+    var phi_1697_: f32;
+    var phi_1817_: bool;
+    var phi_1818_: bool;
+    var phi_1819_: bool;
+    var phi_1820_: bool;
+    var phi_1824_: bool;
+    var phi_1837_: bool;
+    var phi_1838_: bool;
+    var phi_1839_: bool;
     var phi_1840_: bool;
-    var phi_1841_: bool;
-    var phi_1842_: bool;
-    var phi_1843_: bool;
     var phi_1844_: bool;
-    var phi_1845_: bool;
-    var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1848_: bool;
-    var phi_1849_: bool;
-    var phi_1850_: bool;
-    var phi_1851_: bool;
-    var phi_1852_: bool;
-    var phi_1853_: bool;
-    var phi_1854_: bool;
-    var phi_1855_: bool;
-    var phi_1856_: bool;
     var phi_1857_: bool;
-    var phi_1861_: bool;
+    var phi_1858_: bool;
+    var phi_1859_: bool;
+    var phi_1863_: bool;
+    var phi_1864_: bool;
     var phi_1865_: bool;
-    var phi_1935_: f32;
-    var phi_1942_: f32;
-    var phi_1949_: f32;
-    var phi_1956_: f32;
-    var phi_1963_: f32;
-    var phi_1970_: f32;
-    var phi_1987_: f32;
-    var phi_1992_: f32;
-    var phi_1997_: f32;
-    var phi_2025_: bool;
-    var phi_2026_: bool;
-    var phi_2034_: u32;
-    var phi_2035_: u32;
-    var phi_2046_: vec3<f32>;
-    var phi_2047_: vec3<f32>;
-    var phi_2060_: u32;
-    var phi_2065_: u32;
-    var phi_2070_: u32;
-    var phi_2184_: bool;
-    var phi_2185_: bool;
-    var phi_2216_: u32;
-    var phi_2218_: u32;
-    var phi_2221_: bool;
-    var phi_2301_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2328_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2355_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2361_: u32;
-    var phi_2364_: u32;
+    var phi_1866_: bool;
+    var phi_1867_: bool;
+    var phi_1871_: bool;
+    var phi_1941_: f32;
+    var phi_1948_: f32;
+    var phi_1955_: f32;
+    var phi_1962_: f32;
+    var phi_1969_: f32;
+    var phi_1976_: f32;
+    var phi_1993_: f32;
+    var phi_1998_: f32;
+    var phi_2003_: f32;
+    var phi_2008_: f32;
+    var phi_2013_: f32;
+    var phi_2039_: bool;
+    var phi_2040_: bool;
+    var phi_2048_: u32;
+    var phi_2049_: u32;
+    var phi_2060_: vec3<f32>;
+    var phi_2061_: vec3<f32>;
+    var phi_2074_: u32;
+    var phi_2079_: u32;
+    var phi_2084_: u32;
+    var phi_2198_: bool;
+    var phi_2199_: bool;
+    var phi_2230_: u32;
+    var phi_2232_: u32;
+    var phi_2235_: bool;
+    var phi_2315_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2342_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2369_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2375_: u32;
     var phi_2378_: u32;
-    var phi_2388_: u32;
-    var phi_2398_: u32;
-    var phi_2416_: u32;
-    var phi_2426_: u32;
-    var phi_2436_: u32;
-    var phi_2472_: u32;
-    var phi_2485_: u32;
-    var phi_2490_: u32;
-    var phi_2491_: u32;
-    var phi_2492_: u32;
-    var phi_2362_: u32;
-    var phi_2365_: u32;
+    var phi_2392_: u32;
+    var phi_2402_: u32;
+    var phi_2412_: u32;
+    var phi_2430_: u32;
+    var phi_2440_: u32;
+    var phi_2450_: u32;
+    var phi_2486_: u32;
+    var phi_2499_: u32;
+    var phi_2504_: u32;
+    var phi_2505_: u32;
+    var phi_2506_: u32;
+    var phi_2376_: u32;
+    var phi_2379_: u32;
     var local_7: u32;
     var local_8: u32;
     var local_9: u32;
-    var phi_2550_: u32;
-    var phi_2553_: bool;
-    var phi_2597_: vec3<f32>;
-    var phi_2598_: vec3<f32>;
-    var phi_2627_: vec3<f32>;
-    var phi_2628_: vec3<f32>;
-    var phi_2657_: vec3<f32>;
-    var phi_2658_: vec3<f32>;
-    var phi_2676_: bool;
-    var phi_2677_: bool;
-    var phi_2681_: f32;
-    var phi_2682_: f32;
-    var phi_2683_: f32;
-    var phi_2684_: f32;
-    var phi_2692_: f32;
-    var phi_2702_: bool;
-    var phi_2703_: bool;
-    var phi_2707_: f32;
-    var phi_2708_: f32;
-    var phi_2709_: f32;
-    var phi_2710_: f32;
-    var phi_2718_: f32;
-    var phi_2728_: bool;
-    var phi_2729_: bool;
-    var phi_2733_: f32;
-    var phi_2734_: f32;
-    var phi_2735_: f32;
-    var phi_2736_: f32;
-    var phi_2744_: f32;
-    var phi_2759_: f32;
-    var phi_2760_: bool;
-    var phi_2761_: f32;
-    var phi_2762_: bool;
-    var phi_2763_: f32;
-    var phi_2764_: bool;
-    var phi_2782_: f32;
-    var phi_2783_: bool;
-    var phi_2784_: bool;
-    var phi_2785_: f32;
-    var phi_2786_: bool;
-    var phi_2787_: bool;
-    var phi_2791_: bool;
-    var phi_2792_: f32;
-    var phi_2793_: bool;
-    var phi_2821_: vec3<f32>;
-    var phi_2822_: vec3<f32>;
-    var phi_2847_: vec3<f32>;
-    var phi_2848_: vec3<f32>;
-    var phi_2873_: vec3<f32>;
-    var phi_2874_: vec3<f32>;
-    var phi_2930_: f32;
-    var phi_2939_: f32;
-    var phi_2948_: f32;
-    var phi_2957_: f32;
-    var phi_2964_: f32;
+    var phi_2564_: u32;
+    var phi_2567_: bool;
+    var phi_2611_: vec3<f32>;
+    var phi_2612_: vec3<f32>;
+    var phi_2641_: vec3<f32>;
+    var phi_2642_: vec3<f32>;
+    var phi_2671_: vec3<f32>;
+    var phi_2672_: vec3<f32>;
+    var phi_2690_: bool;
+    var phi_2691_: bool;
+    var phi_2695_: f32;
+    var phi_2696_: f32;
+    var phi_2697_: f32;
+    var phi_2698_: f32;
+    var phi_2706_: f32;
+    var phi_2716_: bool;
+    var phi_2717_: bool;
+    var phi_2721_: f32;
+    var phi_2722_: f32;
+    var phi_2723_: f32;
+    var phi_2724_: f32;
+    var phi_2732_: f32;
+    var phi_2742_: bool;
+    var phi_2743_: bool;
+    var phi_2747_: f32;
+    var phi_2748_: f32;
+    var phi_2749_: f32;
+    var phi_2750_: f32;
+    var phi_2758_: f32;
+    var phi_2773_: f32;
+    var phi_2774_: bool;
+    var phi_2775_: f32;
+    var phi_2776_: bool;
+    var phi_2777_: f32;
+    var phi_2778_: bool;
+    var phi_2796_: f32;
+    var phi_2797_: bool;
+    var phi_2798_: bool;
+    var phi_2799_: f32;
+    var phi_2800_: bool;
+    var phi_2801_: bool;
+    var phi_2805_: bool;
+    var phi_2806_: f32;
+    var phi_2807_: bool;
+    var phi_2835_: vec3<f32>;
+    var phi_2836_: vec3<f32>;
+    var phi_2861_: vec3<f32>;
+    var phi_2862_: vec3<f32>;
+    var phi_2887_: vec3<f32>;
+    var phi_2888_: vec3<f32>;
+    var phi_2944_: f32;
+    var phi_2953_: f32;
+    var phi_2962_: f32;
     var phi_2971_: f32;
-    var phi_2984_: f32;
-    var phi_2993_: f32;
-    var phi_3002_: f32;
-    var phi_3011_: f32;
-    var phi_3018_: f32;
+    var phi_2978_: f32;
+    var phi_2985_: f32;
+    var phi_2998_: f32;
+    var phi_3007_: f32;
+    var phi_3016_: f32;
     var phi_3025_: f32;
-    var phi_3042_: f32;
-    var phi_3047_: f32;
-    var phi_3052_: f32;
-    var phi_3060_: f32;
-    var phi_3065_: f32;
-    var phi_3070_: f32;
-    var phi_3082_: f32;
-    var phi_3087_: f32;
-    var phi_3092_: f32;
-    var phi_3097_: f32;
-    var phi_3102_: lt_bvh_triangle_Intersection;
-    var phi_3103_: bool;
-    var phi_3104_: lt_bvh_triangle_Intersection;
-    var phi_3105_: bool;
-    var phi_3109_: lt_bvh_triangle_Intersection;
-    var phi_3110_: bool;
-    var phi_3111_: lt_bvh_triangle_Intersection;
-    var phi_3112_: bool;
-    var phi_3113_: bool;
+    var phi_3032_: f32;
+    var phi_3039_: f32;
+    var phi_3056_: f32;
+    var phi_3061_: f32;
+    var phi_3066_: f32;
+    var phi_3074_: f32;
+    var phi_3079_: f32;
+    var phi_3084_: f32;
+    var phi_3096_: f32;
+    var phi_3101_: f32;
+    var phi_3106_: f32;
+    var phi_3111_: f32;
+    var phi_3116_: lt_bvh_triangle_Intersection;
     var phi_3117_: bool;
-    var phi_3121_: lt_bvh_triangle_Intersection;
-    var phi_3335_: f32;
-    var phi_3338_: bool;
-    var phi_3339_: bool;
-    var phi_3340_: bool;
-    var phi_3344_: bool;
-    var phi_3345_: bool;
-    var phi_3346_: bool;
-    var phi_3347_: bool;
-    var phi_3348_: bool;
-    var phi_3349_: bool;
-    var phi_3350_: bool;
-    var phi_3351_: bool;
+    var phi_3118_: lt_bvh_triangle_Intersection;
+    var phi_3119_: bool;
+    var phi_3123_: lt_bvh_triangle_Intersection;
+    var phi_3124_: bool;
+    var phi_3125_: lt_bvh_triangle_Intersection;
+    var phi_3126_: bool;
+    var phi_3127_: bool;
+    var phi_3131_: bool;
+    var phi_3135_: lt_bvh_triangle_Intersection;
+    var phi_3349_: f32;
     var phi_3352_: bool;
     var phi_3353_: bool;
-    var phi_2551_: u32;
-    var phi_2554_: bool;
-    var phi_3357_: bool;
+    var phi_3354_: bool;
     var phi_3358_: bool;
+    var phi_3359_: bool;
+    var phi_3360_: bool;
+    var phi_3361_: bool;
+    var phi_3362_: bool;
+    var phi_3363_: bool;
+    var phi_3364_: bool;
+    var phi_3365_: bool;
+    var phi_3366_: bool;
+    var phi_3367_: bool;
+    var phi_2565_: u32;
+    var phi_2568_: bool;
+    var phi_3371_: bool;
+    var phi_3372_: bool;
     var local_10: bool;
-    var phi_3400_: bool;
-    var phi_3401_: bool;
-    var phi_3432_: u32;
-    var phi_3433_: u32;
-    var phi_2219_: u32;
-    var phi_2222_: bool;
-    var phi_3434_: bool;
-    var phi_3435_: bool;
-    var phi_3436_: bool;
+    var phi_3414_: bool;
+    var phi_3415_: bool;
+    var phi_3446_: u32;
+    var phi_3447_: u32;
+    var phi_2233_: u32;
+    var phi_2236_: bool;
+    var phi_3448_: bool;
+    var phi_3449_: bool;
+    var phi_3450_: bool;
     var local_11: bool;
-    var phi_3440_: bool;
-    var phi_3444_: bool;
-    var phi_3445_: bool;
-    var phi_3446_: bool;
-    var phi_3447_: bool;
-    var phi_3451_: bool;
-    var phi_3455_: bool;
-    var phi_3456_: bool;
-    var phi_3457_: bool;
+    var phi_3454_: bool;
     var phi_3458_: bool;
     var phi_3459_: bool;
     var phi_3460_: bool;
     var phi_3461_: bool;
-    var phi_1611_: u32;
-    var phi_1614_: bool;
     var phi_3465_: bool;
+    var phi_3469_: bool;
+    var phi_3470_: bool;
+    var phi_3471_: bool;
+    var phi_3472_: bool;
+    var phi_3473_: bool;
+    var phi_3474_: bool;
+    var phi_3475_: bool;
+    var phi_1618_: u32;
+    var phi_1621_: bool;
+    var phi_3479_: bool;
     var local_12: bool;
-    var phi_3507_: bool;
-    var phi_3508_: bool;
-    var phi_3539_: u32;
-    var phi_3540_: u32;
-    var phi_1279_: u32;
-    var phi_1282_: bool;
-    var phi_3541_: bool;
-    var phi_3542_: bool;
-    var local_13: bool;
-    var phi_3546_: bool;
-    var phi_3550_: bool;
-    var phi_3551_: bool;
-    var phi_3552_: bool;
+    var phi_3521_: bool;
+    var phi_3522_: bool;
+    var phi_3553_: u32;
+    var phi_3554_: u32;
+    var phi_1286_: u32;
+    var phi_1289_: bool;
+    var phi_3555_: bool;
     var phi_3556_: bool;
-    var phi_3557_: bool;
-    var phi_3561_: bool;
-    var phi_3565_: f32;
-    var phi_3566_: f32;
+    var local_13: bool;
+    var phi_3560_: bool;
+    var phi_3564_: bool;
+    var phi_3565_: bool;
+    var phi_3566_: bool;
+    var phi_3570_: bool;
+    var phi_3571_: bool;
+    var phi_3575_: bool;
+    var phi_3579_: f32;
+    var phi_3580_: f32;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
@@ -973,12 +970,12 @@ fn function_() {
     let _e100 = p.member.size[0u];
     let _e102 = p.member.size[1u];
     let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
-    if (bitcast<i32>(_e103.root) != 0i) {
-        if (_e103.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e103.word) != 0i) {
+        if (_e103.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e111 = samples.member[(0u + _e103.first_primitive)];
+        let _e111 = samples.member[(0u + _e103.shift)];
         local_3 = abi_Sample(_e111.position, _e111.magnitude, _e111.normal, _e111.flags, _e111.shading_normal, _e111.albedo);
         let _e120 = _lt_shaders_abi_Sample_is_valid((&local_3));
         if _e120 {
@@ -1044,7 +1041,7 @@ fn function_() {
         let _e243 = phi_828_;
         let _e248 = p.member.root;
         if _e243.unnamed_1 {
-            phi_3566_ = _e243.unnamed.visibility;
+            phi_3580_ = _e243.unnamed.visibility;
         } else {
             let _e251 = local_3.position;
             let _e253 = local_3.normal;
@@ -1063,1960 +1060,1962 @@ fn function_() {
             let _e283 = (_e271.x - (_e265 * _e271.w));
             let _e284 = (_e271.y - (_e267 * _e271.w));
             let _e285 = (_e271.z - (_e269 * _e271.w));
-            let _e289 = abs(_e283);
-            let _e290 = abs(_e284);
-            let _e291 = abs(_e285);
+            let _e286 = abs(_e283);
+            let _e287 = abs(_e284);
+            let _e288 = abs(_e285);
             if (abs(_e265) < 1000000000000000f) {
                 if (abs(_e267) < 1000000000000000f) {
-                    if (abs(_e269) < 1000000000000000f) {
-                        if (_e289 < 1000000000000000f) {
-                            if (_e290 < 1000000000000000f) {
-                                if (_e291 < 1000000000000000f) {
-                                    if (_e289 > 0f) {
-                                        phi_937_ = bool();
-                                        phi_938_ = true;
-                                    } else {
-                                        let _e299 = (_e290 > 0f);
-                                        if _e299 {
-                                            phi_936_ = bool();
-                                        } else {
-                                            phi_936_ = (_e291 > 0f);
-                                        }
-                                        let _e302 = phi_936_;
-                                        phi_937_ = _e302;
-                                        phi_938_ = _e299;
-                                    }
-                                    let _e304 = phi_937_;
-                                    let _e306 = phi_938_;
-                                    if _e306 {
-                                        phi_942_ = true;
-                                    } else {
-                                        phi_942_ = _e304;
-                                    }
-                                    let _e308 = phi_942_;
-                                    phi_943_ = _e308;
-                                    phi_944_ = false;
-                                } else {
-                                    phi_943_ = bool();
-                                    phi_944_ = true;
-                                }
-                                let _e310 = phi_943_;
-                                let _e312 = phi_944_;
-                                phi_945_ = _e310;
-                                phi_946_ = false;
-                                phi_947_ = _e312;
-                            } else {
-                                phi_945_ = bool();
-                                phi_946_ = true;
-                                phi_947_ = false;
-                            }
-                            let _e314 = phi_945_;
-                            let _e316 = phi_946_;
-                            let _e318 = phi_947_;
-                            phi_948_ = _e314;
-                            phi_949_ = _e316;
-                            phi_950_ = _e318;
-                        } else {
-                            phi_948_ = bool();
-                            phi_949_ = true;
-                            phi_950_ = false;
-                        }
-                        let _e320 = phi_948_;
-                        let _e322 = phi_949_;
-                        let _e324 = phi_950_;
-                        phi_951_ = _e320;
-                        phi_952_ = _e322;
-                        phi_953_ = _e324;
-                    } else {
-                        phi_951_ = bool();
-                        phi_952_ = true;
-                        phi_953_ = false;
-                    }
-                    let _e326 = phi_951_;
-                    let _e328 = phi_952_;
-                    let _e330 = phi_953_;
-                    phi_954_ = _e326;
-                    phi_955_ = _e328;
-                    phi_956_ = _e330;
+                    phi_912_ = (abs(_e269) < 1000000000000000f);
+                    phi_913_ = false;
                 } else {
-                    phi_954_ = bool();
-                    phi_955_ = true;
-                    phi_956_ = false;
+                    phi_912_ = bool();
+                    phi_913_ = true;
                 }
-                let _e332 = phi_954_;
-                let _e334 = phi_955_;
-                let _e336 = phi_956_;
-                phi_957_ = _e332;
-                phi_958_ = _e334;
-                phi_959_ = _e336;
+                let _e296 = phi_912_;
+                let _e298 = phi_913_;
+                phi_914_ = _e296;
+                phi_915_ = _e298;
             } else {
-                phi_957_ = bool();
-                phi_958_ = true;
-                phi_959_ = false;
+                phi_914_ = bool();
+                phi_915_ = true;
             }
-            let _e338 = phi_957_;
-            let _e340 = phi_958_;
-            let _e342 = phi_959_;
-            if _e340 {
-                phi_963_ = true;
+            let _e300 = phi_914_;
+            let _e302 = phi_915_;
+            if _e302 {
+                phi_919_ = false;
             } else {
-                phi_963_ = _e342;
+                phi_919_ = _e300;
             }
-            let _e344 = phi_963_;
-            if _e344 {
-                phi_967_ = false;
+            let _e304 = phi_919_;
+            if _e304 {
+                if (_e286 < 1000000000000000f) {
+                    if (_e287 < 1000000000000000f) {
+                        phi_932_ = (_e288 < 1000000000000000f);
+                        phi_933_ = false;
+                    } else {
+                        phi_932_ = bool();
+                        phi_933_ = true;
+                    }
+                    let _e309 = phi_932_;
+                    let _e311 = phi_933_;
+                    phi_934_ = _e309;
+                    phi_935_ = _e311;
+                } else {
+                    phi_934_ = bool();
+                    phi_935_ = true;
+                }
+                let _e313 = phi_934_;
+                let _e315 = phi_935_;
+                if _e315 {
+                    phi_939_ = false;
+                } else {
+                    phi_939_ = _e313;
+                }
+                let _e317 = phi_939_;
+                if _e317 {
+                    if (_e286 > 0f) {
+                        phi_953_ = bool();
+                        phi_954_ = true;
+                    } else {
+                        let _e319 = (_e287 > 0f);
+                        if _e319 {
+                            phi_952_ = bool();
+                        } else {
+                            phi_952_ = (_e288 > 0f);
+                        }
+                        let _e322 = phi_952_;
+                        phi_953_ = _e322;
+                        phi_954_ = _e319;
+                    }
+                    let _e324 = phi_953_;
+                    let _e326 = phi_954_;
+                    if _e326 {
+                        phi_958_ = true;
+                    } else {
+                        phi_958_ = _e324;
+                    }
+                    let _e328 = phi_958_;
+                    phi_959_ = _e328;
+                    phi_960_ = false;
+                } else {
+                    phi_959_ = bool();
+                    phi_960_ = true;
+                }
+                let _e330 = phi_959_;
+                let _e332 = phi_960_;
+                phi_961_ = _e330;
+                phi_962_ = _e332;
             } else {
-                phi_967_ = _e338;
+                phi_961_ = bool();
+                phi_962_ = true;
             }
-            let _e346 = phi_967_;
-            if _e346 {
-                let _e347 = (_e248 >= _e79);
-                if _e347 {
-                    phi_3550_ = false;
+            let _e334 = phi_961_;
+            let _e336 = phi_962_;
+            if _e336 {
+                phi_966_ = false;
+            } else {
+                phi_966_ = _e334;
+            }
+            let _e338 = phi_966_;
+            if _e338 {
+                let _e339 = (_e248 >= _e79);
+                if _e339 {
+                    phi_3564_ = false;
                 } else {
                     if (_e248 < _e79) {
                     } else {
                         return;
                     }
-                    let _e353 = nodes.member[(0u + _e248)].frame[0u];
-                    let _e357 = nodes.member[(0u + _e248)].frame[1u];
-                    let _e361 = nodes.member[(0u + _e248)].frame[2u];
-                    let _e365 = nodes.member[(0u + _e248)].frame[0u];
-                    let _e369 = nodes.member[(0u + _e248)].frame[1u];
-                    let _e373 = nodes.member[(0u + _e248)].frame[2u];
-                    let _e377 = nodes.member[(0u + _e248)].frame[3u];
-                    let _e411 = core_intrinsics_maximum_number_nsz_f32_(abs(_e283), abs(_e284));
-                    let _e412 = core_intrinsics_maximum_number_nsz_f32_(_e411, abs(_e285));
-                    let _e413 = (_e412 * 0.0000000000009094947f);
-                    if (abs(_e283) < _e413) {
-                        phi_1037_ = _e413;
+                    let _e345 = nodes.member[(0u + _e248)].frame[0u];
+                    let _e349 = nodes.member[(0u + _e248)].frame[1u];
+                    let _e353 = nodes.member[(0u + _e248)].frame[2u];
+                    let _e357 = nodes.member[(0u + _e248)].frame[0u];
+                    let _e361 = nodes.member[(0u + _e248)].frame[1u];
+                    let _e365 = nodes.member[(0u + _e248)].frame[2u];
+                    let _e369 = nodes.member[(0u + _e248)].frame[3u];
+                    let _e403 = core_intrinsics_maximum_number_nsz_f32_(abs(_e283), abs(_e284));
+                    let _e404 = core_intrinsics_maximum_number_nsz_f32_(_e403, abs(_e285));
+                    let _e405 = (_e404 * 0.0000000000009094947f);
+                    if (abs(_e283) < _e405) {
+                        phi_1036_ = _e405;
                     } else {
-                        phi_1037_ = abs(_e283);
+                        phi_1036_ = abs(_e283);
                     }
-                    let _e418 = phi_1037_;
+                    let _e410 = phi_1036_;
                     if (_e283 < 0f) {
-                        phi_1044_ = (-1f / _e418);
+                        phi_1043_ = (-1f / _e410);
                     } else {
-                        phi_1044_ = (1f / _e418);
+                        phi_1043_ = (1f / _e410);
                     }
-                    let _e423 = phi_1044_;
-                    if (abs(_e284) < _e413) {
-                        phi_1051_ = _e413;
+                    let _e415 = phi_1043_;
+                    if (abs(_e284) < _e405) {
+                        phi_1050_ = _e405;
                     } else {
-                        phi_1051_ = abs(_e284);
+                        phi_1050_ = abs(_e284);
                     }
-                    let _e428 = phi_1051_;
+                    let _e420 = phi_1050_;
                     if (_e284 < 0f) {
-                        phi_1058_ = (-1f / _e428);
+                        phi_1057_ = (-1f / _e420);
                     } else {
-                        phi_1058_ = (1f / _e428);
+                        phi_1057_ = (1f / _e420);
                     }
-                    let _e433 = phi_1058_;
-                    if (abs(_e285) < _e413) {
-                        phi_1065_ = _e413;
+                    let _e425 = phi_1057_;
+                    if (abs(_e285) < _e405) {
+                        phi_1064_ = _e405;
                     } else {
-                        phi_1065_ = abs(_e285);
+                        phi_1064_ = abs(_e285);
                     }
-                    let _e438 = phi_1065_;
+                    let _e430 = phi_1064_;
                     if (_e285 < 0f) {
-                        phi_1072_ = (-1f / _e438);
+                        phi_1071_ = (-1f / _e430);
                     } else {
-                        phi_1072_ = (1f / _e438);
+                        phi_1071_ = (1f / _e430);
                     }
-                    let _e443 = phi_1072_;
-                    let _e447 = abs((bitcast<f32>(_e353) - _e265));
-                    let _e448 = abs((bitcast<f32>(_e357) - _e267));
-                    let _e449 = abs((bitcast<f32>(_e361) - _e269));
-                    let _e453 = abs(((bitcast<f32>(_e365) + (bitcast<f32>((((_e377 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e265));
-                    let _e454 = abs(((bitcast<f32>(_e369) + (bitcast<f32>((((_e377 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e267));
-                    let _e455 = abs(((bitcast<f32>(_e373) + (bitcast<f32>((((_e377 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e269));
-                    if (_e447 > _e453) {
-                        phi_1089_ = _e447;
+                    let _e435 = phi_1071_;
+                    let _e439 = abs((bitcast<f32>(_e345) - _e265));
+                    let _e440 = abs((bitcast<f32>(_e349) - _e267));
+                    let _e441 = abs((bitcast<f32>(_e353) - _e269));
+                    let _e445 = abs(((bitcast<f32>(_e357) + (bitcast<f32>((((_e369 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e265));
+                    let _e446 = abs(((bitcast<f32>(_e361) + (bitcast<f32>((((_e369 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e267));
+                    let _e447 = abs(((bitcast<f32>(_e365) + (bitcast<f32>((((_e369 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e269));
+                    if (_e439 > _e445) {
+                        phi_1088_ = _e439;
                     } else {
-                        phi_1089_ = _e453;
+                        phi_1088_ = _e445;
                     }
-                    let _e458 = phi_1089_;
-                    if (_e448 > _e454) {
-                        phi_1094_ = _e448;
+                    let _e450 = phi_1088_;
+                    if (_e440 > _e446) {
+                        phi_1093_ = _e440;
                     } else {
-                        phi_1094_ = _e454;
+                        phi_1093_ = _e446;
                     }
-                    let _e461 = phi_1094_;
-                    if (_e449 > _e455) {
-                        phi_1099_ = _e449;
+                    let _e453 = phi_1093_;
+                    if (_e441 > _e447) {
+                        phi_1098_ = _e441;
                     } else {
-                        phi_1099_ = _e455;
+                        phi_1098_ = _e447;
                     }
-                    let _e464 = phi_1099_;
-                    let _e465 = core_intrinsics_maximum_number_nsz_f32_(_e458, _e461);
-                    let _e466 = core_intrinsics_maximum_number_nsz_f32_(_e465, _e464);
-                    let _e470 = (_e466 * 0.0000019073486f);
-                    let _e471 = (abs(_e423) * _e470);
-                    let _e472 = (abs(_e433) * _e470);
-                    let _e473 = (abs(_e443) * _e470);
-                    let _e477 = (_e466 * 0.0000009536743f);
-                    let _e478 = (abs(_e423) * _e477);
-                    let _e479 = (abs(_e433) * _e477);
-                    let _e480 = (abs(_e443) * _e477);
-                    if (_e423 < 0f) {
-                        phi_1120_ = 0u;
+                    let _e456 = phi_1098_;
+                    if (_e450 > _e453) {
+                        phi_1103_ = _e450;
                     } else {
-                        phi_1120_ = 1u;
+                        phi_1103_ = _e453;
                     }
-                    let _e483 = phi_1120_;
-                    if (_e433 < 0f) {
-                        phi_1125_ = 0u;
+                    let _e459 = phi_1103_;
+                    if (_e459 > _e456) {
+                        phi_1108_ = _e459;
                     } else {
-                        phi_1125_ = 2u;
+                        phi_1108_ = _e456;
                     }
-                    let _e486 = phi_1125_;
-                    if (_e443 < 0f) {
-                        phi_1130_ = 0u;
+                    let _e462 = phi_1108_;
+                    let _e466 = (_e462 * 0.0000019073486f);
+                    let _e467 = (abs(_e415) * _e466);
+                    let _e468 = (abs(_e425) * _e466);
+                    let _e469 = (abs(_e435) * _e466);
+                    let _e473 = (_e462 * 0.0000009536743f);
+                    let _e474 = (abs(_e415) * _e473);
+                    let _e475 = (abs(_e425) * _e473);
+                    let _e476 = (abs(_e435) * _e473);
+                    if (_e415 < 0f) {
+                        phi_1127_ = 0u;
                     } else {
-                        phi_1130_ = 4u;
+                        phi_1127_ = 1u;
                     }
-                    let _e489 = phi_1130_;
-                    let _e491 = ((_e483 | _e486) | _e489);
-                    let _e492 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e248, 2147483648u);
-                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e492.first[0], _e492.first[1], _e492.first[2], _e492.first[3], _e492.first[4], _e492.first[5], _e492.first[6], _e492.first[7], _e492.first[8], _e492.first[9], _e492.first[10], _e492.first[11], _e492.first[12], _e492.first[13], _e492.first[14], _e492.first[15], _e492.first[16], _e492.first[17], _e492.first[18], _e492.first[19], _e492.first[20], _e492.first[21], _e492.first[22], _e492.first[23], _e492.first[24], _e492.first[25], _e492.first[26], _e492.first[27], _e492.first[28], _e492.first[29], _e492.first[30], _e492.first[31]), array<u32, 32>(_e492.mask[0], _e492.mask[1], _e492.mask[2], _e492.mask[3], _e492.mask[4], _e492.mask[5], _e492.mask[6], _e492.mask[7], _e492.mask[8], _e492.mask[9], _e492.mask[10], _e492.mask[11], _e492.mask[12], _e492.mask[13], _e492.mask[14], _e492.mask[15], _e492.mask[16], _e492.mask[17], _e492.mask[18], _e492.mask[19], _e492.mask[20], _e492.mask[21], _e492.mask[22], _e492.mask[23], _e492.mask[24], _e492.mask[25], _e492.mask[26], _e492.mask[27], _e492.mask[28], _e492.mask[29], _e492.mask[30], _e492.mask[31]), _e492.len, _e492.group, _e492.group_mask);
-                    let _e566 = local_2.group_mask;
-                    if ((_e566 & 4278190080u) == 0u) {
-                        let _e570 = local_2.len;
-                        if (_e570 == 0u) {
-                            phi_1244_ = false;
+                    let _e479 = phi_1127_;
+                    if (_e425 < 0f) {
+                        phi_1132_ = 0u;
+                    } else {
+                        phi_1132_ = 2u;
+                    }
+                    let _e482 = phi_1132_;
+                    if (_e435 < 0f) {
+                        phi_1137_ = 0u;
+                    } else {
+                        phi_1137_ = 4u;
+                    }
+                    let _e485 = phi_1137_;
+                    let _e487 = ((_e479 | _e482) | _e485);
+                    let _e488 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e248, 2147483648u);
+                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e488.first[0], _e488.first[1], _e488.first[2], _e488.first[3], _e488.first[4], _e488.first[5], _e488.first[6], _e488.first[7], _e488.first[8], _e488.first[9], _e488.first[10], _e488.first[11], _e488.first[12], _e488.first[13], _e488.first[14], _e488.first[15], _e488.first[16], _e488.first[17], _e488.first[18], _e488.first[19], _e488.first[20], _e488.first[21], _e488.first[22], _e488.first[23], _e488.first[24], _e488.first[25], _e488.first[26], _e488.first[27], _e488.first[28], _e488.first[29], _e488.first[30], _e488.first[31]), array<u32, 32>(_e488.mask[0], _e488.mask[1], _e488.mask[2], _e488.mask[3], _e488.mask[4], _e488.mask[5], _e488.mask[6], _e488.mask[7], _e488.mask[8], _e488.mask[9], _e488.mask[10], _e488.mask[11], _e488.mask[12], _e488.mask[13], _e488.mask[14], _e488.mask[15], _e488.mask[16], _e488.mask[17], _e488.mask[18], _e488.mask[19], _e488.mask[20], _e488.mask[21], _e488.mask[22], _e488.mask[23], _e488.mask[24], _e488.mask[25], _e488.mask[26], _e488.mask[27], _e488.mask[28], _e488.mask[29], _e488.mask[30], _e488.mask[31]), _e488.len, _e488.group, _e488.group_mask);
+                    let _e562 = local_2.group_mask;
+                    if ((_e562 & 4278190080u) == 0u) {
+                        let _e566 = local_2.len;
+                        if (_e566 == 0u) {
+                            phi_1251_ = false;
                         } else {
-                            let _e574 = local_2.len;
-                            local_2.len = (_e574 - 1u);
-                            let _e577 = local_2.len;
-                            if (_e577 < 32u) {
+                            let _e570 = local_2.len;
+                            local_2.len = (_e570 - 1u);
+                            let _e573 = local_2.len;
+                            if (_e573 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e582 = local_2.first[(0u + _e577)];
-                            local_2.group = _e582;
-                            let _e585 = local_2.len;
-                            if (_e585 < 32u) {
+                            let _e578 = local_2.first[(0u + _e573)];
+                            local_2.group = _e578;
+                            let _e581 = local_2.len;
+                            if (_e581 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e590 = local_2.mask[(0u + _e585)];
-                            local_2.group_mask = _e590;
-                            phi_1244_ = true;
+                            let _e586 = local_2.mask[(0u + _e581)];
+                            local_2.group_mask = _e586;
+                            phi_1251_ = true;
                         }
-                        let _e593 = phi_1244_;
-                        phi_1245_ = _e593;
+                        let _e589 = phi_1251_;
+                        phi_1252_ = _e589;
                     } else {
-                        phi_1245_ = true;
+                        phi_1252_ = true;
                     }
-                    let _e595 = phi_1245_;
-                    if _e595 {
-                        let _e597 = local_2.group_mask;
-                        let _e603 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e597)), 32u, (_e597 == 0u)));
-                        let _e607 = local_2.group_mask;
-                        let _e621 = local_2.group_mask;
-                        local_2.group_mask = (_e621 & ~((1u << bitcast<u32>((_e603 & 31u)))));
-                        let _e624 = local_2.group;
-                        phi_1276_ = (_e624 + countOneBits(((_e607 & ~((4294967295u << bitcast<u32>((((_e603 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e591 = phi_1252_;
+                    if _e591 {
+                        let _e593 = local_2.group_mask;
+                        let _e599 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e593)), 32u, (_e593 == 0u)));
+                        let _e603 = local_2.group_mask;
+                        let _e617 = local_2.group_mask;
+                        local_2.group_mask = (_e617 & ~((1u << bitcast<u32>((_e599 & 31u)))));
+                        let _e620 = local_2.group;
+                        phi_1283_ = (_e620 + countOneBits(((_e603 & ~((4294967295u << bitcast<u32>((((_e599 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_1276_ = 4294967295u;
+                        phi_1283_ = 4294967295u;
                     }
-                    let _e627 = phi_1276_;
-                    phi_1278_ = _e627;
-                    phi_1281_ = false;
+                    let _e623 = phi_1283_;
+                    phi_1285_ = _e623;
+                    phi_1288_ = false;
                     loop {
-                        let _e629 = phi_1278_;
-                        let _e631 = phi_1281_;
-                        if (_e629 != 4294967295u) {
-                            if (_e629 < _e79) {
+                        let _e625 = phi_1285_;
+                        let _e627 = phi_1288_;
+                        if (_e625 != 4294967295u) {
+                            if (_e625 < _e79) {
                             } else {
                                 return;
                             }
-                            let _e638 = nodes.member[(0u + _e629)].frame[3u];
-                            let _e663 = (bitcast<f32>((((_e638 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e423);
-                            let _e664 = (bitcast<f32>((((_e638 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e433);
-                            let _e665 = (bitcast<f32>((((_e638 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e443);
-                            let _e668 = nodes.member[(0u + _e629)].frame[0u];
-                            let _e672 = nodes.member[(0u + _e629)].frame[1u];
-                            let _e676 = nodes.member[(0u + _e629)].frame[2u];
-                            let _e681 = ((bitcast<f32>(_e668) - _e265) * _e423);
-                            let _e682 = ((bitcast<f32>(_e672) - _e267) * _e433);
-                            let _e683 = ((bitcast<f32>(_e676) - _e269) * _e443);
-                            let _e691 = nodes.member[(0u + _e629)].x;
-                            if (_e423 < 0f) {
-                                let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e691.w), _e702.unnamed_1);
-                                let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e691.x, _e708.unnamed_1.first_primitive));
-                                phi_1361_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e691.y));
+                            let _e634 = nodes.member[(0u + _e625)].frame[3u];
+                            let _e659 = (bitcast<f32>((((_e634 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e415);
+                            let _e660 = (bitcast<f32>((((_e634 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e425);
+                            let _e661 = (bitcast<f32>((((_e634 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e435);
+                            let _e664 = nodes.member[(0u + _e625)].frame[0u];
+                            let _e668 = nodes.member[(0u + _e625)].frame[1u];
+                            let _e672 = nodes.member[(0u + _e625)].frame[2u];
+                            let _e677 = ((bitcast<f32>(_e664) - _e265) * _e415);
+                            let _e678 = ((bitcast<f32>(_e668) - _e267) * _e425);
+                            let _e679 = ((bitcast<f32>(_e672) - _e269) * _e435);
+                            let _e687 = nodes.member[(0u + _e625)].x;
+                            if (_e415 < 0f) {
+                                let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.unnamed.word, _e687.w), _e698.unnamed_1);
+                                let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e687.x, _e704.unnamed_1.shift));
+                                phi_1368_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e687.y));
                             } else {
-                                let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e730.unnamed.root, _e691.y), _e730.unnamed_1);
-                                let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_bvh_traverse_Tree(_e691.z, _e736.unnamed_1.first_primitive));
-                                phi_1361_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e742.unnamed_1.root, _e691.w));
+                                let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e687.y), _e726.unnamed_1);
+                                let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e687.z, _e732.unnamed_1.shift));
+                                phi_1368_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e687.w));
                             }
-                            let _e750 = phi_1361_;
-                            let _e760 = nodes.member[(0u + _e629)].y;
-                            if (_e433 < 0f) {
-                                let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.unnamed.root, _e760.w), _e771.unnamed_1);
-                                let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_bvh_traverse_Tree(_e760.x, _e777.unnamed_1.first_primitive));
-                                phi_1388_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e783.unnamed_1.root, _e760.y));
+                            let _e746 = phi_1368_;
+                            let _e756 = nodes.member[(0u + _e625)].y;
+                            if (_e425 < 0f) {
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.unnamed.word, _e756.w), _e767.unnamed_1);
+                                let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e756.x, _e773.unnamed_1.shift));
+                                phi_1395_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e756.y));
                             } else {
-                                let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e799.unnamed.root, _e760.y), _e799.unnamed_1);
-                                let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e805.unnamed, lt_bvh_traverse_Tree(_e760.z, _e805.unnamed_1.first_primitive));
-                                phi_1388_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_bvh_traverse_Tree(_e811.unnamed_1.root, _e760.w));
+                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e756.y), _e795.unnamed_1);
+                                let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e756.z, _e801.unnamed_1.shift));
+                                phi_1395_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e756.w));
                             }
-                            let _e819 = phi_1388_;
-                            let _e829 = nodes.member[(0u + _e629)].z;
-                            if (_e443 < 0f) {
-                                let _e840 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e829.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e846 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e840.unnamed.root, _e829.w), _e840.unnamed_1);
-                                let _e852 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e846.unnamed, lt_bvh_traverse_Tree(_e829.x, _e846.unnamed_1.first_primitive));
-                                phi_1415_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e852.unnamed, lt_bvh_traverse_Tree(_e852.unnamed_1.root, _e829.y));
+                            let _e815 = phi_1395_;
+                            let _e825 = nodes.member[(0u + _e625)].z;
+                            if (_e435 < 0f) {
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e836.unnamed.word, _e825.w), _e836.unnamed_1);
+                                let _e848 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_mask_LightPlace(_e825.x, _e842.unnamed_1.shift));
+                                phi_1422_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e848.unnamed, lt_mask_LightPlace(_e848.unnamed_1.word, _e825.y));
                             } else {
-                                let _e868 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e829.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e874 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e868.unnamed.root, _e829.y), _e868.unnamed_1);
-                                let _e880 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e874.unnamed, lt_bvh_traverse_Tree(_e829.z, _e874.unnamed_1.first_primitive));
-                                phi_1415_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e880.unnamed, lt_bvh_traverse_Tree(_e880.unnamed_1.root, _e829.w));
+                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e864.unnamed.word, _e825.y), _e864.unnamed_1);
+                                let _e876 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_mask_LightPlace(_e825.z, _e870.unnamed_1.shift));
+                                phi_1422_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e876.unnamed, lt_mask_LightPlace(_e876.unnamed_1.word, _e825.w));
                             }
-                            let _e888 = phi_1415_;
-                            phi_1421_ = 0u;
-                            phi_1424_ = 0u;
+                            let _e884 = phi_1422_;
+                            phi_1428_ = 0u;
+                            phi_1431_ = 0u;
                             loop {
-                                let _e898 = phi_1421_;
-                                let _e900 = phi_1424_;
-                                local_4 = _e900;
-                                local_5 = _e900;
-                                local_6 = _e900;
-                                let _e901 = (_e898 < 8u);
-                                if _e901 {
-                                    let _e903 = (_e898 >> bitcast<u32>(2i));
-                                    let _e904 = (_e898 & 3u);
-                                    if (_e903 == 0u) {
-                                        phi_1438_ = _e750.unnamed.root;
+                                let _e894 = phi_1428_;
+                                let _e896 = phi_1431_;
+                                local_4 = _e896;
+                                local_5 = _e896;
+                                local_6 = _e896;
+                                let _e897 = (_e894 < 8u);
+                                if _e897 {
+                                    let _e899 = (_e894 >> bitcast<u32>(2i));
+                                    let _e900 = (_e894 & 3u);
+                                    if (_e899 == 0u) {
+                                        phi_1445_ = _e746.unnamed.word;
                                     } else {
-                                        phi_1438_ = _e750.unnamed.first_primitive;
+                                        phi_1445_ = _e746.unnamed.shift;
                                     }
-                                    let _e907 = phi_1438_;
-                                    if (_e903 == 0u) {
-                                        phi_1448_ = _e819.unnamed.root;
+                                    let _e903 = phi_1445_;
+                                    if (_e899 == 0u) {
+                                        phi_1455_ = _e815.unnamed.word;
                                     } else {
-                                        phi_1448_ = _e819.unnamed.first_primitive;
+                                        phi_1455_ = _e815.unnamed.shift;
                                     }
-                                    let _e916 = phi_1448_;
-                                    if (_e903 == 0u) {
-                                        phi_1458_ = _e888.unnamed.root;
+                                    let _e912 = phi_1455_;
+                                    if (_e899 == 0u) {
+                                        phi_1465_ = _e884.unnamed.word;
                                     } else {
-                                        phi_1458_ = _e888.unnamed.first_primitive;
+                                        phi_1465_ = _e884.unnamed.shift;
                                     }
-                                    let _e925 = phi_1458_;
-                                    let _e938 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e907 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e663) + (_e681 - _e471)), ((f32(((_e916 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e664) + (_e682 - _e472)));
-                                    let _e939 = core_intrinsics_maximum_number_nsz_f32_(_e938, ((f32(((_e925 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e665) + (_e683 - _e473)));
-                                    if (_e903 == 0u) {
-                                        phi_1476_ = _e750.unnamed_1.root;
+                                    let _e921 = phi_1465_;
+                                    let _e934 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e903 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e659) + (_e677 - _e467)), ((f32(((_e912 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e660) + (_e678 - _e468)));
+                                    let _e935 = core_intrinsics_maximum_number_nsz_f32_(_e934, ((f32(((_e921 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e661) + (_e679 - _e469)));
+                                    if (_e899 == 0u) {
+                                        phi_1483_ = _e746.unnamed_1.word;
                                     } else {
-                                        phi_1476_ = _e750.unnamed_1.first_primitive;
+                                        phi_1483_ = _e746.unnamed_1.shift;
                                     }
-                                    let _e942 = phi_1476_;
-                                    if (_e903 == 0u) {
-                                        phi_1486_ = _e819.unnamed_1.root;
+                                    let _e938 = phi_1483_;
+                                    if (_e899 == 0u) {
+                                        phi_1493_ = _e815.unnamed_1.word;
                                     } else {
-                                        phi_1486_ = _e819.unnamed_1.first_primitive;
+                                        phi_1493_ = _e815.unnamed_1.shift;
                                     }
-                                    let _e951 = phi_1486_;
-                                    if (_e903 == 0u) {
-                                        phi_1496_ = _e888.unnamed_1.root;
+                                    let _e947 = phi_1493_;
+                                    if (_e899 == 0u) {
+                                        phi_1503_ = _e884.unnamed_1.word;
                                     } else {
-                                        phi_1496_ = _e888.unnamed_1.first_primitive;
+                                        phi_1503_ = _e884.unnamed_1.shift;
                                     }
-                                    let _e960 = phi_1496_;
-                                    let _e973 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e942 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e663) + (_e681 + _e471)), ((f32(((_e951 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e664) + (_e682 + _e472)));
-                                    let _e974 = core_intrinsics_minimum_number_nsz_f32_(_e973, ((f32(((_e960 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u)) * _e665) + (_e683 + _e473)));
-                                    if (_e939 <= _e974) {
-                                        if (_e939 <= _e275) {
-                                            if (_e974 >= 0f) {
-                                                if (_e903 == 0u) {
-                                                    let _e981 = nodes.member[(0u + _e629)].links[2u];
-                                                    phi_1532_ = _e981;
+                                    let _e956 = phi_1503_;
+                                    let _e969 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e938 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e659) + (_e677 + _e467)), ((f32(((_e947 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e660) + (_e678 + _e468)));
+                                    let _e970 = core_intrinsics_minimum_number_nsz_f32_(_e969, ((f32(((_e956 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e661) + (_e679 + _e469)));
+                                    if (_e935 <= _e970) {
+                                        if (_e935 <= _e275) {
+                                            if (_e970 >= 0f) {
+                                                if (_e899 == 0u) {
+                                                    let _e977 = nodes.member[(0u + _e625)].links[2u];
+                                                    phi_1539_ = _e977;
                                                 } else {
-                                                    let _e984 = nodes.member[(0u + _e629)].links[3u];
-                                                    phi_1532_ = _e984;
+                                                    let _e980 = nodes.member[(0u + _e625)].links[3u];
+                                                    phi_1539_ = _e980;
                                                 }
-                                                let _e986 = phi_1532_;
-                                                let _e991 = ((_e986 >> bitcast<u32>(((_e904 * 8u) & 31u))) & 255u);
-                                                let _e992 = (_e991 & 31u);
-                                                if (_e992 >= 24u) {
-                                                    phi_1545_ = (24u + ((_e992 - 24u) ^ _e491));
+                                                let _e982 = phi_1539_;
+                                                let _e987 = ((_e982 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u);
+                                                let _e988 = (_e987 & 31u);
+                                                if (_e988 >= 24u) {
+                                                    phi_1552_ = (24u + ((_e988 - 24u) ^ _e487));
                                                 } else {
-                                                    phi_1545_ = _e992;
+                                                    phi_1552_ = _e988;
                                                 }
-                                                let _e998 = phi_1545_;
-                                                phi_1550_ = (_e900 | ((_e991 >> bitcast<u32>(5i)) << bitcast<u32>((_e998 & 31u))));
+                                                let _e994 = phi_1552_;
+                                                phi_1557_ = (_e896 | ((_e987 >> bitcast<u32>(5i)) << bitcast<u32>((_e994 & 31u))));
                                             } else {
-                                                phi_1550_ = _e900;
+                                                phi_1557_ = _e896;
                                             }
-                                            let _e1006 = phi_1550_;
-                                            phi_1551_ = _e1006;
+                                            let _e1002 = phi_1557_;
+                                            phi_1558_ = _e1002;
                                         } else {
-                                            phi_1551_ = _e900;
+                                            phi_1558_ = _e896;
                                         }
-                                        let _e1008 = phi_1551_;
-                                        phi_1552_ = _e1008;
+                                        let _e1004 = phi_1558_;
+                                        phi_1559_ = _e1004;
                                     } else {
-                                        phi_1552_ = _e900;
+                                        phi_1559_ = _e896;
                                     }
-                                    let _e1010 = phi_1552_;
-                                    phi_1422_ = (_e898 + 1u);
-                                    phi_1425_ = _e1010;
+                                    let _e1006 = phi_1559_;
+                                    phi_1429_ = (_e894 + 1u);
+                                    phi_1432_ = _e1006;
                                 } else {
-                                    phi_1422_ = u32();
-                                    phi_1425_ = u32();
+                                    phi_1429_ = u32();
+                                    phi_1432_ = u32();
                                 }
-                                let _e1013 = phi_1422_;
-                                let _e1015 = phi_1425_;
+                                let _e1009 = phi_1429_;
+                                let _e1011 = phi_1432_;
                                 continue;
                                 continuing {
-                                    phi_1421_ = _e1013;
-                                    phi_1424_ = _e1015;
-                                    break if !(_e901);
+                                    phi_1428_ = _e1009;
+                                    phi_1431_ = _e1011;
+                                    break if !(_e897);
                                 }
                             }
-                            let _e1019 = nodes.member[(0u + _e629)].links[0u];
-                            let _e1023 = nodes.member[(0u + _e629)].frame[3u];
-                            let _e1027 = local_4;
-                            if ((_e1027 & 4278190080u) == 0u) {
+                            let _e1015 = nodes.member[(0u + _e625)].links[0u];
+                            let _e1019 = nodes.member[(0u + _e625)].frame[3u];
+                            let _e1023 = local_4;
+                            if ((_e1023 & 4278190080u) == 0u) {
                             } else {
-                                let _e1031 = local_2.group_mask;
-                                if ((_e1031 & 4278190080u) == 0u) {
+                                let _e1027 = local_2.group_mask;
+                                if ((_e1027 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1035 = local_2.len;
-                                    if (_e1035 < 32u) {
-                                        let _e1038 = local_2.group;
-                                        let _e1040 = local_2.len;
-                                        if (_e1040 < 32u) {
+                                    let _e1031 = local_2.len;
+                                    if (_e1031 < 32u) {
+                                        let _e1034 = local_2.group;
+                                        let _e1036 = local_2.len;
+                                        if (_e1036 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_2.first[(0u + _e1040)] = _e1038;
-                                        let _e1046 = local_2.group_mask;
-                                        let _e1048 = local_2.len;
-                                        if (_e1048 < 32u) {
+                                        local_2.first[(0u + _e1036)] = _e1034;
+                                        let _e1042 = local_2.group_mask;
+                                        let _e1044 = local_2.len;
+                                        if (_e1044 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_2.mask[(0u + _e1048)] = _e1046;
-                                        let _e1055 = local_2.len;
-                                        local_2.len = (_e1055 + 1u);
+                                        local_2.mask[(0u + _e1044)] = _e1042;
+                                        let _e1051 = local_2.len;
+                                        local_2.len = (_e1051 + 1u);
                                     }
                                 }
-                                local_2.group = (_e248 + _e1019);
-                                let _e1059 = local_5;
-                                local_2.group_mask = ((_e1059 & 4278190080u) | (_e1023 >> bitcast<u32>(24i)));
+                                local_2.group = (_e248 + _e1015);
+                                let _e1055 = local_5;
+                                local_2.group_mask = ((_e1055 & 4278190080u) | (_e1019 >> bitcast<u32>(24i)));
                             }
-                            let _e1064 = local_6;
-                            phi_1610_ = (_e1064 & 16777215u);
-                            phi_1613_ = _e631;
+                            let _e1060 = local_6;
+                            phi_1617_ = (_e1060 & 16777215u);
+                            phi_1620_ = _e627;
                             loop {
-                                let _e1067 = phi_1610_;
-                                let _e1069 = phi_1613_;
-                                local_19 = _e1069;
-                                let _e1070 = (_e1067 == 0u);
-                                local_12 = _e1070;
-                                local_20 = _e1070;
-                                if _e1070 {
-                                    phi_1611_ = u32();
-                                    phi_1614_ = bool();
-                                    phi_3465_ = false;
+                                let _e1063 = phi_1617_;
+                                let _e1065 = phi_1620_;
+                                local_19 = _e1065;
+                                let _e1066 = (_e1063 == 0u);
+                                local_12 = _e1066;
+                                local_20 = _e1066;
+                                if _e1066 {
+                                    phi_1618_ = u32();
+                                    phi_1621_ = bool();
+                                    phi_3479_ = false;
                                 } else {
-                                    let _e1073 = nodes.member[(0u + _e629)].links[1u];
-                                    let _e1077 = (_e1073 + select(firstTrailingBit(_e1067), 32u, (_e1067 == 0u)));
-                                    if (_e1077 < arrayLength((&instances.member))) {
+                                    let _e1069 = nodes.member[(0u + _e625)].links[1u];
+                                    let _e1073 = (_e1069 + select(firstTrailingBit(_e1063), 32u, (_e1063 == 0u)));
+                                    if (_e1073 < arrayLength((&instances.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1084 = instances.member[(0u + _e1077)].low_world;
-                                    let _e1086 = instances.member[(0u + _e1077)].high_world;
-                                    let _e1093 = ((_e1084.x - _e265) * _e423);
-                                    let _e1094 = ((_e1084.y - _e267) * _e433);
-                                    let _e1095 = ((_e1084.z - _e269) * _e443);
-                                    let _e1102 = ((_e1086.x - _e265) * _e423);
-                                    let _e1103 = ((_e1086.y - _e267) * _e433);
-                                    let _e1104 = ((_e1086.z - _e269) * _e443);
-                                    if (_e1093 < _e1102) {
-                                        phi_1662_ = _e1093;
+                                    let _e1080 = instances.member[(0u + _e1073)].low_world;
+                                    let _e1082 = instances.member[(0u + _e1073)].high_world;
+                                    let _e1089 = ((_e1080.x - _e265) * _e415);
+                                    let _e1090 = ((_e1080.y - _e267) * _e425);
+                                    let _e1091 = ((_e1080.z - _e269) * _e435);
+                                    let _e1098 = ((_e1082.x - _e265) * _e415);
+                                    let _e1099 = ((_e1082.y - _e267) * _e425);
+                                    let _e1100 = ((_e1082.z - _e269) * _e435);
+                                    if (_e1089 < _e1098) {
+                                        phi_1669_ = _e1089;
                                     } else {
-                                        phi_1662_ = _e1102;
+                                        phi_1669_ = _e1098;
                                     }
-                                    let _e1107 = phi_1662_;
-                                    if (_e1094 < _e1103) {
-                                        phi_1667_ = _e1094;
+                                    let _e1103 = phi_1669_;
+                                    if (_e1090 < _e1099) {
+                                        phi_1674_ = _e1090;
                                     } else {
-                                        phi_1667_ = _e1103;
+                                        phi_1674_ = _e1099;
                                     }
-                                    let _e1110 = phi_1667_;
-                                    if (_e1095 < _e1104) {
-                                        phi_1672_ = _e1095;
+                                    let _e1106 = phi_1674_;
+                                    if (_e1091 < _e1100) {
+                                        phi_1679_ = _e1091;
                                     } else {
-                                        phi_1672_ = _e1104;
+                                        phi_1679_ = _e1100;
                                     }
-                                    let _e1113 = phi_1672_;
-                                    if (_e1093 > _e1102) {
-                                        phi_1680_ = _e1093;
+                                    let _e1109 = phi_1679_;
+                                    if (_e1089 > _e1098) {
+                                        phi_1687_ = _e1089;
                                     } else {
-                                        phi_1680_ = _e1102;
+                                        phi_1687_ = _e1098;
                                     }
-                                    let _e1119 = phi_1680_;
-                                    if (_e1094 > _e1103) {
-                                        phi_1685_ = _e1094;
+                                    let _e1115 = phi_1687_;
+                                    if (_e1090 > _e1099) {
+                                        phi_1692_ = _e1090;
                                     } else {
-                                        phi_1685_ = _e1103;
+                                        phi_1692_ = _e1099;
                                     }
-                                    let _e1122 = phi_1685_;
-                                    if (_e1095 > _e1104) {
-                                        phi_1690_ = _e1095;
+                                    let _e1118 = phi_1692_;
+                                    if (_e1091 > _e1100) {
+                                        phi_1697_ = _e1091;
                                     } else {
-                                        phi_1690_ = _e1104;
+                                        phi_1697_ = _e1100;
                                     }
-                                    let _e1125 = phi_1690_;
-                                    let _e1129 = core_intrinsics_maximum_number_nsz_f32_((_e1107 - _e478), (_e1110 - _e479));
-                                    let _e1130 = core_intrinsics_maximum_number_nsz_f32_(_e1129, (_e1113 - _e480));
-                                    let _e1131 = core_intrinsics_minimum_number_nsz_f32_((_e1119 + _e478), (_e1122 + _e479));
-                                    let _e1132 = core_intrinsics_minimum_number_nsz_f32_(_e1131, (_e1125 + _e480));
-                                    if (_e1130 <= _e1132) {
-                                        if (_e1130 <= _e275) {
-                                            if (_e1132 >= 0f) {
-                                                let _e1138 = instances.member[(0u + _e1077)].world_to_object[0u];
-                                                let _e1149 = ((((_e1138.x * _e265) + (_e1138.y * _e267)) + (_e1138.z * _e269)) + (_e1138.w * 1f));
-                                                let _e1151 = instances.member[(0u + _e1077)].world_to_object[1u];
-                                                let _e1162 = ((((_e1151.x * _e265) + (_e1151.y * _e267)) + (_e1151.z * _e269)) + (_e1151.w * 1f));
-                                                let _e1164 = instances.member[(0u + _e1077)].world_to_object[2u];
-                                                let _e1175 = ((((_e1164.x * _e265) + (_e1164.y * _e267)) + (_e1164.z * _e269)) + (_e1164.w * 1f));
-                                                let _e1178 = instances.member[(0u + _e1077)].world_to_object[0u];
-                                                let _e1189 = ((((_e1178.x * _e283) + (_e1178.y * _e284)) + (_e1178.z * _e285)) + (_e1178.w * 0f));
-                                                let _e1191 = instances.member[(0u + _e1077)].world_to_object[1u];
-                                                let _e1202 = ((((_e1191.x * _e283) + (_e1191.y * _e284)) + (_e1191.z * _e285)) + (_e1191.w * 0f));
-                                                let _e1204 = instances.member[(0u + _e1077)].world_to_object[2u];
-                                                let _e1215 = ((((_e1204.x * _e283) + (_e1204.y * _e284)) + (_e1204.z * _e285)) + (_e1204.w * 0f));
-                                                let _e1218 = instances.member[(0u + _e1077)].root;
-                                                let _e1220 = instances.member[(0u + _e1077)].first_triangle;
-                                                let _e1224 = abs(_e1189);
-                                                let _e1225 = abs(_e1202);
-                                                let _e1226 = abs(_e1215);
-                                                if (abs(_e1149) < 1000000000000000f) {
-                                                    if (abs(_e1162) < 1000000000000000f) {
-                                                        if (abs(_e1175) < 1000000000000000f) {
-                                                            if (_e1224 < 1000000000000000f) {
-                                                                if (_e1225 < 1000000000000000f) {
-                                                                    if (_e1226 < 1000000000000000f) {
-                                                                        if (_e1224 > 0f) {
-                                                                            phi_1835_ = bool();
-                                                                            phi_1836_ = true;
-                                                                        } else {
-                                                                            let _e1234 = (_e1225 > 0f);
-                                                                            if _e1234 {
-                                                                                phi_1834_ = bool();
-                                                                            } else {
-                                                                                phi_1834_ = (_e1226 > 0f);
-                                                                            }
-                                                                            let _e1237 = phi_1834_;
-                                                                            phi_1835_ = _e1237;
-                                                                            phi_1836_ = _e1234;
-                                                                        }
-                                                                        let _e1239 = phi_1835_;
-                                                                        let _e1241 = phi_1836_;
-                                                                        if _e1241 {
-                                                                            phi_1840_ = true;
-                                                                        } else {
-                                                                            phi_1840_ = _e1239;
-                                                                        }
-                                                                        let _e1243 = phi_1840_;
-                                                                        phi_1841_ = _e1243;
-                                                                        phi_1842_ = false;
-                                                                    } else {
-                                                                        phi_1841_ = bool();
-                                                                        phi_1842_ = true;
-                                                                    }
-                                                                    let _e1245 = phi_1841_;
-                                                                    let _e1247 = phi_1842_;
-                                                                    phi_1843_ = _e1245;
-                                                                    phi_1844_ = false;
-                                                                    phi_1845_ = _e1247;
-                                                                } else {
-                                                                    phi_1843_ = bool();
-                                                                    phi_1844_ = true;
-                                                                    phi_1845_ = false;
-                                                                }
-                                                                let _e1249 = phi_1843_;
-                                                                let _e1251 = phi_1844_;
-                                                                let _e1253 = phi_1845_;
-                                                                phi_1846_ = _e1249;
-                                                                phi_1847_ = _e1251;
-                                                                phi_1848_ = _e1253;
-                                                            } else {
-                                                                phi_1846_ = bool();
-                                                                phi_1847_ = true;
-                                                                phi_1848_ = false;
-                                                            }
-                                                            let _e1255 = phi_1846_;
-                                                            let _e1257 = phi_1847_;
-                                                            let _e1259 = phi_1848_;
-                                                            phi_1849_ = _e1255;
-                                                            phi_1850_ = _e1257;
-                                                            phi_1851_ = _e1259;
-                                                        } else {
-                                                            phi_1849_ = bool();
-                                                            phi_1850_ = true;
-                                                            phi_1851_ = false;
-                                                        }
-                                                        let _e1261 = phi_1849_;
-                                                        let _e1263 = phi_1850_;
-                                                        let _e1265 = phi_1851_;
-                                                        phi_1852_ = _e1261;
-                                                        phi_1853_ = _e1263;
-                                                        phi_1854_ = _e1265;
+                                    let _e1121 = phi_1697_;
+                                    let _e1125 = core_intrinsics_maximum_number_nsz_f32_((_e1103 - _e474), (_e1106 - _e475));
+                                    let _e1126 = core_intrinsics_maximum_number_nsz_f32_(_e1125, (_e1109 - _e476));
+                                    let _e1127 = core_intrinsics_minimum_number_nsz_f32_((_e1115 + _e474), (_e1118 + _e475));
+                                    let _e1128 = core_intrinsics_minimum_number_nsz_f32_(_e1127, (_e1121 + _e476));
+                                    if (_e1126 <= _e1128) {
+                                        if (_e1126 <= _e275) {
+                                            if (_e1128 >= 0f) {
+                                                let _e1134 = instances.member[(0u + _e1073)].world_to_object[0u];
+                                                let _e1145 = ((((_e1134.x * _e265) + (_e1134.y * _e267)) + (_e1134.z * _e269)) + (_e1134.w * 1f));
+                                                let _e1147 = instances.member[(0u + _e1073)].world_to_object[1u];
+                                                let _e1158 = ((((_e1147.x * _e265) + (_e1147.y * _e267)) + (_e1147.z * _e269)) + (_e1147.w * 1f));
+                                                let _e1160 = instances.member[(0u + _e1073)].world_to_object[2u];
+                                                let _e1171 = ((((_e1160.x * _e265) + (_e1160.y * _e267)) + (_e1160.z * _e269)) + (_e1160.w * 1f));
+                                                let _e1174 = instances.member[(0u + _e1073)].world_to_object[0u];
+                                                let _e1185 = ((((_e1174.x * _e283) + (_e1174.y * _e284)) + (_e1174.z * _e285)) + (_e1174.w * 0f));
+                                                let _e1187 = instances.member[(0u + _e1073)].world_to_object[1u];
+                                                let _e1198 = ((((_e1187.x * _e283) + (_e1187.y * _e284)) + (_e1187.z * _e285)) + (_e1187.w * 0f));
+                                                let _e1200 = instances.member[(0u + _e1073)].world_to_object[2u];
+                                                let _e1211 = ((((_e1200.x * _e283) + (_e1200.y * _e284)) + (_e1200.z * _e285)) + (_e1200.w * 0f));
+                                                let _e1214 = instances.member[(0u + _e1073)].root;
+                                                let _e1216 = instances.member[(0u + _e1073)].first_triangle;
+                                                let _e1217 = abs(_e1185);
+                                                let _e1218 = abs(_e1198);
+                                                let _e1219 = abs(_e1211);
+                                                if (abs(_e1145) < 1000000000000000f) {
+                                                    if (abs(_e1158) < 1000000000000000f) {
+                                                        phi_1817_ = (abs(_e1171) < 1000000000000000f);
+                                                        phi_1818_ = false;
                                                     } else {
-                                                        phi_1852_ = bool();
-                                                        phi_1853_ = true;
-                                                        phi_1854_ = false;
+                                                        phi_1817_ = bool();
+                                                        phi_1818_ = true;
                                                     }
-                                                    let _e1267 = phi_1852_;
-                                                    let _e1269 = phi_1853_;
-                                                    let _e1271 = phi_1854_;
-                                                    phi_1855_ = _e1267;
-                                                    phi_1856_ = _e1269;
-                                                    phi_1857_ = _e1271;
+                                                    let _e1227 = phi_1817_;
+                                                    let _e1229 = phi_1818_;
+                                                    phi_1819_ = _e1227;
+                                                    phi_1820_ = _e1229;
                                                 } else {
-                                                    phi_1855_ = bool();
-                                                    phi_1856_ = true;
-                                                    phi_1857_ = false;
+                                                    phi_1819_ = bool();
+                                                    phi_1820_ = true;
                                                 }
-                                                let _e1273 = phi_1855_;
-                                                let _e1275 = phi_1856_;
-                                                let _e1277 = phi_1857_;
-                                                if _e1275 {
-                                                    phi_1861_ = true;
+                                                let _e1231 = phi_1819_;
+                                                let _e1233 = phi_1820_;
+                                                if _e1233 {
+                                                    phi_1824_ = false;
                                                 } else {
-                                                    phi_1861_ = _e1277;
+                                                    phi_1824_ = _e1231;
                                                 }
-                                                let _e1279 = phi_1861_;
-                                                if _e1279 {
-                                                    phi_1865_ = false;
-                                                } else {
-                                                    phi_1865_ = _e1273;
-                                                }
-                                                let _e1281 = phi_1865_;
-                                                if _e1281 {
-                                                    let _e1282 = (_e1218 >= _e79);
-                                                    if _e1282 {
-                                                        phi_3445_ = bool();
+                                                let _e1235 = phi_1824_;
+                                                if _e1235 {
+                                                    if (_e1217 < 1000000000000000f) {
+                                                        if (_e1218 < 1000000000000000f) {
+                                                            phi_1837_ = (_e1219 < 1000000000000000f);
+                                                            phi_1838_ = false;
+                                                        } else {
+                                                            phi_1837_ = bool();
+                                                            phi_1838_ = true;
+                                                        }
+                                                        let _e1240 = phi_1837_;
+                                                        let _e1242 = phi_1838_;
+                                                        phi_1839_ = _e1240;
+                                                        phi_1840_ = _e1242;
                                                     } else {
-                                                        if (_e1218 < _e79) {
+                                                        phi_1839_ = bool();
+                                                        phi_1840_ = true;
+                                                    }
+                                                    let _e1244 = phi_1839_;
+                                                    let _e1246 = phi_1840_;
+                                                    if _e1246 {
+                                                        phi_1844_ = false;
+                                                    } else {
+                                                        phi_1844_ = _e1244;
+                                                    }
+                                                    let _e1248 = phi_1844_;
+                                                    if _e1248 {
+                                                        if (_e1217 > 0f) {
+                                                            phi_1858_ = bool();
+                                                            phi_1859_ = true;
+                                                        } else {
+                                                            let _e1250 = (_e1218 > 0f);
+                                                            if _e1250 {
+                                                                phi_1857_ = bool();
+                                                            } else {
+                                                                phi_1857_ = (_e1219 > 0f);
+                                                            }
+                                                            let _e1253 = phi_1857_;
+                                                            phi_1858_ = _e1253;
+                                                            phi_1859_ = _e1250;
+                                                        }
+                                                        let _e1255 = phi_1858_;
+                                                        let _e1257 = phi_1859_;
+                                                        if _e1257 {
+                                                            phi_1863_ = true;
+                                                        } else {
+                                                            phi_1863_ = _e1255;
+                                                        }
+                                                        let _e1259 = phi_1863_;
+                                                        phi_1864_ = _e1259;
+                                                        phi_1865_ = false;
+                                                    } else {
+                                                        phi_1864_ = bool();
+                                                        phi_1865_ = true;
+                                                    }
+                                                    let _e1261 = phi_1864_;
+                                                    let _e1263 = phi_1865_;
+                                                    phi_1866_ = _e1261;
+                                                    phi_1867_ = _e1263;
+                                                } else {
+                                                    phi_1866_ = bool();
+                                                    phi_1867_ = true;
+                                                }
+                                                let _e1265 = phi_1866_;
+                                                let _e1267 = phi_1867_;
+                                                if _e1267 {
+                                                    phi_1871_ = false;
+                                                } else {
+                                                    phi_1871_ = _e1265;
+                                                }
+                                                let _e1269 = phi_1871_;
+                                                if _e1269 {
+                                                    let _e1270 = (_e1214 >= _e79);
+                                                    if _e1270 {
+                                                        phi_3459_ = bool();
+                                                    } else {
+                                                        if (_e1214 < _e79) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1288 = nodes.member[(0u + _e1218)].frame[0u];
-                                                        let _e1292 = nodes.member[(0u + _e1218)].frame[1u];
-                                                        let _e1296 = nodes.member[(0u + _e1218)].frame[2u];
-                                                        let _e1300 = nodes.member[(0u + _e1218)].frame[0u];
-                                                        let _e1304 = nodes.member[(0u + _e1218)].frame[1u];
-                                                        let _e1308 = nodes.member[(0u + _e1218)].frame[2u];
-                                                        let _e1312 = nodes.member[(0u + _e1218)].frame[3u];
-                                                        let _e1346 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1189), abs(_e1202));
-                                                        let _e1347 = core_intrinsics_maximum_number_nsz_f32_(_e1346, abs(_e1215));
-                                                        let _e1348 = (_e1347 * 0.0000000000009094947f);
-                                                        if (abs(_e1189) < _e1348) {
-                                                            phi_1935_ = _e1348;
+                                                        let _e1276 = nodes.member[(0u + _e1214)].frame[0u];
+                                                        let _e1280 = nodes.member[(0u + _e1214)].frame[1u];
+                                                        let _e1284 = nodes.member[(0u + _e1214)].frame[2u];
+                                                        let _e1288 = nodes.member[(0u + _e1214)].frame[0u];
+                                                        let _e1292 = nodes.member[(0u + _e1214)].frame[1u];
+                                                        let _e1296 = nodes.member[(0u + _e1214)].frame[2u];
+                                                        let _e1300 = nodes.member[(0u + _e1214)].frame[3u];
+                                                        let _e1334 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1185), abs(_e1198));
+                                                        let _e1335 = core_intrinsics_maximum_number_nsz_f32_(_e1334, abs(_e1211));
+                                                        let _e1336 = (_e1335 * 0.0000000000009094947f);
+                                                        if (abs(_e1185) < _e1336) {
+                                                            phi_1941_ = _e1336;
                                                         } else {
-                                                            phi_1935_ = abs(_e1189);
+                                                            phi_1941_ = abs(_e1185);
                                                         }
-                                                        let _e1353 = phi_1935_;
-                                                        if (_e1189 < 0f) {
-                                                            phi_1942_ = (-1f / _e1353);
+                                                        let _e1341 = phi_1941_;
+                                                        if (_e1185 < 0f) {
+                                                            phi_1948_ = (-1f / _e1341);
                                                         } else {
-                                                            phi_1942_ = (1f / _e1353);
+                                                            phi_1948_ = (1f / _e1341);
                                                         }
-                                                        let _e1358 = phi_1942_;
-                                                        if (abs(_e1202) < _e1348) {
-                                                            phi_1949_ = _e1348;
+                                                        let _e1346 = phi_1948_;
+                                                        if (abs(_e1198) < _e1336) {
+                                                            phi_1955_ = _e1336;
                                                         } else {
-                                                            phi_1949_ = abs(_e1202);
+                                                            phi_1955_ = abs(_e1198);
                                                         }
-                                                        let _e1363 = phi_1949_;
-                                                        if (_e1202 < 0f) {
-                                                            phi_1956_ = (-1f / _e1363);
+                                                        let _e1351 = phi_1955_;
+                                                        if (_e1198 < 0f) {
+                                                            phi_1962_ = (-1f / _e1351);
                                                         } else {
-                                                            phi_1956_ = (1f / _e1363);
+                                                            phi_1962_ = (1f / _e1351);
                                                         }
-                                                        let _e1368 = phi_1956_;
-                                                        if (abs(_e1215) < _e1348) {
-                                                            phi_1963_ = _e1348;
+                                                        let _e1356 = phi_1962_;
+                                                        if (abs(_e1211) < _e1336) {
+                                                            phi_1969_ = _e1336;
                                                         } else {
-                                                            phi_1963_ = abs(_e1215);
+                                                            phi_1969_ = abs(_e1211);
                                                         }
-                                                        let _e1373 = phi_1963_;
-                                                        if (_e1215 < 0f) {
-                                                            phi_1970_ = (-1f / _e1373);
+                                                        let _e1361 = phi_1969_;
+                                                        if (_e1211 < 0f) {
+                                                            phi_1976_ = (-1f / _e1361);
                                                         } else {
-                                                            phi_1970_ = (1f / _e1373);
+                                                            phi_1976_ = (1f / _e1361);
                                                         }
-                                                        let _e1378 = phi_1970_;
-                                                        let _e1382 = abs((bitcast<f32>(_e1288) - _e1149));
-                                                        let _e1383 = abs((bitcast<f32>(_e1292) - _e1162));
-                                                        let _e1384 = abs((bitcast<f32>(_e1296) - _e1175));
-                                                        let _e1388 = abs(((bitcast<f32>(_e1300) + (bitcast<f32>((((_e1312 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1149));
-                                                        let _e1389 = abs(((bitcast<f32>(_e1304) + (bitcast<f32>((((_e1312 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1162));
-                                                        let _e1390 = abs(((bitcast<f32>(_e1308) + (bitcast<f32>((((_e1312 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1175));
-                                                        if (_e1382 > _e1388) {
-                                                            phi_1987_ = _e1382;
+                                                        let _e1366 = phi_1976_;
+                                                        let _e1370 = abs((bitcast<f32>(_e1276) - _e1145));
+                                                        let _e1371 = abs((bitcast<f32>(_e1280) - _e1158));
+                                                        let _e1372 = abs((bitcast<f32>(_e1284) - _e1171));
+                                                        let _e1376 = abs(((bitcast<f32>(_e1288) + (bitcast<f32>((((_e1300 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1145));
+                                                        let _e1377 = abs(((bitcast<f32>(_e1292) + (bitcast<f32>((((_e1300 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1158));
+                                                        let _e1378 = abs(((bitcast<f32>(_e1296) + (bitcast<f32>((((_e1300 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1171));
+                                                        if (_e1370 > _e1376) {
+                                                            phi_1993_ = _e1370;
                                                         } else {
-                                                            phi_1987_ = _e1388;
+                                                            phi_1993_ = _e1376;
                                                         }
-                                                        let _e1393 = phi_1987_;
-                                                        if (_e1383 > _e1389) {
-                                                            phi_1992_ = _e1383;
+                                                        let _e1381 = phi_1993_;
+                                                        if (_e1371 > _e1377) {
+                                                            phi_1998_ = _e1371;
                                                         } else {
-                                                            phi_1992_ = _e1389;
+                                                            phi_1998_ = _e1377;
                                                         }
-                                                        let _e1396 = phi_1992_;
-                                                        if (_e1384 > _e1390) {
-                                                            phi_1997_ = _e1384;
+                                                        let _e1384 = phi_1998_;
+                                                        if (_e1372 > _e1378) {
+                                                            phi_2003_ = _e1372;
                                                         } else {
-                                                            phi_1997_ = _e1390;
+                                                            phi_2003_ = _e1378;
                                                         }
-                                                        let _e1399 = phi_1997_;
-                                                        let _e1400 = core_intrinsics_maximum_number_nsz_f32_(_e1393, _e1396);
-                                                        let _e1401 = core_intrinsics_maximum_number_nsz_f32_(_e1400, _e1399);
-                                                        let _e1405 = (_e1401 * 0.0000019073486f);
-                                                        let _e1406 = (abs(_e1358) * _e1405);
-                                                        let _e1407 = (abs(_e1368) * _e1405);
-                                                        let _e1408 = (abs(_e1378) * _e1405);
-                                                        let _e1412 = (_e1401 * 0.0000009536743f);
-                                                        let _e1413 = (abs(_e1358) * _e1412);
-                                                        let _e1414 = (abs(_e1368) * _e1412);
-                                                        let _e1415 = (abs(_e1378) * _e1412);
-                                                        let _e1416 = abs(_e1189);
-                                                        let _e1417 = abs(_e1202);
-                                                        let _e1418 = abs(_e1215);
-                                                        if (_e1416 >= _e1417) {
-                                                            if (_e1416 >= _e1418) {
-                                                                phi_2025_ = false;
+                                                        let _e1387 = phi_2003_;
+                                                        if (_e1381 > _e1384) {
+                                                            phi_2008_ = _e1381;
+                                                        } else {
+                                                            phi_2008_ = _e1384;
+                                                        }
+                                                        let _e1390 = phi_2008_;
+                                                        if (_e1390 > _e1387) {
+                                                            phi_2013_ = _e1390;
+                                                        } else {
+                                                            phi_2013_ = _e1387;
+                                                        }
+                                                        let _e1393 = phi_2013_;
+                                                        let _e1397 = (_e1393 * 0.0000019073486f);
+                                                        let _e1398 = (abs(_e1346) * _e1397);
+                                                        let _e1399 = (abs(_e1356) * _e1397);
+                                                        let _e1400 = (abs(_e1366) * _e1397);
+                                                        let _e1404 = (_e1393 * 0.0000009536743f);
+                                                        let _e1405 = (abs(_e1346) * _e1404);
+                                                        let _e1406 = (abs(_e1356) * _e1404);
+                                                        let _e1407 = (abs(_e1366) * _e1404);
+                                                        let _e1408 = abs(_e1185);
+                                                        let _e1409 = abs(_e1198);
+                                                        let _e1410 = abs(_e1211);
+                                                        if (_e1408 >= _e1409) {
+                                                            if (_e1408 >= _e1410) {
+                                                                phi_2039_ = false;
                                                             } else {
-                                                                phi_2025_ = true;
+                                                                phi_2039_ = true;
                                                             }
-                                                            let _e1422 = phi_2025_;
-                                                            phi_2026_ = _e1422;
+                                                            let _e1414 = phi_2039_;
+                                                            phi_2040_ = _e1414;
                                                         } else {
-                                                            phi_2026_ = true;
+                                                            phi_2040_ = true;
                                                         }
-                                                        let _e1424 = phi_2026_;
-                                                        if _e1424 {
-                                                            if (_e1417 >= _e1418) {
-                                                                phi_2034_ = 1u;
+                                                        let _e1416 = phi_2040_;
+                                                        if _e1416 {
+                                                            if (_e1409 >= _e1410) {
+                                                                phi_2048_ = 1u;
                                                             } else {
-                                                                phi_2034_ = 2u;
+                                                                phi_2048_ = 2u;
                                                             }
-                                                            let _e1427 = phi_2034_;
-                                                            phi_2035_ = _e1427;
+                                                            let _e1419 = phi_2048_;
+                                                            phi_2049_ = _e1419;
                                                         } else {
-                                                            phi_2035_ = 0u;
+                                                            phi_2049_ = 0u;
                                                         }
-                                                        let _e1429 = phi_2035_;
-                                                        if (_e1429 == 0u) {
-                                                            phi_2047_ = vec3<f32>(_e1202, _e1215, _e1189);
+                                                        let _e1421 = phi_2049_;
+                                                        if (_e1421 == 0u) {
+                                                            phi_2061_ = vec3<f32>(_e1198, _e1211, _e1185);
                                                         } else {
-                                                            if (_e1429 == 1u) {
-                                                                phi_2046_ = vec3<f32>(_e1215, _e1189, _e1202);
+                                                            if (_e1421 == 1u) {
+                                                                phi_2060_ = vec3<f32>(_e1211, _e1185, _e1198);
                                                             } else {
-                                                                phi_2046_ = vec3<f32>(_e1189, _e1202, _e1215);
+                                                                phi_2060_ = vec3<f32>(_e1185, _e1198, _e1211);
                                                             }
-                                                            let _e1435 = phi_2046_;
-                                                            phi_2047_ = _e1435;
+                                                            let _e1427 = phi_2060_;
+                                                            phi_2061_ = _e1427;
                                                         }
-                                                        let _e1437 = phi_2047_;
-                                                        let _e1440 = (_e1437.x / _e1437.z);
-                                                        let _e1443 = (_e1437.y / _e1437.z);
-                                                        if (_e1358 < 0f) {
-                                                            phi_2060_ = 0u;
+                                                        let _e1429 = phi_2061_;
+                                                        let _e1432 = (_e1429.x / _e1429.z);
+                                                        let _e1435 = (_e1429.y / _e1429.z);
+                                                        if (_e1346 < 0f) {
+                                                            phi_2074_ = 0u;
                                                         } else {
-                                                            phi_2060_ = 1u;
+                                                            phi_2074_ = 1u;
                                                         }
-                                                        let _e1448 = phi_2060_;
-                                                        if (_e1368 < 0f) {
-                                                            phi_2065_ = 0u;
+                                                        let _e1440 = phi_2074_;
+                                                        if (_e1356 < 0f) {
+                                                            phi_2079_ = 0u;
                                                         } else {
-                                                            phi_2065_ = 2u;
+                                                            phi_2079_ = 2u;
                                                         }
-                                                        let _e1451 = phi_2065_;
-                                                        if (_e1378 < 0f) {
-                                                            phi_2070_ = 0u;
+                                                        let _e1443 = phi_2079_;
+                                                        if (_e1366 < 0f) {
+                                                            phi_2084_ = 0u;
                                                         } else {
-                                                            phi_2070_ = 4u;
+                                                            phi_2084_ = 4u;
                                                         }
-                                                        let _e1454 = phi_2070_;
-                                                        let _e1456 = ((_e1448 | _e1451) | _e1454);
-                                                        let _e1457 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1218, 2147483648u);
-                                                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1457.first[0], _e1457.first[1], _e1457.first[2], _e1457.first[3], _e1457.first[4], _e1457.first[5], _e1457.first[6], _e1457.first[7], _e1457.first[8], _e1457.first[9], _e1457.first[10], _e1457.first[11], _e1457.first[12], _e1457.first[13], _e1457.first[14], _e1457.first[15], _e1457.first[16], _e1457.first[17], _e1457.first[18], _e1457.first[19], _e1457.first[20], _e1457.first[21], _e1457.first[22], _e1457.first[23], _e1457.first[24], _e1457.first[25], _e1457.first[26], _e1457.first[27], _e1457.first[28], _e1457.first[29], _e1457.first[30], _e1457.first[31]), array<u32, 32>(_e1457.mask[0], _e1457.mask[1], _e1457.mask[2], _e1457.mask[3], _e1457.mask[4], _e1457.mask[5], _e1457.mask[6], _e1457.mask[7], _e1457.mask[8], _e1457.mask[9], _e1457.mask[10], _e1457.mask[11], _e1457.mask[12], _e1457.mask[13], _e1457.mask[14], _e1457.mask[15], _e1457.mask[16], _e1457.mask[17], _e1457.mask[18], _e1457.mask[19], _e1457.mask[20], _e1457.mask[21], _e1457.mask[22], _e1457.mask[23], _e1457.mask[24], _e1457.mask[25], _e1457.mask[26], _e1457.mask[27], _e1457.mask[28], _e1457.mask[29], _e1457.mask[30], _e1457.mask[31]), _e1457.len, _e1457.group, _e1457.group_mask);
-                                                        let _e1531 = local_1.group_mask;
-                                                        if ((_e1531 & 4278190080u) == 0u) {
-                                                            let _e1535 = local_1.len;
-                                                            if (_e1535 == 0u) {
-                                                                phi_2184_ = false;
+                                                        let _e1446 = phi_2084_;
+                                                        let _e1448 = ((_e1440 | _e1443) | _e1446);
+                                                        let _e1449 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1214, 2147483648u);
+                                                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1449.first[0], _e1449.first[1], _e1449.first[2], _e1449.first[3], _e1449.first[4], _e1449.first[5], _e1449.first[6], _e1449.first[7], _e1449.first[8], _e1449.first[9], _e1449.first[10], _e1449.first[11], _e1449.first[12], _e1449.first[13], _e1449.first[14], _e1449.first[15], _e1449.first[16], _e1449.first[17], _e1449.first[18], _e1449.first[19], _e1449.first[20], _e1449.first[21], _e1449.first[22], _e1449.first[23], _e1449.first[24], _e1449.first[25], _e1449.first[26], _e1449.first[27], _e1449.first[28], _e1449.first[29], _e1449.first[30], _e1449.first[31]), array<u32, 32>(_e1449.mask[0], _e1449.mask[1], _e1449.mask[2], _e1449.mask[3], _e1449.mask[4], _e1449.mask[5], _e1449.mask[6], _e1449.mask[7], _e1449.mask[8], _e1449.mask[9], _e1449.mask[10], _e1449.mask[11], _e1449.mask[12], _e1449.mask[13], _e1449.mask[14], _e1449.mask[15], _e1449.mask[16], _e1449.mask[17], _e1449.mask[18], _e1449.mask[19], _e1449.mask[20], _e1449.mask[21], _e1449.mask[22], _e1449.mask[23], _e1449.mask[24], _e1449.mask[25], _e1449.mask[26], _e1449.mask[27], _e1449.mask[28], _e1449.mask[29], _e1449.mask[30], _e1449.mask[31]), _e1449.len, _e1449.group, _e1449.group_mask);
+                                                        let _e1523 = local_1.group_mask;
+                                                        if ((_e1523 & 4278190080u) == 0u) {
+                                                            let _e1527 = local_1.len;
+                                                            if (_e1527 == 0u) {
+                                                                phi_2198_ = false;
                                                             } else {
-                                                                let _e1539 = local_1.len;
-                                                                local_1.len = (_e1539 - 1u);
+                                                                let _e1531 = local_1.len;
+                                                                local_1.len = (_e1531 - 1u);
+                                                                let _e1534 = local_1.len;
+                                                                if (_e1534 < 32u) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1539 = local_1.first[(0u + _e1534)];
+                                                                local_1.group = _e1539;
                                                                 let _e1542 = local_1.len;
                                                                 if (_e1542 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1547 = local_1.first[(0u + _e1542)];
-                                                                local_1.group = _e1547;
-                                                                let _e1550 = local_1.len;
-                                                                if (_e1550 < 32u) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1555 = local_1.mask[(0u + _e1550)];
-                                                                local_1.group_mask = _e1555;
-                                                                phi_2184_ = true;
+                                                                let _e1547 = local_1.mask[(0u + _e1542)];
+                                                                local_1.group_mask = _e1547;
+                                                                phi_2198_ = true;
                                                             }
-                                                            let _e1558 = phi_2184_;
-                                                            phi_2185_ = _e1558;
+                                                            let _e1550 = phi_2198_;
+                                                            phi_2199_ = _e1550;
                                                         } else {
-                                                            phi_2185_ = true;
+                                                            phi_2199_ = true;
                                                         }
-                                                        let _e1560 = phi_2185_;
-                                                        if _e1560 {
-                                                            let _e1562 = local_1.group_mask;
-                                                            let _e1568 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1562)), 32u, (_e1562 == 0u)));
-                                                            let _e1572 = local_1.group_mask;
-                                                            let _e1586 = local_1.group_mask;
-                                                            local_1.group_mask = (_e1586 & ~((1u << bitcast<u32>((_e1568 & 31u)))));
-                                                            let _e1589 = local_1.group;
-                                                            phi_2216_ = (_e1589 + countOneBits(((_e1572 & ~((4294967295u << bitcast<u32>((((_e1568 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        let _e1552 = phi_2199_;
+                                                        if _e1552 {
+                                                            let _e1554 = local_1.group_mask;
+                                                            let _e1560 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1554)), 32u, (_e1554 == 0u)));
+                                                            let _e1564 = local_1.group_mask;
+                                                            let _e1578 = local_1.group_mask;
+                                                            local_1.group_mask = (_e1578 & ~((1u << bitcast<u32>((_e1560 & 31u)))));
+                                                            let _e1581 = local_1.group;
+                                                            phi_2230_ = (_e1581 + countOneBits(((_e1564 & ~((4294967295u << bitcast<u32>((((_e1560 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                         } else {
-                                                            phi_2216_ = 4294967295u;
+                                                            phi_2230_ = 4294967295u;
                                                         }
-                                                        let _e1592 = phi_2216_;
-                                                        phi_2218_ = _e1592;
-                                                        phi_2221_ = _e1069;
+                                                        let _e1584 = phi_2230_;
+                                                        phi_2232_ = _e1584;
+                                                        phi_2235_ = _e1065;
                                                         loop {
-                                                            let _e1594 = phi_2218_;
-                                                            let _e1596 = phi_2221_;
-                                                            local_18 = _e1596;
-                                                            if (_e1594 != 4294967295u) {
-                                                                if (_e1594 < _e79) {
+                                                            let _e1586 = phi_2232_;
+                                                            let _e1588 = phi_2235_;
+                                                            local_18 = _e1588;
+                                                            if (_e1586 != 4294967295u) {
+                                                                if (_e1586 < _e79) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1603 = nodes.member[(0u + _e1594)].frame[3u];
-                                                                let _e1628 = (bitcast<f32>((((_e1603 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1358);
-                                                                let _e1629 = (bitcast<f32>((((_e1603 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1368);
-                                                                let _e1630 = (bitcast<f32>((((_e1603 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1378);
-                                                                let _e1633 = nodes.member[(0u + _e1594)].frame[0u];
-                                                                let _e1637 = nodes.member[(0u + _e1594)].frame[1u];
-                                                                let _e1641 = nodes.member[(0u + _e1594)].frame[2u];
-                                                                let _e1646 = ((bitcast<f32>(_e1633) - _e1149) * _e1358);
-                                                                let _e1647 = ((bitcast<f32>(_e1637) - _e1162) * _e1368);
-                                                                let _e1648 = ((bitcast<f32>(_e1641) - _e1175) * _e1378);
-                                                                let _e1656 = nodes.member[(0u + _e1594)].x;
-                                                                if (_e1358 < 0f) {
-                                                                    let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1667.unnamed.root, _e1656.w), _e1667.unnamed_1);
-                                                                    let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1656.x, _e1673.unnamed_1.first_primitive));
-                                                                    phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1679.unnamed_1.root, _e1656.y));
+                                                                let _e1595 = nodes.member[(0u + _e1586)].frame[3u];
+                                                                let _e1620 = (bitcast<f32>((((_e1595 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1346);
+                                                                let _e1621 = (bitcast<f32>((((_e1595 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1356);
+                                                                let _e1622 = (bitcast<f32>((((_e1595 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1366);
+                                                                let _e1625 = nodes.member[(0u + _e1586)].frame[0u];
+                                                                let _e1629 = nodes.member[(0u + _e1586)].frame[1u];
+                                                                let _e1633 = nodes.member[(0u + _e1586)].frame[2u];
+                                                                let _e1638 = ((bitcast<f32>(_e1625) - _e1145) * _e1346);
+                                                                let _e1639 = ((bitcast<f32>(_e1629) - _e1158) * _e1356);
+                                                                let _e1640 = ((bitcast<f32>(_e1633) - _e1171) * _e1366);
+                                                                let _e1648 = nodes.member[(0u + _e1586)].x;
+                                                                if (_e1346 < 0f) {
+                                                                    let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1659.unnamed.word, _e1648.w), _e1659.unnamed_1);
+                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1665.unnamed, lt_mask_LightPlace(_e1648.x, _e1665.unnamed_1.shift));
+                                                                    phi_2315_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_mask_LightPlace(_e1671.unnamed_1.word, _e1648.y));
                                                                 } else {
-                                                                    let _e1695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1656.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1695.unnamed.root, _e1656.y), _e1695.unnamed_1);
-                                                                    let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1701.unnamed, lt_bvh_traverse_Tree(_e1656.z, _e1701.unnamed_1.first_primitive));
-                                                                    phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1707.unnamed, lt_bvh_traverse_Tree(_e1707.unnamed_1.root, _e1656.w));
+                                                                    let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1687.unnamed.word, _e1648.y), _e1687.unnamed_1);
+                                                                    let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1693.unnamed, lt_mask_LightPlace(_e1648.z, _e1693.unnamed_1.shift));
+                                                                    phi_2315_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_mask_LightPlace(_e1699.unnamed_1.word, _e1648.w));
                                                                 }
-                                                                let _e1715 = phi_2301_;
-                                                                let _e1725 = nodes.member[(0u + _e1594)].y;
-                                                                if (_e1368 < 0f) {
-                                                                    let _e1736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1725.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1736.unnamed.root, _e1725.w), _e1736.unnamed_1);
-                                                                    let _e1748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1742.unnamed, lt_bvh_traverse_Tree(_e1725.x, _e1742.unnamed_1.first_primitive));
-                                                                    phi_2328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1748.unnamed, lt_bvh_traverse_Tree(_e1748.unnamed_1.root, _e1725.y));
+                                                                let _e1707 = phi_2315_;
+                                                                let _e1717 = nodes.member[(0u + _e1586)].y;
+                                                                if (_e1356 < 0f) {
+                                                                    let _e1728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1728.unnamed.word, _e1717.w), _e1728.unnamed_1);
+                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1734.unnamed, lt_mask_LightPlace(_e1717.x, _e1734.unnamed_1.shift));
+                                                                    phi_2342_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1740.unnamed, lt_mask_LightPlace(_e1740.unnamed_1.word, _e1717.y));
                                                                 } else {
-                                                                    let _e1764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1725.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1764.unnamed.root, _e1725.y), _e1764.unnamed_1);
-                                                                    let _e1776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1770.unnamed, lt_bvh_traverse_Tree(_e1725.z, _e1770.unnamed_1.first_primitive));
-                                                                    phi_2328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1776.unnamed, lt_bvh_traverse_Tree(_e1776.unnamed_1.root, _e1725.w));
+                                                                    let _e1756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1756.unnamed.word, _e1717.y), _e1756.unnamed_1);
+                                                                    let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1762.unnamed, lt_mask_LightPlace(_e1717.z, _e1762.unnamed_1.shift));
+                                                                    phi_2342_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1768.unnamed, lt_mask_LightPlace(_e1768.unnamed_1.word, _e1717.w));
                                                                 }
-                                                                let _e1784 = phi_2328_;
-                                                                let _e1794 = nodes.member[(0u + _e1594)].z;
-                                                                if (_e1378 < 0f) {
-                                                                    let _e1805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1794.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1805.unnamed.root, _e1794.w), _e1805.unnamed_1);
-                                                                    let _e1817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1811.unnamed, lt_bvh_traverse_Tree(_e1794.x, _e1811.unnamed_1.first_primitive));
-                                                                    phi_2355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1817.unnamed, lt_bvh_traverse_Tree(_e1817.unnamed_1.root, _e1794.y));
+                                                                let _e1776 = phi_2342_;
+                                                                let _e1786 = nodes.member[(0u + _e1586)].z;
+                                                                if (_e1366 < 0f) {
+                                                                    let _e1797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1786.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1797.unnamed.word, _e1786.w), _e1797.unnamed_1);
+                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1803.unnamed, lt_mask_LightPlace(_e1786.x, _e1803.unnamed_1.shift));
+                                                                    phi_2369_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1809.unnamed, lt_mask_LightPlace(_e1809.unnamed_1.word, _e1786.y));
                                                                 } else {
-                                                                    let _e1833 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1794.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1839 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1833.unnamed.root, _e1794.y), _e1833.unnamed_1);
-                                                                    let _e1845 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1839.unnamed, lt_bvh_traverse_Tree(_e1794.z, _e1839.unnamed_1.first_primitive));
-                                                                    phi_2355_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1845.unnamed, lt_bvh_traverse_Tree(_e1845.unnamed_1.root, _e1794.w));
+                                                                    let _e1825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1786.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1825.unnamed.word, _e1786.y), _e1825.unnamed_1);
+                                                                    let _e1837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1831.unnamed, lt_mask_LightPlace(_e1786.z, _e1831.unnamed_1.shift));
+                                                                    phi_2369_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1837.unnamed, lt_mask_LightPlace(_e1837.unnamed_1.word, _e1786.w));
                                                                 }
-                                                                let _e1853 = phi_2355_;
-                                                                phi_2361_ = 0u;
-                                                                phi_2364_ = 0u;
+                                                                let _e1845 = phi_2369_;
+                                                                phi_2375_ = 0u;
+                                                                phi_2378_ = 0u;
                                                                 loop {
-                                                                    let _e1863 = phi_2361_;
-                                                                    let _e1865 = phi_2364_;
-                                                                    local_7 = _e1865;
-                                                                    local_8 = _e1865;
-                                                                    local_9 = _e1865;
-                                                                    let _e1866 = (_e1863 < 8u);
-                                                                    if _e1866 {
-                                                                        let _e1868 = (_e1863 >> bitcast<u32>(2i));
-                                                                        let _e1869 = (_e1863 & 3u);
-                                                                        if (_e1868 == 0u) {
-                                                                            phi_2378_ = _e1715.unnamed.root;
+                                                                    let _e1855 = phi_2375_;
+                                                                    let _e1857 = phi_2378_;
+                                                                    local_7 = _e1857;
+                                                                    local_8 = _e1857;
+                                                                    local_9 = _e1857;
+                                                                    let _e1858 = (_e1855 < 8u);
+                                                                    if _e1858 {
+                                                                        let _e1860 = (_e1855 >> bitcast<u32>(2i));
+                                                                        let _e1861 = (_e1855 & 3u);
+                                                                        if (_e1860 == 0u) {
+                                                                            phi_2392_ = _e1707.unnamed.word;
                                                                         } else {
-                                                                            phi_2378_ = _e1715.unnamed.first_primitive;
+                                                                            phi_2392_ = _e1707.unnamed.shift;
                                                                         }
-                                                                        let _e1872 = phi_2378_;
-                                                                        if (_e1868 == 0u) {
-                                                                            phi_2388_ = _e1784.unnamed.root;
+                                                                        let _e1864 = phi_2392_;
+                                                                        if (_e1860 == 0u) {
+                                                                            phi_2402_ = _e1776.unnamed.word;
                                                                         } else {
-                                                                            phi_2388_ = _e1784.unnamed.first_primitive;
+                                                                            phi_2402_ = _e1776.unnamed.shift;
                                                                         }
-                                                                        let _e1881 = phi_2388_;
-                                                                        if (_e1868 == 0u) {
-                                                                            phi_2398_ = _e1853.unnamed.root;
+                                                                        let _e1873 = phi_2402_;
+                                                                        if (_e1860 == 0u) {
+                                                                            phi_2412_ = _e1845.unnamed.word;
                                                                         } else {
-                                                                            phi_2398_ = _e1853.unnamed.first_primitive;
+                                                                            phi_2412_ = _e1845.unnamed.shift;
                                                                         }
-                                                                        let _e1890 = phi_2398_;
-                                                                        let _e1903 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1872 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1628) + (_e1646 - _e1406)), ((f32(((_e1881 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1629) + (_e1647 - _e1407)));
-                                                                        let _e1904 = core_intrinsics_maximum_number_nsz_f32_(_e1903, ((f32(((_e1890 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1630) + (_e1648 - _e1408)));
-                                                                        if (_e1868 == 0u) {
-                                                                            phi_2416_ = _e1715.unnamed_1.root;
+                                                                        let _e1882 = phi_2412_;
+                                                                        let _e1895 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1864 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1620) + (_e1638 - _e1398)), ((f32(((_e1873 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1621) + (_e1639 - _e1399)));
+                                                                        let _e1896 = core_intrinsics_maximum_number_nsz_f32_(_e1895, ((f32(((_e1882 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1622) + (_e1640 - _e1400)));
+                                                                        if (_e1860 == 0u) {
+                                                                            phi_2430_ = _e1707.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2416_ = _e1715.unnamed_1.first_primitive;
+                                                                            phi_2430_ = _e1707.unnamed_1.shift;
                                                                         }
-                                                                        let _e1907 = phi_2416_;
-                                                                        if (_e1868 == 0u) {
-                                                                            phi_2426_ = _e1784.unnamed_1.root;
+                                                                        let _e1899 = phi_2430_;
+                                                                        if (_e1860 == 0u) {
+                                                                            phi_2440_ = _e1776.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2426_ = _e1784.unnamed_1.first_primitive;
+                                                                            phi_2440_ = _e1776.unnamed_1.shift;
                                                                         }
-                                                                        let _e1916 = phi_2426_;
-                                                                        if (_e1868 == 0u) {
-                                                                            phi_2436_ = _e1853.unnamed_1.root;
+                                                                        let _e1908 = phi_2440_;
+                                                                        if (_e1860 == 0u) {
+                                                                            phi_2450_ = _e1845.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2436_ = _e1853.unnamed_1.first_primitive;
+                                                                            phi_2450_ = _e1845.unnamed_1.shift;
                                                                         }
-                                                                        let _e1925 = phi_2436_;
-                                                                        let _e1938 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1907 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1628) + (_e1646 + _e1406)), ((f32(((_e1916 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1629) + (_e1647 + _e1407)));
-                                                                        let _e1939 = core_intrinsics_minimum_number_nsz_f32_(_e1938, ((f32(((_e1925 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u)) * _e1630) + (_e1648 + _e1408)));
-                                                                        if (_e1904 <= _e1939) {
-                                                                            if (_e1904 <= _e275) {
-                                                                                if (_e1939 >= 0f) {
-                                                                                    if (_e1868 == 0u) {
-                                                                                        let _e1946 = nodes.member[(0u + _e1594)].links[2u];
-                                                                                        phi_2472_ = _e1946;
+                                                                        let _e1917 = phi_2450_;
+                                                                        let _e1930 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1899 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1620) + (_e1638 + _e1398)), ((f32(((_e1908 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1621) + (_e1639 + _e1399)));
+                                                                        let _e1931 = core_intrinsics_minimum_number_nsz_f32_(_e1930, ((f32(((_e1917 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1622) + (_e1640 + _e1400)));
+                                                                        if (_e1896 <= _e1931) {
+                                                                            if (_e1896 <= _e275) {
+                                                                                if (_e1931 >= 0f) {
+                                                                                    if (_e1860 == 0u) {
+                                                                                        let _e1938 = nodes.member[(0u + _e1586)].links[2u];
+                                                                                        phi_2486_ = _e1938;
                                                                                     } else {
-                                                                                        let _e1949 = nodes.member[(0u + _e1594)].links[3u];
-                                                                                        phi_2472_ = _e1949;
+                                                                                        let _e1941 = nodes.member[(0u + _e1586)].links[3u];
+                                                                                        phi_2486_ = _e1941;
                                                                                     }
-                                                                                    let _e1951 = phi_2472_;
-                                                                                    let _e1956 = ((_e1951 >> bitcast<u32>(((_e1869 * 8u) & 31u))) & 255u);
-                                                                                    let _e1957 = (_e1956 & 31u);
-                                                                                    if (_e1957 >= 24u) {
-                                                                                        phi_2485_ = (24u + ((_e1957 - 24u) ^ _e1456));
+                                                                                    let _e1943 = phi_2486_;
+                                                                                    let _e1948 = ((_e1943 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u);
+                                                                                    let _e1949 = (_e1948 & 31u);
+                                                                                    if (_e1949 >= 24u) {
+                                                                                        phi_2499_ = (24u + ((_e1949 - 24u) ^ _e1448));
                                                                                     } else {
-                                                                                        phi_2485_ = _e1957;
+                                                                                        phi_2499_ = _e1949;
                                                                                     }
-                                                                                    let _e1963 = phi_2485_;
-                                                                                    phi_2490_ = (_e1865 | ((_e1956 >> bitcast<u32>(5i)) << bitcast<u32>((_e1963 & 31u))));
+                                                                                    let _e1955 = phi_2499_;
+                                                                                    phi_2504_ = (_e1857 | ((_e1948 >> bitcast<u32>(5i)) << bitcast<u32>((_e1955 & 31u))));
                                                                                 } else {
-                                                                                    phi_2490_ = _e1865;
+                                                                                    phi_2504_ = _e1857;
                                                                                 }
-                                                                                let _e1971 = phi_2490_;
-                                                                                phi_2491_ = _e1971;
+                                                                                let _e1963 = phi_2504_;
+                                                                                phi_2505_ = _e1963;
                                                                             } else {
-                                                                                phi_2491_ = _e1865;
+                                                                                phi_2505_ = _e1857;
                                                                             }
-                                                                            let _e1973 = phi_2491_;
-                                                                            phi_2492_ = _e1973;
+                                                                            let _e1965 = phi_2505_;
+                                                                            phi_2506_ = _e1965;
                                                                         } else {
-                                                                            phi_2492_ = _e1865;
+                                                                            phi_2506_ = _e1857;
                                                                         }
-                                                                        let _e1975 = phi_2492_;
-                                                                        phi_2362_ = (_e1863 + 1u);
-                                                                        phi_2365_ = _e1975;
+                                                                        let _e1967 = phi_2506_;
+                                                                        phi_2376_ = (_e1855 + 1u);
+                                                                        phi_2379_ = _e1967;
                                                                     } else {
-                                                                        phi_2362_ = u32();
-                                                                        phi_2365_ = u32();
+                                                                        phi_2376_ = u32();
+                                                                        phi_2379_ = u32();
                                                                     }
-                                                                    let _e1978 = phi_2362_;
-                                                                    let _e1980 = phi_2365_;
+                                                                    let _e1970 = phi_2376_;
+                                                                    let _e1972 = phi_2379_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2361_ = _e1978;
-                                                                        phi_2364_ = _e1980;
-                                                                        break if !(_e1866);
+                                                                        phi_2375_ = _e1970;
+                                                                        phi_2378_ = _e1972;
+                                                                        break if !(_e1858);
                                                                     }
                                                                 }
-                                                                let _e1984 = nodes.member[(0u + _e1594)].links[0u];
-                                                                let _e1988 = nodes.member[(0u + _e1594)].frame[3u];
-                                                                let _e1992 = local_7;
-                                                                if ((_e1992 & 4278190080u) == 0u) {
+                                                                let _e1976 = nodes.member[(0u + _e1586)].links[0u];
+                                                                let _e1980 = nodes.member[(0u + _e1586)].frame[3u];
+                                                                let _e1984 = local_7;
+                                                                if ((_e1984 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1996 = local_1.group_mask;
-                                                                    if ((_e1996 & 4278190080u) == 0u) {
+                                                                    let _e1988 = local_1.group_mask;
+                                                                    if ((_e1988 & 4278190080u) == 0u) {
                                                                     } else {
-                                                                        let _e2000 = local_1.len;
-                                                                        if (_e2000 < 32u) {
-                                                                            let _e2003 = local_1.group;
+                                                                        let _e1992 = local_1.len;
+                                                                        if (_e1992 < 32u) {
+                                                                            let _e1995 = local_1.group;
+                                                                            let _e1997 = local_1.len;
+                                                                            if (_e1997 < 32u) {
+                                                                            } else {
+                                                                                return;
+                                                                            }
+                                                                            local_1.first[(0u + _e1997)] = _e1995;
+                                                                            let _e2003 = local_1.group_mask;
                                                                             let _e2005 = local_1.len;
                                                                             if (_e2005 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local_1.first[(0u + _e2005)] = _e2003;
-                                                                            let _e2011 = local_1.group_mask;
-                                                                            let _e2013 = local_1.len;
-                                                                            if (_e2013 < 32u) {
-                                                                            } else {
-                                                                                return;
-                                                                            }
-                                                                            local_1.mask[(0u + _e2013)] = _e2011;
-                                                                            let _e2020 = local_1.len;
-                                                                            local_1.len = (_e2020 + 1u);
+                                                                            local_1.mask[(0u + _e2005)] = _e2003;
+                                                                            let _e2012 = local_1.len;
+                                                                            local_1.len = (_e2012 + 1u);
                                                                         }
                                                                     }
-                                                                    local_1.group = (_e1218 + _e1984);
-                                                                    let _e2024 = local_8;
-                                                                    local_1.group_mask = ((_e2024 & 4278190080u) | (_e1988 >> bitcast<u32>(24i)));
+                                                                    local_1.group = (_e1214 + _e1976);
+                                                                    let _e2016 = local_8;
+                                                                    local_1.group_mask = ((_e2016 & 4278190080u) | (_e1980 >> bitcast<u32>(24i)));
                                                                 }
-                                                                let _e2029 = local_9;
-                                                                phi_2550_ = (_e2029 & 16777215u);
-                                                                phi_2553_ = _e1596;
+                                                                let _e2021 = local_9;
+                                                                phi_2564_ = (_e2021 & 16777215u);
+                                                                phi_2567_ = _e1588;
                                                                 loop {
-                                                                    let _e2032 = phi_2550_;
-                                                                    let _e2034 = phi_2553_;
-                                                                    local_14 = _e2034;
-                                                                    let _e2035 = (_e2032 == 0u);
-                                                                    local_10 = _e2035;
-                                                                    local_16 = _e2035;
-                                                                    if _e2035 {
-                                                                        phi_2551_ = u32();
-                                                                        phi_2554_ = bool();
-                                                                        phi_3357_ = bool();
-                                                                        phi_3358_ = false;
+                                                                    let _e2024 = phi_2564_;
+                                                                    let _e2026 = phi_2567_;
+                                                                    local_14 = _e2026;
+                                                                    let _e2027 = (_e2024 == 0u);
+                                                                    local_10 = _e2027;
+                                                                    local_16 = _e2027;
+                                                                    if _e2027 {
+                                                                        phi_2565_ = u32();
+                                                                        phi_2568_ = bool();
+                                                                        phi_3371_ = bool();
+                                                                        phi_3372_ = false;
                                                                     } else {
-                                                                        let _e2038 = nodes.member[(0u + _e1594)].links[1u];
-                                                                        let _e2043 = ((_e1220 + _e2038) + select(firstTrailingBit(_e2032), 32u, (_e2032 == 0u)));
-                                                                        if (_e2043 < _e82) {
+                                                                        let _e2030 = nodes.member[(0u + _e1586)].links[1u];
+                                                                        let _e2035 = ((_e1216 + _e2030) + select(firstTrailingBit(_e2024), 32u, (_e2024 == 0u)));
+                                                                        if (_e2035 < _e82) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2050 = triangles.member[(0u + _e2043)].v0_;
-                                                                        let _e2052 = (_e2050.x - _e1149);
-                                                                        let _e2054 = (_e2050.y - _e1162);
-                                                                        let _e2056 = (_e2050.z - _e1175);
-                                                                        if (_e1429 == 0u) {
-                                                                            phi_2598_ = vec3<f32>(_e2054, _e2056, _e2052);
+                                                                        let _e2042 = triangles.member[(0u + _e2035)].v0_;
+                                                                        let _e2044 = (_e2042.x - _e1145);
+                                                                        let _e2046 = (_e2042.y - _e1158);
+                                                                        let _e2048 = (_e2042.z - _e1171);
+                                                                        if (_e1421 == 0u) {
+                                                                            phi_2612_ = vec3<f32>(_e2046, _e2048, _e2044);
                                                                         } else {
-                                                                            if (_e1429 == 1u) {
-                                                                                phi_2597_ = vec3<f32>(_e2056, _e2052, _e2054);
+                                                                            if (_e1421 == 1u) {
+                                                                                phi_2611_ = vec3<f32>(_e2048, _e2044, _e2046);
                                                                             } else {
-                                                                                phi_2597_ = (_e2050 - vec3<f32>(_e1149, _e1162, _e1175));
+                                                                                phi_2611_ = (_e2042 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                             }
-                                                                            let _e2064 = phi_2597_;
-                                                                            phi_2598_ = _e2064;
+                                                                            let _e2056 = phi_2611_;
+                                                                            phi_2612_ = _e2056;
                                                                         }
-                                                                        let _e2066 = phi_2598_;
-                                                                        let _e2070 = (_e2066.x - (_e1440 * _e2066.z));
-                                                                        let _e2074 = (_e2066.y - (_e1443 * _e2066.z));
-                                                                        let _e2076 = triangles.member[(0u + _e2043)].v1_;
-                                                                        let _e2078 = (_e2076.x - _e1149);
-                                                                        let _e2080 = (_e2076.y - _e1162);
-                                                                        let _e2082 = (_e2076.z - _e1175);
-                                                                        if (_e1429 == 0u) {
-                                                                            phi_2628_ = vec3<f32>(_e2080, _e2082, _e2078);
+                                                                        let _e2058 = phi_2612_;
+                                                                        let _e2062 = (_e2058.x - (_e1432 * _e2058.z));
+                                                                        let _e2066 = (_e2058.y - (_e1435 * _e2058.z));
+                                                                        let _e2068 = triangles.member[(0u + _e2035)].v1_;
+                                                                        let _e2070 = (_e2068.x - _e1145);
+                                                                        let _e2072 = (_e2068.y - _e1158);
+                                                                        let _e2074 = (_e2068.z - _e1171);
+                                                                        if (_e1421 == 0u) {
+                                                                            phi_2642_ = vec3<f32>(_e2072, _e2074, _e2070);
                                                                         } else {
-                                                                            if (_e1429 == 1u) {
-                                                                                phi_2627_ = vec3<f32>(_e2082, _e2078, _e2080);
+                                                                            if (_e1421 == 1u) {
+                                                                                phi_2641_ = vec3<f32>(_e2074, _e2070, _e2072);
                                                                             } else {
-                                                                                phi_2627_ = (_e2076 - vec3<f32>(_e1149, _e1162, _e1175));
+                                                                                phi_2641_ = (_e2068 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                             }
-                                                                            let _e2090 = phi_2627_;
-                                                                            phi_2628_ = _e2090;
+                                                                            let _e2082 = phi_2641_;
+                                                                            phi_2642_ = _e2082;
                                                                         }
-                                                                        let _e2092 = phi_2628_;
-                                                                        let _e2096 = (_e2092.x - (_e1440 * _e2092.z));
-                                                                        let _e2100 = (_e2092.y - (_e1443 * _e2092.z));
-                                                                        let _e2102 = triangles.member[(0u + _e2043)].v2_;
-                                                                        let _e2104 = (_e2102.x - _e1149);
-                                                                        let _e2106 = (_e2102.y - _e1162);
-                                                                        let _e2108 = (_e2102.z - _e1175);
-                                                                        if (_e1429 == 0u) {
-                                                                            phi_2658_ = vec3<f32>(_e2106, _e2108, _e2104);
+                                                                        let _e2084 = phi_2642_;
+                                                                        let _e2088 = (_e2084.x - (_e1432 * _e2084.z));
+                                                                        let _e2092 = (_e2084.y - (_e1435 * _e2084.z));
+                                                                        let _e2094 = triangles.member[(0u + _e2035)].v2_;
+                                                                        let _e2096 = (_e2094.x - _e1145);
+                                                                        let _e2098 = (_e2094.y - _e1158);
+                                                                        let _e2100 = (_e2094.z - _e1171);
+                                                                        if (_e1421 == 0u) {
+                                                                            phi_2672_ = vec3<f32>(_e2098, _e2100, _e2096);
                                                                         } else {
-                                                                            if (_e1429 == 1u) {
-                                                                                phi_2657_ = vec3<f32>(_e2108, _e2104, _e2106);
+                                                                            if (_e1421 == 1u) {
+                                                                                phi_2671_ = vec3<f32>(_e2100, _e2096, _e2098);
                                                                             } else {
-                                                                                phi_2657_ = (_e2102 - vec3<f32>(_e1149, _e1162, _e1175));
+                                                                                phi_2671_ = (_e2094 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                             }
-                                                                            let _e2116 = phi_2657_;
-                                                                            phi_2658_ = _e2116;
+                                                                            let _e2108 = phi_2671_;
+                                                                            phi_2672_ = _e2108;
                                                                         }
-                                                                        let _e2118 = phi_2658_;
-                                                                        let _e2122 = (_e2118.x - (_e1440 * _e2118.z));
-                                                                        let _e2126 = (_e2118.y - (_e1443 * _e2118.z));
-                                                                        if (_e2096 < _e2122) {
-                                                                            phi_2677_ = true;
+                                                                        let _e2110 = phi_2672_;
+                                                                        let _e2114 = (_e2110.x - (_e1432 * _e2110.z));
+                                                                        let _e2118 = (_e2110.y - (_e1435 * _e2110.z));
+                                                                        if (_e2088 < _e2114) {
+                                                                            phi_2691_ = true;
                                                                         } else {
-                                                                            if (_e2096 == _e2122) {
-                                                                                phi_2676_ = (_e2100 < _e2126);
+                                                                            if (_e2088 == _e2114) {
+                                                                                phi_2690_ = (_e2092 < _e2118);
                                                                             } else {
-                                                                                phi_2676_ = false;
+                                                                                phi_2690_ = false;
                                                                             }
-                                                                            let _e2131 = phi_2676_;
-                                                                            phi_2677_ = _e2131;
+                                                                            let _e2123 = phi_2690_;
+                                                                            phi_2691_ = _e2123;
                                                                         }
-                                                                        let _e2133 = phi_2677_;
-                                                                        if _e2133 {
-                                                                            phi_2681_ = _e2126;
-                                                                            phi_2682_ = _e2122;
-                                                                            phi_2683_ = _e2100;
-                                                                            phi_2684_ = _e2096;
+                                                                        let _e2125 = phi_2691_;
+                                                                        if _e2125 {
+                                                                            phi_2695_ = _e2118;
+                                                                            phi_2696_ = _e2114;
+                                                                            phi_2697_ = _e2092;
+                                                                            phi_2698_ = _e2088;
                                                                         } else {
-                                                                            phi_2681_ = _e2100;
-                                                                            phi_2682_ = _e2096;
-                                                                            phi_2683_ = _e2126;
-                                                                            phi_2684_ = _e2122;
+                                                                            phi_2695_ = _e2092;
+                                                                            phi_2696_ = _e2088;
+                                                                            phi_2697_ = _e2118;
+                                                                            phi_2698_ = _e2114;
                                                                         }
-                                                                        let _e2135 = phi_2681_;
-                                                                        let _e2137 = phi_2682_;
-                                                                        let _e2139 = phi_2683_;
-                                                                        let _e2141 = phi_2684_;
-                                                                        let _e2144 = ((_e2141 * _e2135) - (_e2139 * _e2137));
-                                                                        if _e2133 {
-                                                                            phi_2692_ = -(_e2144);
+                                                                        let _e2127 = phi_2695_;
+                                                                        let _e2129 = phi_2696_;
+                                                                        let _e2131 = phi_2697_;
+                                                                        let _e2133 = phi_2698_;
+                                                                        let _e2136 = ((_e2133 * _e2127) - (_e2131 * _e2129));
+                                                                        if _e2125 {
+                                                                            phi_2706_ = -(_e2136);
                                                                         } else {
-                                                                            phi_2692_ = _e2144;
+                                                                            phi_2706_ = _e2136;
                                                                         }
-                                                                        let _e2147 = phi_2692_;
-                                                                        if (_e2122 < _e2070) {
-                                                                            phi_2703_ = true;
+                                                                        let _e2139 = phi_2706_;
+                                                                        if (_e2114 < _e2062) {
+                                                                            phi_2717_ = true;
                                                                         } else {
-                                                                            if (_e2122 == _e2070) {
-                                                                                phi_2702_ = (_e2126 < _e2074);
+                                                                            if (_e2114 == _e2062) {
+                                                                                phi_2716_ = (_e2118 < _e2066);
                                                                             } else {
-                                                                                phi_2702_ = false;
+                                                                                phi_2716_ = false;
                                                                             }
-                                                                            let _e2152 = phi_2702_;
-                                                                            phi_2703_ = _e2152;
+                                                                            let _e2144 = phi_2716_;
+                                                                            phi_2717_ = _e2144;
                                                                         }
-                                                                        let _e2154 = phi_2703_;
-                                                                        if _e2154 {
-                                                                            phi_2707_ = _e2074;
-                                                                            phi_2708_ = _e2070;
-                                                                            phi_2709_ = _e2126;
-                                                                            phi_2710_ = _e2122;
+                                                                        let _e2146 = phi_2717_;
+                                                                        if _e2146 {
+                                                                            phi_2721_ = _e2066;
+                                                                            phi_2722_ = _e2062;
+                                                                            phi_2723_ = _e2118;
+                                                                            phi_2724_ = _e2114;
                                                                         } else {
-                                                                            phi_2707_ = _e2126;
-                                                                            phi_2708_ = _e2122;
-                                                                            phi_2709_ = _e2074;
-                                                                            phi_2710_ = _e2070;
+                                                                            phi_2721_ = _e2118;
+                                                                            phi_2722_ = _e2114;
+                                                                            phi_2723_ = _e2066;
+                                                                            phi_2724_ = _e2062;
                                                                         }
-                                                                        let _e2156 = phi_2707_;
-                                                                        let _e2158 = phi_2708_;
-                                                                        let _e2160 = phi_2709_;
-                                                                        let _e2162 = phi_2710_;
-                                                                        let _e2165 = ((_e2162 * _e2156) - (_e2160 * _e2158));
-                                                                        if _e2154 {
-                                                                            phi_2718_ = -(_e2165);
+                                                                        let _e2148 = phi_2721_;
+                                                                        let _e2150 = phi_2722_;
+                                                                        let _e2152 = phi_2723_;
+                                                                        let _e2154 = phi_2724_;
+                                                                        let _e2157 = ((_e2154 * _e2148) - (_e2152 * _e2150));
+                                                                        if _e2146 {
+                                                                            phi_2732_ = -(_e2157);
                                                                         } else {
-                                                                            phi_2718_ = _e2165;
+                                                                            phi_2732_ = _e2157;
                                                                         }
-                                                                        let _e2168 = phi_2718_;
-                                                                        if (_e2070 < _e2096) {
-                                                                            phi_2729_ = true;
+                                                                        let _e2160 = phi_2732_;
+                                                                        if (_e2062 < _e2088) {
+                                                                            phi_2743_ = true;
                                                                         } else {
-                                                                            if (_e2070 == _e2096) {
-                                                                                phi_2728_ = (_e2074 < _e2100);
+                                                                            if (_e2062 == _e2088) {
+                                                                                phi_2742_ = (_e2066 < _e2092);
                                                                             } else {
-                                                                                phi_2728_ = false;
+                                                                                phi_2742_ = false;
                                                                             }
-                                                                            let _e2173 = phi_2728_;
-                                                                            phi_2729_ = _e2173;
+                                                                            let _e2165 = phi_2742_;
+                                                                            phi_2743_ = _e2165;
                                                                         }
-                                                                        let _e2175 = phi_2729_;
-                                                                        if _e2175 {
-                                                                            phi_2733_ = _e2100;
-                                                                            phi_2734_ = _e2096;
-                                                                            phi_2735_ = _e2074;
-                                                                            phi_2736_ = _e2070;
+                                                                        let _e2167 = phi_2743_;
+                                                                        if _e2167 {
+                                                                            phi_2747_ = _e2092;
+                                                                            phi_2748_ = _e2088;
+                                                                            phi_2749_ = _e2066;
+                                                                            phi_2750_ = _e2062;
                                                                         } else {
-                                                                            phi_2733_ = _e2074;
-                                                                            phi_2734_ = _e2070;
-                                                                            phi_2735_ = _e2100;
-                                                                            phi_2736_ = _e2096;
+                                                                            phi_2747_ = _e2066;
+                                                                            phi_2748_ = _e2062;
+                                                                            phi_2749_ = _e2092;
+                                                                            phi_2750_ = _e2088;
                                                                         }
-                                                                        let _e2177 = phi_2733_;
-                                                                        let _e2179 = phi_2734_;
-                                                                        let _e2181 = phi_2735_;
-                                                                        let _e2183 = phi_2736_;
-                                                                        let _e2186 = ((_e2183 * _e2177) - (_e2181 * _e2179));
-                                                                        if _e2175 {
-                                                                            phi_2744_ = -(_e2186);
+                                                                        let _e2169 = phi_2747_;
+                                                                        let _e2171 = phi_2748_;
+                                                                        let _e2173 = phi_2749_;
+                                                                        let _e2175 = phi_2750_;
+                                                                        let _e2178 = ((_e2175 * _e2169) - (_e2173 * _e2171));
+                                                                        if _e2167 {
+                                                                            phi_2758_ = -(_e2178);
                                                                         } else {
-                                                                            phi_2744_ = _e2186;
+                                                                            phi_2758_ = _e2178;
                                                                         }
-                                                                        let _e2189 = phi_2744_;
-                                                                        if (_e2147 >= 0f) {
-                                                                            if (_e2168 >= 0f) {
-                                                                                if (_e2189 >= 0f) {
-                                                                                    phi_2759_ = ((_e2147 + _e2168) + _e2189);
-                                                                                    phi_2760_ = false;
+                                                                        let _e2181 = phi_2758_;
+                                                                        if (_e2139 >= 0f) {
+                                                                            if (_e2160 >= 0f) {
+                                                                                if (_e2181 >= 0f) {
+                                                                                    phi_2773_ = ((_e2139 + _e2160) + _e2181);
+                                                                                    phi_2774_ = false;
                                                                                 } else {
-                                                                                    phi_2759_ = f32();
-                                                                                    phi_2760_ = true;
+                                                                                    phi_2773_ = f32();
+                                                                                    phi_2774_ = true;
                                                                                 }
-                                                                                let _e2196 = phi_2759_;
-                                                                                let _e2198 = phi_2760_;
-                                                                                phi_2761_ = _e2196;
-                                                                                phi_2762_ = _e2198;
+                                                                                let _e2188 = phi_2773_;
+                                                                                let _e2190 = phi_2774_;
+                                                                                phi_2775_ = _e2188;
+                                                                                phi_2776_ = _e2190;
                                                                             } else {
-                                                                                phi_2761_ = f32();
-                                                                                phi_2762_ = true;
+                                                                                phi_2775_ = f32();
+                                                                                phi_2776_ = true;
                                                                             }
-                                                                            let _e2200 = phi_2761_;
-                                                                            let _e2202 = phi_2762_;
-                                                                            phi_2763_ = _e2200;
-                                                                            phi_2764_ = _e2202;
+                                                                            let _e2192 = phi_2775_;
+                                                                            let _e2194 = phi_2776_;
+                                                                            phi_2777_ = _e2192;
+                                                                            phi_2778_ = _e2194;
                                                                         } else {
-                                                                            phi_2763_ = f32();
-                                                                            phi_2764_ = true;
+                                                                            phi_2777_ = f32();
+                                                                            phi_2778_ = true;
                                                                         }
-                                                                        let _e2204 = phi_2763_;
-                                                                        let _e2206 = phi_2764_;
-                                                                        if _e2206 {
-                                                                            if (_e2147 <= 0f) {
-                                                                                if (_e2168 <= 0f) {
-                                                                                    let _e2209 = (_e2189 <= 0f);
-                                                                                    if _e2209 {
+                                                                        let _e2196 = phi_2777_;
+                                                                        let _e2198 = phi_2778_;
+                                                                        if _e2198 {
+                                                                            if (_e2139 <= 0f) {
+                                                                                if (_e2160 <= 0f) {
+                                                                                    let _e2201 = (_e2181 <= 0f);
+                                                                                    if _e2201 {
                                                                                     }
-                                                                                    phi_2782_ = ((_e2147 + _e2168) + _e2189);
-                                                                                    phi_2783_ = false;
-                                                                                    phi_2784_ = _e2209;
+                                                                                    phi_2796_ = ((_e2139 + _e2160) + _e2181);
+                                                                                    phi_2797_ = false;
+                                                                                    phi_2798_ = _e2201;
                                                                                 } else {
-                                                                                    phi_2782_ = f32();
-                                                                                    phi_2783_ = true;
-                                                                                    phi_2784_ = false;
+                                                                                    phi_2796_ = f32();
+                                                                                    phi_2797_ = true;
+                                                                                    phi_2798_ = false;
                                                                                 }
-                                                                                let _e2213 = phi_2782_;
-                                                                                let _e2215 = phi_2783_;
-                                                                                let _e2217 = phi_2784_;
-                                                                                phi_2785_ = _e2213;
-                                                                                phi_2786_ = _e2215;
-                                                                                phi_2787_ = _e2217;
+                                                                                let _e2205 = phi_2796_;
+                                                                                let _e2207 = phi_2797_;
+                                                                                let _e2209 = phi_2798_;
+                                                                                phi_2799_ = _e2205;
+                                                                                phi_2800_ = _e2207;
+                                                                                phi_2801_ = _e2209;
                                                                             } else {
-                                                                                phi_2785_ = f32();
-                                                                                phi_2786_ = true;
-                                                                                phi_2787_ = false;
+                                                                                phi_2799_ = f32();
+                                                                                phi_2800_ = true;
+                                                                                phi_2801_ = false;
                                                                             }
-                                                                            let _e2219 = phi_2785_;
-                                                                            let _e2221 = phi_2786_;
-                                                                            let _e2223 = phi_2787_;
-                                                                            if _e2221 {
-                                                                                phi_2791_ = false;
+                                                                            let _e2211 = phi_2799_;
+                                                                            let _e2213 = phi_2800_;
+                                                                            let _e2215 = phi_2801_;
+                                                                            if _e2213 {
+                                                                                phi_2805_ = false;
                                                                             } else {
-                                                                                phi_2791_ = _e2223;
+                                                                                phi_2805_ = _e2215;
                                                                             }
-                                                                            let _e2225 = phi_2791_;
-                                                                            phi_2792_ = _e2219;
-                                                                            phi_2793_ = _e2225;
+                                                                            let _e2217 = phi_2805_;
+                                                                            phi_2806_ = _e2211;
+                                                                            phi_2807_ = _e2217;
                                                                         } else {
-                                                                            phi_2792_ = _e2204;
-                                                                            phi_2793_ = true;
+                                                                            phi_2806_ = _e2196;
+                                                                            phi_2807_ = true;
                                                                         }
-                                                                        let _e2227 = phi_2792_;
-                                                                        let _e2229 = phi_2793_;
-                                                                        if _e2229 {
-                                                                            let _e2230 = (_e2227 == 0f);
-                                                                            if _e2230 {
-                                                                                phi_3109_ = lt_bvh_triangle_Intersection();
-                                                                                phi_3110_ = false;
+                                                                        let _e2219 = phi_2806_;
+                                                                        let _e2221 = phi_2807_;
+                                                                        if _e2221 {
+                                                                            let _e2222 = (_e2219 == 0f);
+                                                                            if _e2222 {
+                                                                                phi_3123_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3124_ = false;
                                                                             } else {
-                                                                                let _e2232 = triangles.member[(0u + _e2043)].v0_;
-                                                                                let _e2234 = (_e2232.x - _e1149);
-                                                                                let _e2236 = (_e2232.y - _e1162);
-                                                                                let _e2238 = (_e2232.z - _e1175);
-                                                                                if (_e1429 == 0u) {
-                                                                                    phi_2822_ = vec3<f32>(_e2236, _e2238, _e2234);
+                                                                                let _e2224 = triangles.member[(0u + _e2035)].v0_;
+                                                                                let _e2226 = (_e2224.x - _e1145);
+                                                                                let _e2228 = (_e2224.y - _e1158);
+                                                                                let _e2230 = (_e2224.z - _e1171);
+                                                                                if (_e1421 == 0u) {
+                                                                                    phi_2836_ = vec3<f32>(_e2228, _e2230, _e2226);
                                                                                 } else {
-                                                                                    if (_e1429 == 1u) {
-                                                                                        phi_2821_ = vec3<f32>(_e2238, _e2234, _e2236);
+                                                                                    if (_e1421 == 1u) {
+                                                                                        phi_2835_ = vec3<f32>(_e2230, _e2226, _e2228);
                                                                                     } else {
-                                                                                        phi_2821_ = (_e2232 - vec3<f32>(_e1149, _e1162, _e1175));
+                                                                                        phi_2835_ = (_e2224 - vec3<f32>(_e1145, _e1158, _e1171));
                                                                                     }
-                                                                                    let _e2246 = phi_2821_;
-                                                                                    phi_2822_ = _e2246;
+                                                                                    let _e2238 = phi_2835_;
+                                                                                    phi_2836_ = _e2238;
                                                                                 }
-                                                                                let _e2248 = phi_2822_;
-                                                                                let _e2250 = triangles.member[(0u + _e2043)].v1_;
-                                                                                let _e2252 = triangles.member[(0u + _e2043)].v0_;
-                                                                                let _e2255 = (_e2250.x - _e2252.x);
-                                                                                let _e2258 = (_e2250.y - _e2252.y);
-                                                                                let _e2261 = (_e2250.z - _e2252.z);
-                                                                                if (_e1429 == 0u) {
-                                                                                    phi_2848_ = vec3<f32>(_e2258, _e2261, _e2255);
+                                                                                let _e2240 = phi_2836_;
+                                                                                let _e2242 = triangles.member[(0u + _e2035)].v1_;
+                                                                                let _e2244 = triangles.member[(0u + _e2035)].v0_;
+                                                                                let _e2247 = (_e2242.x - _e2244.x);
+                                                                                let _e2250 = (_e2242.y - _e2244.y);
+                                                                                let _e2253 = (_e2242.z - _e2244.z);
+                                                                                if (_e1421 == 0u) {
+                                                                                    phi_2862_ = vec3<f32>(_e2250, _e2253, _e2247);
                                                                                 } else {
-                                                                                    if (_e1429 == 1u) {
-                                                                                        phi_2847_ = vec3<f32>(_e2261, _e2255, _e2258);
+                                                                                    if (_e1421 == 1u) {
+                                                                                        phi_2861_ = vec3<f32>(_e2253, _e2247, _e2250);
                                                                                     } else {
-                                                                                        phi_2847_ = (_e2250 - _e2252);
+                                                                                        phi_2861_ = (_e2242 - _e2244);
                                                                                     }
-                                                                                    let _e2268 = phi_2847_;
-                                                                                    phi_2848_ = _e2268;
+                                                                                    let _e2260 = phi_2861_;
+                                                                                    phi_2862_ = _e2260;
                                                                                 }
-                                                                                let _e2270 = phi_2848_;
-                                                                                let _e2272 = triangles.member[(0u + _e2043)].v2_;
-                                                                                let _e2274 = triangles.member[(0u + _e2043)].v0_;
-                                                                                let _e2277 = (_e2272.x - _e2274.x);
-                                                                                let _e2280 = (_e2272.y - _e2274.y);
-                                                                                let _e2283 = (_e2272.z - _e2274.z);
-                                                                                if (_e1429 == 0u) {
-                                                                                    phi_2874_ = vec3<f32>(_e2280, _e2283, _e2277);
+                                                                                let _e2262 = phi_2862_;
+                                                                                let _e2264 = triangles.member[(0u + _e2035)].v2_;
+                                                                                let _e2266 = triangles.member[(0u + _e2035)].v0_;
+                                                                                let _e2269 = (_e2264.x - _e2266.x);
+                                                                                let _e2272 = (_e2264.y - _e2266.y);
+                                                                                let _e2275 = (_e2264.z - _e2266.z);
+                                                                                if (_e1421 == 0u) {
+                                                                                    phi_2888_ = vec3<f32>(_e2272, _e2275, _e2269);
                                                                                 } else {
-                                                                                    if (_e1429 == 1u) {
-                                                                                        phi_2873_ = vec3<f32>(_e2283, _e2277, _e2280);
+                                                                                    if (_e1421 == 1u) {
+                                                                                        phi_2887_ = vec3<f32>(_e2275, _e2269, _e2272);
                                                                                     } else {
-                                                                                        phi_2873_ = (_e2272 - _e2274);
+                                                                                        phi_2887_ = (_e2264 - _e2266);
                                                                                     }
-                                                                                    let _e2290 = phi_2873_;
-                                                                                    phi_2874_ = _e2290;
+                                                                                    let _e2282 = phi_2887_;
+                                                                                    phi_2888_ = _e2282;
                                                                                 }
-                                                                                let _e2292 = phi_2874_;
-                                                                                let _e2299 = ((_e2270.y * _e2292.z) - (_e2270.z * _e2292.y));
-                                                                                let _e2306 = ((_e2270.z * _e2292.x) - (_e2270.x * _e2292.z));
-                                                                                let _e2313 = ((_e2270.x * _e2292.y) - (_e2270.y * _e2292.x));
-                                                                                let _e2327 = (((1f / _e1437.z) * (((_e2299 * _e2248.x) + (_e2306 * _e2248.y)) + (_e2313 * _e2248.z))) / (((_e2299 * _e1440) + (_e2306 * _e1443)) + _e2313));
-                                                                                if (_e2327 > 0f) {
-                                                                                    if (_e2327 < _e275) {
-                                                                                        let _e2331 = triangles.member[(0u + _e2043)].v0_;
-                                                                                        let _e2333 = triangles.member[(0u + _e2043)].v1_;
-                                                                                        if (_e2331.x < _e2333.x) {
-                                                                                            phi_2930_ = _e2331.x;
+                                                                                let _e2284 = phi_2888_;
+                                                                                let _e2291 = ((_e2262.y * _e2284.z) - (_e2262.z * _e2284.y));
+                                                                                let _e2298 = ((_e2262.z * _e2284.x) - (_e2262.x * _e2284.z));
+                                                                                let _e2305 = ((_e2262.x * _e2284.y) - (_e2262.y * _e2284.x));
+                                                                                let _e2319 = (((1f / _e1429.z) * (((_e2291 * _e2240.x) + (_e2298 * _e2240.y)) + (_e2305 * _e2240.z))) / (((_e2291 * _e1432) + (_e2298 * _e1435)) + _e2305));
+                                                                                if (_e2319 > 0f) {
+                                                                                    if (_e2319 < _e275) {
+                                                                                        let _e2323 = triangles.member[(0u + _e2035)].v0_;
+                                                                                        let _e2325 = triangles.member[(0u + _e2035)].v1_;
+                                                                                        if (_e2323.x < _e2325.x) {
+                                                                                            phi_2944_ = _e2323.x;
                                                                                         } else {
-                                                                                            phi_2930_ = _e2333.x;
+                                                                                            phi_2944_ = _e2325.x;
                                                                                         }
-                                                                                        let _e2340 = phi_2930_;
-                                                                                        if (_e2331.y < _e2333.y) {
-                                                                                            phi_2939_ = _e2331.y;
+                                                                                        let _e2332 = phi_2944_;
+                                                                                        if (_e2323.y < _e2325.y) {
+                                                                                            phi_2953_ = _e2323.y;
                                                                                         } else {
-                                                                                            phi_2939_ = _e2333.y;
+                                                                                            phi_2953_ = _e2325.y;
                                                                                         }
-                                                                                        let _e2347 = phi_2939_;
-                                                                                        if (_e2331.z < _e2333.z) {
-                                                                                            phi_2948_ = _e2331.z;
+                                                                                        let _e2339 = phi_2953_;
+                                                                                        if (_e2323.z < _e2325.z) {
+                                                                                            phi_2962_ = _e2323.z;
                                                                                         } else {
-                                                                                            phi_2948_ = _e2333.z;
+                                                                                            phi_2962_ = _e2325.z;
                                                                                         }
-                                                                                        let _e2354 = phi_2948_;
-                                                                                        let _e2356 = triangles.member[(0u + _e2043)].v2_;
-                                                                                        if (_e2340 < _e2356.x) {
-                                                                                            phi_2957_ = _e2340;
+                                                                                        let _e2346 = phi_2962_;
+                                                                                        let _e2348 = triangles.member[(0u + _e2035)].v2_;
+                                                                                        if (_e2332 < _e2348.x) {
+                                                                                            phi_2971_ = _e2332;
                                                                                         } else {
-                                                                                            phi_2957_ = _e2356.x;
+                                                                                            phi_2971_ = _e2348.x;
                                                                                         }
-                                                                                        let _e2361 = phi_2957_;
-                                                                                        if (_e2347 < _e2356.y) {
-                                                                                            phi_2964_ = _e2347;
+                                                                                        let _e2353 = phi_2971_;
+                                                                                        if (_e2339 < _e2348.y) {
+                                                                                            phi_2978_ = _e2339;
                                                                                         } else {
-                                                                                            phi_2964_ = _e2356.y;
+                                                                                            phi_2978_ = _e2348.y;
                                                                                         }
-                                                                                        let _e2366 = phi_2964_;
-                                                                                        if (_e2354 < _e2356.z) {
-                                                                                            phi_2971_ = _e2354;
+                                                                                        let _e2358 = phi_2978_;
+                                                                                        if (_e2346 < _e2348.z) {
+                                                                                            phi_2985_ = _e2346;
                                                                                         } else {
-                                                                                            phi_2971_ = _e2356.z;
+                                                                                            phi_2985_ = _e2348.z;
                                                                                         }
-                                                                                        let _e2371 = phi_2971_;
-                                                                                        let _e2373 = triangles.member[(0u + _e2043)].v0_;
-                                                                                        let _e2375 = triangles.member[(0u + _e2043)].v1_;
-                                                                                        if (_e2373.x > _e2375.x) {
-                                                                                            phi_2984_ = _e2373.x;
+                                                                                        let _e2363 = phi_2985_;
+                                                                                        let _e2365 = triangles.member[(0u + _e2035)].v0_;
+                                                                                        let _e2367 = triangles.member[(0u + _e2035)].v1_;
+                                                                                        if (_e2365.x > _e2367.x) {
+                                                                                            phi_2998_ = _e2365.x;
                                                                                         } else {
-                                                                                            phi_2984_ = _e2375.x;
+                                                                                            phi_2998_ = _e2367.x;
                                                                                         }
-                                                                                        let _e2382 = phi_2984_;
-                                                                                        if (_e2373.y > _e2375.y) {
-                                                                                            phi_2993_ = _e2373.y;
+                                                                                        let _e2374 = phi_2998_;
+                                                                                        if (_e2365.y > _e2367.y) {
+                                                                                            phi_3007_ = _e2365.y;
                                                                                         } else {
-                                                                                            phi_2993_ = _e2375.y;
+                                                                                            phi_3007_ = _e2367.y;
                                                                                         }
-                                                                                        let _e2389 = phi_2993_;
-                                                                                        if (_e2373.z > _e2375.z) {
-                                                                                            phi_3002_ = _e2373.z;
+                                                                                        let _e2381 = phi_3007_;
+                                                                                        if (_e2365.z > _e2367.z) {
+                                                                                            phi_3016_ = _e2365.z;
                                                                                         } else {
-                                                                                            phi_3002_ = _e2375.z;
+                                                                                            phi_3016_ = _e2367.z;
                                                                                         }
-                                                                                        let _e2396 = phi_3002_;
-                                                                                        let _e2398 = triangles.member[(0u + _e2043)].v2_;
-                                                                                        if (_e2382 > _e2398.x) {
-                                                                                            phi_3011_ = _e2382;
+                                                                                        let _e2388 = phi_3016_;
+                                                                                        let _e2390 = triangles.member[(0u + _e2035)].v2_;
+                                                                                        if (_e2374 > _e2390.x) {
+                                                                                            phi_3025_ = _e2374;
                                                                                         } else {
-                                                                                            phi_3011_ = _e2398.x;
+                                                                                            phi_3025_ = _e2390.x;
                                                                                         }
-                                                                                        let _e2403 = phi_3011_;
-                                                                                        if (_e2389 > _e2398.y) {
-                                                                                            phi_3018_ = _e2389;
+                                                                                        let _e2395 = phi_3025_;
+                                                                                        if (_e2381 > _e2390.y) {
+                                                                                            phi_3032_ = _e2381;
                                                                                         } else {
-                                                                                            phi_3018_ = _e2398.y;
+                                                                                            phi_3032_ = _e2390.y;
                                                                                         }
-                                                                                        let _e2408 = phi_3018_;
-                                                                                        if (_e2396 > _e2398.z) {
-                                                                                            phi_3025_ = _e2396;
+                                                                                        let _e2400 = phi_3032_;
+                                                                                        if (_e2388 > _e2390.z) {
+                                                                                            phi_3039_ = _e2388;
                                                                                         } else {
-                                                                                            phi_3025_ = _e2398.z;
+                                                                                            phi_3039_ = _e2390.z;
                                                                                         }
-                                                                                        let _e2413 = phi_3025_;
-                                                                                        let _e2417 = ((_e2361 - _e1149) * _e1358);
-                                                                                        let _e2418 = ((_e2366 - _e1162) * _e1368);
-                                                                                        let _e2419 = ((_e2371 - _e1175) * _e1378);
-                                                                                        let _e2423 = ((_e2403 - _e1149) * _e1358);
-                                                                                        let _e2424 = ((_e2408 - _e1162) * _e1368);
-                                                                                        let _e2425 = ((_e2413 - _e1175) * _e1378);
-                                                                                        if (_e2417 < _e2423) {
-                                                                                            phi_3042_ = _e2417;
+                                                                                        let _e2405 = phi_3039_;
+                                                                                        let _e2409 = ((_e2353 - _e1145) * _e1346);
+                                                                                        let _e2410 = ((_e2358 - _e1158) * _e1356);
+                                                                                        let _e2411 = ((_e2363 - _e1171) * _e1366);
+                                                                                        let _e2415 = ((_e2395 - _e1145) * _e1346);
+                                                                                        let _e2416 = ((_e2400 - _e1158) * _e1356);
+                                                                                        let _e2417 = ((_e2405 - _e1171) * _e1366);
+                                                                                        if (_e2409 < _e2415) {
+                                                                                            phi_3056_ = _e2409;
                                                                                         } else {
-                                                                                            phi_3042_ = _e2423;
+                                                                                            phi_3056_ = _e2415;
                                                                                         }
-                                                                                        let _e2428 = phi_3042_;
-                                                                                        if (_e2418 < _e2424) {
-                                                                                            phi_3047_ = _e2418;
+                                                                                        let _e2420 = phi_3056_;
+                                                                                        if (_e2410 < _e2416) {
+                                                                                            phi_3061_ = _e2410;
                                                                                         } else {
-                                                                                            phi_3047_ = _e2424;
+                                                                                            phi_3061_ = _e2416;
                                                                                         }
-                                                                                        let _e2431 = phi_3047_;
-                                                                                        if (_e2419 < _e2425) {
-                                                                                            phi_3052_ = _e2419;
+                                                                                        let _e2423 = phi_3061_;
+                                                                                        if (_e2411 < _e2417) {
+                                                                                            phi_3066_ = _e2411;
                                                                                         } else {
-                                                                                            phi_3052_ = _e2425;
+                                                                                            phi_3066_ = _e2417;
                                                                                         }
-                                                                                        let _e2434 = phi_3052_;
-                                                                                        if (_e2417 > _e2423) {
-                                                                                            phi_3060_ = _e2417;
+                                                                                        let _e2426 = phi_3066_;
+                                                                                        if (_e2409 > _e2415) {
+                                                                                            phi_3074_ = _e2409;
                                                                                         } else {
-                                                                                            phi_3060_ = _e2423;
+                                                                                            phi_3074_ = _e2415;
                                                                                         }
-                                                                                        let _e2440 = phi_3060_;
-                                                                                        if (_e2418 > _e2424) {
-                                                                                            phi_3065_ = _e2418;
+                                                                                        let _e2432 = phi_3074_;
+                                                                                        if (_e2410 > _e2416) {
+                                                                                            phi_3079_ = _e2410;
                                                                                         } else {
-                                                                                            phi_3065_ = _e2424;
+                                                                                            phi_3079_ = _e2416;
                                                                                         }
-                                                                                        let _e2443 = phi_3065_;
-                                                                                        if (_e2419 > _e2425) {
-                                                                                            phi_3070_ = _e2419;
+                                                                                        let _e2435 = phi_3079_;
+                                                                                        if (_e2411 > _e2417) {
+                                                                                            phi_3084_ = _e2411;
                                                                                         } else {
-                                                                                            phi_3070_ = _e2425;
+                                                                                            phi_3084_ = _e2417;
                                                                                         }
-                                                                                        let _e2446 = phi_3070_;
-                                                                                        let _e2450 = core_intrinsics_maximum_number_nsz_f32_((_e2428 - _e1413), (_e2431 - _e1414));
-                                                                                        let _e2451 = core_intrinsics_maximum_number_nsz_f32_(_e2450, (_e2434 - _e1415));
-                                                                                        let _e2452 = core_intrinsics_minimum_number_nsz_f32_((_e2440 + _e1413), (_e2443 + _e1414));
-                                                                                        let _e2453 = core_intrinsics_minimum_number_nsz_f32_(_e2452, (_e2446 + _e1415));
-                                                                                        if (_e2451 > _e1130) {
-                                                                                            phi_3082_ = _e2451;
+                                                                                        let _e2438 = phi_3084_;
+                                                                                        let _e2442 = core_intrinsics_maximum_number_nsz_f32_((_e2420 - _e1405), (_e2423 - _e1406));
+                                                                                        let _e2443 = core_intrinsics_maximum_number_nsz_f32_(_e2442, (_e2426 - _e1407));
+                                                                                        let _e2444 = core_intrinsics_minimum_number_nsz_f32_((_e2432 + _e1405), (_e2435 + _e1406));
+                                                                                        let _e2445 = core_intrinsics_minimum_number_nsz_f32_(_e2444, (_e2438 + _e1407));
+                                                                                        if (_e2443 > _e1126) {
+                                                                                            phi_3096_ = _e2443;
                                                                                         } else {
-                                                                                            phi_3082_ = _e1130;
+                                                                                            phi_3096_ = _e1126;
                                                                                         }
-                                                                                        let _e2456 = phi_3082_;
-                                                                                        if (_e2453 < _e1132) {
-                                                                                            phi_3087_ = _e2453;
+                                                                                        let _e2448 = phi_3096_;
+                                                                                        if (_e2445 < _e1128) {
+                                                                                            phi_3101_ = _e2445;
                                                                                         } else {
-                                                                                            phi_3087_ = _e1132;
+                                                                                            phi_3101_ = _e1128;
                                                                                         }
-                                                                                        let _e2459 = phi_3087_;
-                                                                                        if (_e2327 < _e2456) {
-                                                                                            phi_3092_ = _e2456;
+                                                                                        let _e2451 = phi_3101_;
+                                                                                        if (_e2319 < _e2448) {
+                                                                                            phi_3106_ = _e2448;
                                                                                         } else {
-                                                                                            phi_3092_ = _e2327;
+                                                                                            phi_3106_ = _e2319;
                                                                                         }
-                                                                                        let _e2462 = phi_3092_;
-                                                                                        if (_e2462 > _e2459) {
-                                                                                            phi_3097_ = _e2459;
+                                                                                        let _e2454 = phi_3106_;
+                                                                                        if (_e2454 > _e2451) {
+                                                                                            phi_3111_ = _e2451;
                                                                                         } else {
-                                                                                            phi_3097_ = _e2462;
+                                                                                            phi_3111_ = _e2454;
                                                                                         }
-                                                                                        let _e2465 = phi_3097_;
-                                                                                        phi_3102_ = lt_bvh_triangle_Intersection(_e2465, (_e2168 / _e2227), (_e2189 / _e2227), (_e2456 <= _e2459));
-                                                                                        phi_3103_ = false;
+                                                                                        let _e2457 = phi_3111_;
+                                                                                        phi_3116_ = lt_bvh_triangle_Intersection(_e2457, (_e2160 / _e2219), (_e2181 / _e2219), (_e2448 <= _e2451));
+                                                                                        phi_3117_ = false;
                                                                                     } else {
-                                                                                        phi_3102_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_3103_ = true;
+                                                                                        phi_3116_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_3117_ = true;
                                                                                     }
-                                                                                    let _e2471 = phi_3102_;
-                                                                                    let _e2473 = phi_3103_;
-                                                                                    phi_3104_ = _e2471;
-                                                                                    phi_3105_ = _e2473;
+                                                                                    let _e2463 = phi_3116_;
+                                                                                    let _e2465 = phi_3117_;
+                                                                                    phi_3118_ = _e2463;
+                                                                                    phi_3119_ = _e2465;
                                                                                 } else {
-                                                                                    phi_3104_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_3105_ = true;
+                                                                                    phi_3118_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3119_ = true;
                                                                                 }
-                                                                                let _e2475 = phi_3104_;
-                                                                                let _e2477 = phi_3105_;
-                                                                                if _e2477 {
+                                                                                let _e2467 = phi_3118_;
+                                                                                let _e2469 = phi_3119_;
+                                                                                if _e2469 {
                                                                                 }
-                                                                                phi_3109_ = _e2475;
-                                                                                phi_3110_ = _e2477;
+                                                                                phi_3123_ = _e2467;
+                                                                                phi_3124_ = _e2469;
                                                                             }
-                                                                            let _e2479 = phi_3109_;
-                                                                            let _e2481 = phi_3110_;
-                                                                            phi_3111_ = _e2479;
-                                                                            phi_3112_ = _e2230;
-                                                                            phi_3113_ = _e2481;
+                                                                            let _e2471 = phi_3123_;
+                                                                            let _e2473 = phi_3124_;
+                                                                            phi_3125_ = _e2471;
+                                                                            phi_3126_ = _e2222;
+                                                                            phi_3127_ = _e2473;
                                                                         } else {
-                                                                            phi_3111_ = lt_bvh_triangle_Intersection();
-                                                                            phi_3112_ = true;
-                                                                            phi_3113_ = false;
+                                                                            phi_3125_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3126_ = true;
+                                                                            phi_3127_ = false;
                                                                         }
-                                                                        let _e2483 = phi_3111_;
-                                                                        let _e2485 = phi_3112_;
-                                                                        let _e2487 = phi_3113_;
-                                                                        if _e2485 {
-                                                                            phi_3117_ = true;
+                                                                        let _e2475 = phi_3125_;
+                                                                        let _e2477 = phi_3126_;
+                                                                        let _e2479 = phi_3127_;
+                                                                        if _e2477 {
+                                                                            phi_3131_ = true;
                                                                         } else {
-                                                                            phi_3117_ = _e2487;
+                                                                            phi_3131_ = _e2479;
                                                                         }
-                                                                        let _e2489 = phi_3117_;
-                                                                        if _e2489 {
-                                                                            phi_3121_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        let _e2481 = phi_3131_;
+                                                                        if _e2481 {
+                                                                            phi_3135_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_3121_ = _e2483;
+                                                                            phi_3135_ = _e2475;
                                                                         }
-                                                                        let _e2491 = phi_3121_;
-                                                                        if _e2491.is_hit {
-                                                                            if (_e2491.t > 0f) {
-                                                                                if (_e2491.t < _e275) {
-                                                                                    let _e2498 = triangles.member[(0u + _e2043)].i0_;
-                                                                                    if ((_e2498 & 2147483648u) == 0u) {
-                                                                                        phi_3340_ = true;
+                                                                        let _e2483 = phi_3135_;
+                                                                        if _e2483.is_hit {
+                                                                            if (_e2483.t > 0f) {
+                                                                                if (_e2483.t < _e275) {
+                                                                                    let _e2490 = triangles.member[(0u + _e2035)].i0_;
+                                                                                    if ((_e2490 & 2147483648u) == 0u) {
+                                                                                        phi_3354_ = true;
                                                                                     } else {
-                                                                                        if (_e2043 < _e82) {
+                                                                                        if (_e2035 < _e82) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2507 = triangles.member[(0u + _e2043)].i0_;
-                                                                                        let _e2508 = (_e2507 & 2147483647u);
-                                                                                        let _e2510 = triangles.member[(0u + _e2043)].i1_;
-                                                                                        let _e2512 = triangles.member[(0u + _e2043)].i2_;
-                                                                                        if (_e2508 < _e91) {
+                                                                                        let _e2499 = triangles.member[(0u + _e2035)].i0_;
+                                                                                        let _e2500 = (_e2499 & 2147483647u);
+                                                                                        let _e2502 = triangles.member[(0u + _e2035)].i1_;
+                                                                                        let _e2504 = triangles.member[(0u + _e2035)].i2_;
+                                                                                        if (_e2500 < _e91) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2516 = vertices.member[(0u + _e2508)];
-                                                                                        if (_e2510 < _e91) {
+                                                                                        let _e2508 = vertices.member[(0u + _e2500)];
+                                                                                        if (_e2502 < _e91) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2520 = vertices.member[(0u + _e2510)];
-                                                                                        if (_e2512 < _e91) {
+                                                                                        let _e2512 = vertices.member[(0u + _e2502)];
+                                                                                        if (_e2504 < _e91) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2524 = vertices.member[(0u + _e2512)];
-                                                                                        let _e2525 = array<abi_Vertex, 3>(_e2516, _e2520, _e2524);
-                                                                                        if (_e2525[0].material < arrayLength((&materials.member))) {
+                                                                                        let _e2516 = vertices.member[(0u + _e2504)];
+                                                                                        let _e2517 = array<abi_Vertex, 3>(_e2508, _e2512, _e2516);
+                                                                                        if (_e2517[0].material < arrayLength((&materials.member))) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2531 = materials.member[(0u + _e2525[0].material)];
-                                                                                        if ((_e2531.flags & 1u) == 1u) {
-                                                                                            let _e2536 = ((1f - _e2491.u) - _e2491.v);
-                                                                                            if (_e2531.cutoff <= 0f) {
-                                                                                                phi_3338_ = true;
+                                                                                        let _e2523 = materials.member[(0u + _e2517[0].material)];
+                                                                                        if ((_e2523.flags & 1u) == 1u) {
+                                                                                            let _e2528 = ((1f - _e2483.u) - _e2483.v);
+                                                                                            if (_e2523.cutoff <= 0f) {
+                                                                                                phi_3352_ = true;
                                                                                             } else {
-                                                                                                let _e2563 = (_e2531.base_color.w * ((((f32((_e2525[0].color >> bitcast<u32>(24i))) * _e2536) + (f32((_e2525[1].color >> bitcast<u32>(24i))) * _e2491.u)) + (f32((_e2525[2].color >> bitcast<u32>(24i))) * _e2491.v)) * (1f / 255f)));
-                                                                                                if (_e2531.alpha_size == 0u) {
-                                                                                                    phi_3335_ = _e2563;
+                                                                                                let _e2555 = (_e2523.base_color.w * ((((f32((_e2517[0].color >> bitcast<u32>(24i))) * _e2528) + (f32((_e2517[1].color >> bitcast<u32>(24i))) * _e2483.u)) + (f32((_e2517[2].color >> bitcast<u32>(24i))) * _e2483.v)) * (1f / 255f)));
+                                                                                                if (_e2523.alpha_size == 0u) {
+                                                                                                    phi_3349_ = _e2555;
                                                                                                 } else {
-                                                                                                    local.offset = _e2531.alpha_offset;
-                                                                                                    local.size = _e2531.alpha_size;
-                                                                                                    local.flags = _e2531.flags;
-                                                                                                    let _e2594 = _lt_shaders_texture_TextureView_quad((&local), (((_e2525[0].u * _e2536) + (_e2525[1].u * _e2491.u)) + (_e2525[2].u * _e2491.v)), (((_e2525[0].v * _e2536) + (_e2525[1].v * _e2491.u)) + (_e2525[2].v * _e2491.v)));
-                                                                                                    let _e2598 = (_e2594.indices[0] >> bitcast<u32>(2i));
-                                                                                                    if (_e2598 < _e97) {
+                                                                                                    local.offset = _e2523.alpha_offset;
+                                                                                                    local.size = _e2523.alpha_size;
+                                                                                                    local.flags = _e2523.flags;
+                                                                                                    let _e2586 = _lt_shaders_texture_TextureView_quad((&local), (((_e2517[0].u * _e2528) + (_e2517[1].u * _e2483.u)) + (_e2517[2].u * _e2483.v)), (((_e2517[0].v * _e2528) + (_e2517[1].v * _e2483.u)) + (_e2517[2].v * _e2483.v)));
+                                                                                                    let _e2590 = (_e2586.indices[0] >> bitcast<u32>(2i));
+                                                                                                    if (_e2590 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2602 = alpha_texels.member[(0u + _e2598)];
-                                                                                                    let _e2618 = (_e2594.indices[1] >> bitcast<u32>(2i));
-                                                                                                    if (_e2618 < _e97) {
+                                                                                                    let _e2594 = alpha_texels.member[(0u + _e2590)];
+                                                                                                    let _e2610 = (_e2586.indices[1] >> bitcast<u32>(2i));
+                                                                                                    if (_e2610 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2622 = alpha_texels.member[(0u + _e2618)];
-                                                                                                    let _e2639 = (_e2594.indices[2] >> bitcast<u32>(2i));
-                                                                                                    if (_e2639 < _e97) {
+                                                                                                    let _e2614 = alpha_texels.member[(0u + _e2610)];
+                                                                                                    let _e2631 = (_e2586.indices[2] >> bitcast<u32>(2i));
+                                                                                                    if (_e2631 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2643 = alpha_texels.member[(0u + _e2639)];
-                                                                                                    let _e2660 = (_e2594.indices[3] >> bitcast<u32>(2i));
-                                                                                                    if (_e2660 < _e97) {
+                                                                                                    let _e2635 = alpha_texels.member[(0u + _e2631)];
+                                                                                                    let _e2652 = (_e2586.indices[3] >> bitcast<u32>(2i));
+                                                                                                    if (_e2652 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2664 = alpha_texels.member[(0u + _e2660)];
-                                                                                                    phi_3335_ = (_e2563 * (((((f32(((_e2602 >> bitcast<u32>((((_e2594.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2594.weights.x) + ((f32(((_e2622 >> bitcast<u32>((((_e2594.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2594.weights.y)) + ((f32(((_e2643 >> bitcast<u32>((((_e2594.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2594.weights.z)) + ((f32(((_e2664 >> bitcast<u32>((((_e2594.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2594.weights.w)));
+                                                                                                    let _e2656 = alpha_texels.member[(0u + _e2652)];
+                                                                                                    phi_3349_ = (_e2555 * (((((f32(((_e2594 >> bitcast<u32>((((_e2586.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.x) + ((f32(((_e2614 >> bitcast<u32>((((_e2586.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.y)) + ((f32(((_e2635 >> bitcast<u32>((((_e2586.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.z)) + ((f32(((_e2656 >> bitcast<u32>((((_e2586.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2586.weights.w)));
                                                                                                 }
-                                                                                                let _e2680 = phi_3335_;
-                                                                                                phi_3338_ = (_e2680 >= _e2531.cutoff);
+                                                                                                let _e2672 = phi_3349_;
+                                                                                                phi_3352_ = (_e2672 >= _e2523.cutoff);
                                                                                             }
-                                                                                            let _e2684 = phi_3338_;
-                                                                                            phi_3339_ = _e2684;
+                                                                                            let _e2676 = phi_3352_;
+                                                                                            phi_3353_ = _e2676;
                                                                                         } else {
-                                                                                            phi_3339_ = false;
+                                                                                            phi_3353_ = false;
                                                                                         }
-                                                                                        let _e2686 = phi_3339_;
-                                                                                        phi_3340_ = _e2686;
+                                                                                        let _e2678 = phi_3353_;
+                                                                                        phi_3354_ = _e2678;
                                                                                     }
-                                                                                    let _e2688 = phi_3340_;
-                                                                                    if _e2688 {
-                                                                                        phi_3344_ = false;
+                                                                                    let _e2680 = phi_3354_;
+                                                                                    if _e2680 {
+                                                                                        phi_3358_ = false;
                                                                                     } else {
-                                                                                        phi_3344_ = true;
+                                                                                        phi_3358_ = true;
                                                                                     }
-                                                                                    let _e2690 = phi_3344_;
-                                                                                    phi_3345_ = _e2688;
-                                                                                    phi_3346_ = _e2688;
-                                                                                    phi_3347_ = _e2690;
+                                                                                    let _e2682 = phi_3358_;
+                                                                                    phi_3359_ = _e2680;
+                                                                                    phi_3360_ = _e2680;
+                                                                                    phi_3361_ = _e2682;
                                                                                 } else {
-                                                                                    phi_3345_ = bool();
-                                                                                    phi_3346_ = _e2034;
-                                                                                    phi_3347_ = true;
+                                                                                    phi_3359_ = bool();
+                                                                                    phi_3360_ = _e2026;
+                                                                                    phi_3361_ = true;
                                                                                 }
-                                                                                let _e2692 = phi_3345_;
-                                                                                let _e2694 = phi_3346_;
-                                                                                let _e2696 = phi_3347_;
-                                                                                phi_3348_ = _e2692;
-                                                                                phi_3349_ = _e2694;
-                                                                                phi_3350_ = _e2696;
+                                                                                let _e2684 = phi_3359_;
+                                                                                let _e2686 = phi_3360_;
+                                                                                let _e2688 = phi_3361_;
+                                                                                phi_3362_ = _e2684;
+                                                                                phi_3363_ = _e2686;
+                                                                                phi_3364_ = _e2688;
                                                                             } else {
-                                                                                phi_3348_ = bool();
-                                                                                phi_3349_ = _e2034;
-                                                                                phi_3350_ = true;
+                                                                                phi_3362_ = bool();
+                                                                                phi_3363_ = _e2026;
+                                                                                phi_3364_ = true;
                                                                             }
-                                                                            let _e2698 = phi_3348_;
-                                                                            let _e2700 = phi_3349_;
-                                                                            let _e2702 = phi_3350_;
-                                                                            phi_3351_ = _e2698;
-                                                                            phi_3352_ = _e2700;
-                                                                            phi_3353_ = _e2702;
+                                                                            let _e2690 = phi_3362_;
+                                                                            let _e2692 = phi_3363_;
+                                                                            let _e2694 = phi_3364_;
+                                                                            phi_3365_ = _e2690;
+                                                                            phi_3366_ = _e2692;
+                                                                            phi_3367_ = _e2694;
                                                                         } else {
-                                                                            phi_3351_ = bool();
-                                                                            phi_3352_ = _e2034;
-                                                                            phi_3353_ = true;
+                                                                            phi_3365_ = bool();
+                                                                            phi_3366_ = _e2026;
+                                                                            phi_3367_ = true;
                                                                         }
-                                                                        let _e2704 = phi_3351_;
-                                                                        let _e2706 = phi_3352_;
-                                                                        let _e2708 = phi_3353_;
-                                                                        if _e2708 {
+                                                                        let _e2696 = phi_3365_;
+                                                                        let _e2698 = phi_3366_;
+                                                                        let _e2700 = phi_3367_;
+                                                                        if _e2700 {
                                                                         }
-                                                                        phi_2551_ = (_e2032 & (_e2032 - 1u));
-                                                                        phi_2554_ = _e2706;
-                                                                        phi_3357_ = _e2704;
-                                                                        phi_3358_ = _e2708;
+                                                                        phi_2565_ = (_e2024 & (_e2024 - 1u));
+                                                                        phi_2568_ = _e2698;
+                                                                        phi_3371_ = _e2696;
+                                                                        phi_3372_ = _e2700;
                                                                     }
-                                                                    let _e2710 = phi_2551_;
-                                                                    let _e2712 = phi_2554_;
-                                                                    let _e2714 = phi_3357_;
-                                                                    let _e2716 = phi_3358_;
-                                                                    local_15 = _e2714;
+                                                                    let _e2702 = phi_2565_;
+                                                                    let _e2704 = phi_2568_;
+                                                                    let _e2706 = phi_3371_;
+                                                                    let _e2708 = phi_3372_;
+                                                                    local_15 = _e2706;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2550_ = _e2710;
-                                                                        phi_2553_ = _e2712;
-                                                                        break if !(_e2716);
+                                                                        phi_2564_ = _e2702;
+                                                                        phi_2567_ = _e2704;
+                                                                        break if !(_e2708);
                                                                     }
                                                                 }
-                                                                let _e2719 = local_10;
-                                                                if _e2719 {
-                                                                    let _e2721 = local_1.group_mask;
-                                                                    if ((_e2721 & 4278190080u) == 0u) {
-                                                                        let _e2725 = local_1.len;
-                                                                        if (_e2725 == 0u) {
-                                                                            phi_3400_ = false;
+                                                                let _e2711 = local_10;
+                                                                if _e2711 {
+                                                                    let _e2713 = local_1.group_mask;
+                                                                    if ((_e2713 & 4278190080u) == 0u) {
+                                                                        let _e2717 = local_1.len;
+                                                                        if (_e2717 == 0u) {
+                                                                            phi_3414_ = false;
                                                                         } else {
-                                                                            let _e2729 = local_1.len;
-                                                                            local_1.len = (_e2729 - 1u);
+                                                                            let _e2721 = local_1.len;
+                                                                            local_1.len = (_e2721 - 1u);
+                                                                            let _e2724 = local_1.len;
+                                                                            if (_e2724 < 32u) {
+                                                                            } else {
+                                                                                return;
+                                                                            }
+                                                                            let _e2729 = local_1.first[(0u + _e2724)];
+                                                                            local_1.group = _e2729;
                                                                             let _e2732 = local_1.len;
                                                                             if (_e2732 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2737 = local_1.first[(0u + _e2732)];
-                                                                            local_1.group = _e2737;
-                                                                            let _e2740 = local_1.len;
-                                                                            if (_e2740 < 32u) {
-                                                                            } else {
-                                                                                return;
-                                                                            }
-                                                                            let _e2745 = local_1.mask[(0u + _e2740)];
-                                                                            local_1.group_mask = _e2745;
-                                                                            phi_3400_ = true;
+                                                                            let _e2737 = local_1.mask[(0u + _e2732)];
+                                                                            local_1.group_mask = _e2737;
+                                                                            phi_3414_ = true;
                                                                         }
-                                                                        let _e2748 = phi_3400_;
-                                                                        phi_3401_ = _e2748;
+                                                                        let _e2740 = phi_3414_;
+                                                                        phi_3415_ = _e2740;
                                                                     } else {
-                                                                        phi_3401_ = true;
+                                                                        phi_3415_ = true;
                                                                     }
-                                                                    let _e2750 = phi_3401_;
-                                                                    if _e2750 {
-                                                                        let _e2752 = local_1.group_mask;
-                                                                        let _e2758 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2752)), 32u, (_e2752 == 0u)));
-                                                                        let _e2762 = local_1.group_mask;
-                                                                        let _e2776 = local_1.group_mask;
-                                                                        local_1.group_mask = (_e2776 & ~((1u << bitcast<u32>((_e2758 & 31u)))));
-                                                                        let _e2779 = local_1.group;
-                                                                        phi_3432_ = (_e2779 + countOneBits(((_e2762 & ~((4294967295u << bitcast<u32>((((_e2758 - 24u) ^ _e1456) & 31u))))) & 255u)));
+                                                                    let _e2742 = phi_3415_;
+                                                                    if _e2742 {
+                                                                        let _e2744 = local_1.group_mask;
+                                                                        let _e2750 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2744)), 32u, (_e2744 == 0u)));
+                                                                        let _e2754 = local_1.group_mask;
+                                                                        let _e2768 = local_1.group_mask;
+                                                                        local_1.group_mask = (_e2768 & ~((1u << bitcast<u32>((_e2750 & 31u)))));
+                                                                        let _e2771 = local_1.group;
+                                                                        phi_3446_ = (_e2771 + countOneBits(((_e2754 & ~((4294967295u << bitcast<u32>((((_e2750 - 24u) ^ _e1448) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_3432_ = 4294967295u;
+                                                                        phi_3446_ = 4294967295u;
                                                                     }
-                                                                    let _e2782 = phi_3432_;
-                                                                    phi_3433_ = _e2782;
+                                                                    let _e2774 = phi_3446_;
+                                                                    phi_3447_ = _e2774;
                                                                 } else {
-                                                                    phi_3433_ = u32();
+                                                                    phi_3447_ = u32();
                                                                 }
-                                                                let _e2784 = phi_3433_;
-                                                                phi_2219_ = _e2784;
-                                                                let _e3184 = local_14;
-                                                                phi_2222_ = _e3184;
-                                                                let _e3187 = local_15;
-                                                                phi_3434_ = _e3187;
-                                                                let _e3190 = local_16;
-                                                                phi_3435_ = _e3190;
-                                                                phi_3436_ = false;
+                                                                let _e2776 = phi_3447_;
+                                                                phi_2233_ = _e2776;
+                                                                let _e3172 = local_14;
+                                                                phi_2236_ = _e3172;
+                                                                let _e3175 = local_15;
+                                                                phi_3448_ = _e3175;
+                                                                let _e3178 = local_16;
+                                                                phi_3449_ = _e3178;
+                                                                phi_3450_ = false;
                                                             } else {
-                                                                phi_2219_ = u32();
-                                                                phi_2222_ = bool();
-                                                                phi_3434_ = bool();
-                                                                phi_3435_ = false;
-                                                                phi_3436_ = true;
+                                                                phi_2233_ = u32();
+                                                                phi_2236_ = bool();
+                                                                phi_3448_ = bool();
+                                                                phi_3449_ = false;
+                                                                phi_3450_ = true;
                                                             }
-                                                            let _e2786 = phi_2219_;
-                                                            let _e2788 = phi_2222_;
-                                                            let _e2790 = phi_3434_;
-                                                            let _e2792 = phi_3435_;
-                                                            let _e2794 = phi_3436_;
-                                                            local_11 = _e2794;
-                                                            local_17 = _e2790;
+                                                            let _e2778 = phi_2233_;
+                                                            let _e2780 = phi_2236_;
+                                                            let _e2782 = phi_3448_;
+                                                            let _e2784 = phi_3449_;
+                                                            let _e2786 = phi_3450_;
+                                                            local_11 = _e2786;
+                                                            local_17 = _e2782;
                                                             continue;
                                                             continuing {
-                                                                phi_2218_ = _e2786;
-                                                                phi_2221_ = _e2788;
-                                                                break if !(_e2792);
+                                                                phi_2232_ = _e2778;
+                                                                phi_2235_ = _e2780;
+                                                                break if !(_e2784);
                                                             }
                                                         }
-                                                        let _e2797 = local_11;
-                                                        if _e2797 {
-                                                            phi_3440_ = false;
+                                                        let _e2789 = local_11;
+                                                        if _e2789 {
+                                                            phi_3454_ = false;
                                                         } else {
-                                                            phi_3440_ = true;
+                                                            phi_3454_ = true;
                                                         }
-                                                        let _e2799 = phi_3440_;
-                                                        if _e2799 {
-                                                            let _e3196 = local_17;
-                                                            phi_3444_ = _e3196;
+                                                        let _e2791 = phi_3454_;
+                                                        if _e2791 {
+                                                            let _e3184 = local_17;
+                                                            phi_3458_ = _e3184;
                                                         } else {
-                                                            let _e3198 = local_18;
-                                                            phi_3444_ = _e3198;
+                                                            let _e3186 = local_18;
+                                                            phi_3458_ = _e3186;
                                                         }
-                                                        let _e2801 = phi_3444_;
-                                                        phi_3445_ = _e2801;
+                                                        let _e2793 = phi_3458_;
+                                                        phi_3459_ = _e2793;
                                                     }
-                                                    let _e2803 = phi_3445_;
-                                                    phi_3446_ = _e2803;
-                                                    phi_3447_ = _e1282;
+                                                    let _e2795 = phi_3459_;
+                                                    phi_3460_ = _e2795;
+                                                    phi_3461_ = _e1270;
                                                 } else {
-                                                    phi_3446_ = bool();
-                                                    phi_3447_ = true;
+                                                    phi_3460_ = bool();
+                                                    phi_3461_ = true;
                                                 }
-                                                let _e2805 = phi_3446_;
-                                                let _e2807 = phi_3447_;
-                                                if _e2807 {
-                                                    phi_3451_ = _e1069;
+                                                let _e2797 = phi_3460_;
+                                                let _e2799 = phi_3461_;
+                                                if _e2799 {
+                                                    phi_3465_ = _e1065;
                                                 } else {
-                                                    phi_3451_ = _e2805;
+                                                    phi_3465_ = _e2797;
                                                 }
-                                                let _e2809 = phi_3451_;
-                                                if _e2809 {
-                                                    phi_3455_ = false;
+                                                let _e2801 = phi_3465_;
+                                                if _e2801 {
+                                                    phi_3469_ = false;
                                                 } else {
-                                                    phi_3455_ = true;
+                                                    phi_3469_ = true;
                                                 }
-                                                let _e2811 = phi_3455_;
-                                                phi_3456_ = _e2809;
-                                                phi_3457_ = _e2811;
+                                                let _e2803 = phi_3469_;
+                                                phi_3470_ = _e2801;
+                                                phi_3471_ = _e2803;
                                             } else {
-                                                phi_3456_ = _e1069;
-                                                phi_3457_ = true;
+                                                phi_3470_ = _e1065;
+                                                phi_3471_ = true;
                                             }
-                                            let _e2813 = phi_3456_;
-                                            let _e2815 = phi_3457_;
-                                            phi_3458_ = _e2813;
-                                            phi_3459_ = _e2815;
+                                            let _e2805 = phi_3470_;
+                                            let _e2807 = phi_3471_;
+                                            phi_3472_ = _e2805;
+                                            phi_3473_ = _e2807;
                                         } else {
-                                            phi_3458_ = _e1069;
-                                            phi_3459_ = true;
+                                            phi_3472_ = _e1065;
+                                            phi_3473_ = true;
                                         }
-                                        let _e2817 = phi_3458_;
-                                        let _e2819 = phi_3459_;
-                                        phi_3460_ = _e2817;
-                                        phi_3461_ = _e2819;
+                                        let _e2809 = phi_3472_;
+                                        let _e2811 = phi_3473_;
+                                        phi_3474_ = _e2809;
+                                        phi_3475_ = _e2811;
                                     } else {
-                                        phi_3460_ = _e1069;
-                                        phi_3461_ = true;
+                                        phi_3474_ = _e1065;
+                                        phi_3475_ = true;
                                     }
-                                    let _e2821 = phi_3460_;
-                                    let _e2823 = phi_3461_;
-                                    if _e2823 {
+                                    let _e2813 = phi_3474_;
+                                    let _e2815 = phi_3475_;
+                                    if _e2815 {
                                     }
-                                    phi_1611_ = (_e1067 & (_e1067 - 1u));
-                                    phi_1614_ = _e2821;
-                                    phi_3465_ = _e2823;
+                                    phi_1618_ = (_e1063 & (_e1063 - 1u));
+                                    phi_1621_ = _e2813;
+                                    phi_3479_ = _e2815;
                                 }
-                                let _e2825 = phi_1611_;
-                                let _e2827 = phi_1614_;
-                                let _e2829 = phi_3465_;
+                                let _e2817 = phi_1618_;
+                                let _e2819 = phi_1621_;
+                                let _e2821 = phi_3479_;
                                 continue;
                                 continuing {
-                                    phi_1610_ = _e2825;
-                                    phi_1613_ = _e2827;
-                                    break if !(_e2829);
+                                    phi_1617_ = _e2817;
+                                    phi_1620_ = _e2819;
+                                    break if !(_e2821);
                                 }
                             }
-                            let _e2832 = local_12;
-                            if _e2832 {
-                                let _e2834 = local_2.group_mask;
-                                if ((_e2834 & 4278190080u) == 0u) {
-                                    let _e2838 = local_2.len;
-                                    if (_e2838 == 0u) {
-                                        phi_3507_ = false;
+                            let _e2824 = local_12;
+                            if _e2824 {
+                                let _e2826 = local_2.group_mask;
+                                if ((_e2826 & 4278190080u) == 0u) {
+                                    let _e2830 = local_2.len;
+                                    if (_e2830 == 0u) {
+                                        phi_3521_ = false;
                                     } else {
-                                        let _e2842 = local_2.len;
-                                        local_2.len = (_e2842 - 1u);
+                                        let _e2834 = local_2.len;
+                                        local_2.len = (_e2834 - 1u);
+                                        let _e2837 = local_2.len;
+                                        if (_e2837 < 32u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e2842 = local_2.first[(0u + _e2837)];
+                                        local_2.group = _e2842;
                                         let _e2845 = local_2.len;
                                         if (_e2845 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2850 = local_2.first[(0u + _e2845)];
-                                        local_2.group = _e2850;
-                                        let _e2853 = local_2.len;
-                                        if (_e2853 < 32u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2858 = local_2.mask[(0u + _e2853)];
-                                        local_2.group_mask = _e2858;
-                                        phi_3507_ = true;
+                                        let _e2850 = local_2.mask[(0u + _e2845)];
+                                        local_2.group_mask = _e2850;
+                                        phi_3521_ = true;
                                     }
-                                    let _e2861 = phi_3507_;
-                                    phi_3508_ = _e2861;
+                                    let _e2853 = phi_3521_;
+                                    phi_3522_ = _e2853;
                                 } else {
-                                    phi_3508_ = true;
+                                    phi_3522_ = true;
                                 }
-                                let _e2863 = phi_3508_;
-                                if _e2863 {
-                                    let _e2865 = local_2.group_mask;
-                                    let _e2871 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2865)), 32u, (_e2865 == 0u)));
-                                    let _e2875 = local_2.group_mask;
-                                    let _e2889 = local_2.group_mask;
-                                    local_2.group_mask = (_e2889 & ~((1u << bitcast<u32>((_e2871 & 31u)))));
-                                    let _e2892 = local_2.group;
-                                    phi_3539_ = (_e2892 + countOneBits(((_e2875 & ~((4294967295u << bitcast<u32>((((_e2871 - 24u) ^ _e491) & 31u))))) & 255u)));
+                                let _e2855 = phi_3522_;
+                                if _e2855 {
+                                    let _e2857 = local_2.group_mask;
+                                    let _e2863 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2857)), 32u, (_e2857 == 0u)));
+                                    let _e2867 = local_2.group_mask;
+                                    let _e2881 = local_2.group_mask;
+                                    local_2.group_mask = (_e2881 & ~((1u << bitcast<u32>((_e2863 & 31u)))));
+                                    let _e2884 = local_2.group;
+                                    phi_3553_ = (_e2884 + countOneBits(((_e2867 & ~((4294967295u << bitcast<u32>((((_e2863 - 24u) ^ _e487) & 31u))))) & 255u)));
                                 } else {
-                                    phi_3539_ = 4294967295u;
+                                    phi_3553_ = 4294967295u;
                                 }
-                                let _e2895 = phi_3539_;
-                                phi_3540_ = _e2895;
+                                let _e2887 = phi_3553_;
+                                phi_3554_ = _e2887;
                             } else {
-                                phi_3540_ = u32();
+                                phi_3554_ = u32();
                             }
-                            let _e2897 = phi_3540_;
-                            phi_1279_ = _e2897;
-                            let _e3221 = local_19;
-                            phi_1282_ = _e3221;
-                            let _e3224 = local_20;
-                            phi_3541_ = _e3224;
-                            phi_3542_ = false;
+                            let _e2889 = phi_3554_;
+                            phi_1286_ = _e2889;
+                            let _e3209 = local_19;
+                            phi_1289_ = _e3209;
+                            let _e3212 = local_20;
+                            phi_3555_ = _e3212;
+                            phi_3556_ = false;
                         } else {
-                            phi_1279_ = u32();
-                            phi_1282_ = bool();
-                            phi_3541_ = false;
-                            phi_3542_ = true;
+                            phi_1286_ = u32();
+                            phi_1289_ = bool();
+                            phi_3555_ = false;
+                            phi_3556_ = true;
                         }
-                        let _e2899 = phi_1279_;
-                        let _e2901 = phi_1282_;
-                        let _e2903 = phi_3541_;
-                        let _e2905 = phi_3542_;
-                        local_13 = _e2905;
+                        let _e2891 = phi_1286_;
+                        let _e2893 = phi_1289_;
+                        let _e2895 = phi_3555_;
+                        let _e2897 = phi_3556_;
+                        local_13 = _e2897;
                         continue;
                         continuing {
-                            phi_1278_ = _e2899;
-                            phi_1281_ = _e2901;
-                            break if !(_e2903);
+                            phi_1285_ = _e2891;
+                            phi_1288_ = _e2893;
+                            break if !(_e2895);
                         }
                     }
-                    let _e2908 = local_13;
-                    if _e2908 {
-                        phi_3546_ = false;
+                    let _e2900 = local_13;
+                    if _e2900 {
+                        phi_3560_ = false;
                     } else {
-                        phi_3546_ = true;
+                        phi_3560_ = true;
                     }
-                    let _e2910 = phi_3546_;
-                    if _e2910 {
+                    let _e2902 = phi_3560_;
+                    if _e2902 {
                     }
-                    phi_3550_ = _e2910;
+                    phi_3564_ = _e2902;
                 }
-                let _e2912 = phi_3550_;
-                phi_3551_ = _e347;
-                phi_3552_ = _e2912;
+                let _e2904 = phi_3564_;
+                phi_3565_ = _e339;
+                phi_3566_ = _e2904;
             } else {
-                phi_3551_ = true;
-                phi_3552_ = false;
+                phi_3565_ = true;
+                phi_3566_ = false;
             }
-            let _e2914 = phi_3551_;
-            let _e2916 = phi_3552_;
+            let _e2906 = phi_3565_;
+            let _e2908 = phi_3566_;
+            if _e2906 {
+                phi_3570_ = false;
+                phi_3571_ = true;
+            } else {
+                phi_3570_ = true;
+                phi_3571_ = _e2908;
+            }
+            let _e2910 = phi_3570_;
+            let _e2912 = phi_3571_;
+            if _e2912 {
+                phi_3575_ = _e2910;
+            } else {
+                phi_3575_ = false;
+            }
+            let _e2914 = phi_3575_;
             if _e2914 {
-                phi_3556_ = false;
-                phi_3557_ = true;
+                phi_3579_ = 0f;
             } else {
-                phi_3556_ = true;
-                phi_3557_ = _e2916;
+                phi_3579_ = 1f;
             }
-            let _e2918 = phi_3556_;
-            let _e2920 = phi_3557_;
-            if _e2920 {
-                phi_3561_ = _e2918;
-            } else {
-                phi_3561_ = false;
-            }
-            let _e2922 = phi_3561_;
-            if _e2922 {
-                phi_3565_ = 0f;
-            } else {
-                phi_3565_ = 1f;
-            }
-            let _e2924 = phi_3565_;
-            phi_3566_ = _e2924;
+            let _e2916 = phi_3579_;
+            phi_3580_ = _e2916;
         }
-        let _e2926 = phi_3566_;
-        if (_e103.first_primitive < arrayLength((&visibility.member))) {
+        let _e2918 = phi_3580_;
+        if (_e103.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e103.first_primitive)] = _e2926;
+        visibility.member[(0u + _e103.shift)] = _e2918;
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -24,9 +25,9 @@ struct type_13 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -97,8 +98,8 @@ struct type_42 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -138,19 +139,19 @@ var<storage> triangles: type_42;
 @group(0) @binding(5) 
 var<storage> instances: type_52;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_188_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_188_: lt_mask_LightPlace;
     var phi_189_: bool;
-    var phi_190_: lt_bvh_traverse_Tree;
+    var phi_190_: lt_mask_LightPlace;
     var phi_191_: bool;
-    var phi_196_: lt_bvh_traverse_Tree;
+    var phi_196_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_188_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_188_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_189_ = false;
         } else {
-            phi_188_ = lt_bvh_traverse_Tree();
+            phi_188_ = lt_mask_LightPlace();
             phi_189_ = true;
         }
         let _e67 = phi_188_;
@@ -158,18 +159,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_190_ = _e67;
         phi_191_ = _e69;
     } else {
-        phi_190_ = lt_bvh_traverse_Tree();
+        phi_190_ = lt_mask_LightPlace();
         phi_191_ = true;
     }
     let _e71 = phi_190_;
     let _e73 = phi_191_;
     if _e73 {
-        phi_196_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_196_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_196_ = _e71;
     }
     let _e78 = phi_196_;
-    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
+    return lt_mask_LightPlace(_e78.word, _e78.shift);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -269,280 +270,276 @@ fn function_() {
     var phi_400_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_404_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_447_: f32;
-    var phi_503_: bool;
-    var phi_504_: bool;
-    var phi_505_: bool;
-    var phi_509_: bool;
-    var phi_510_: bool;
-    var phi_511_: bool;
-    var phi_512_: bool;
-    var phi_513_: bool;
-    var phi_514_: bool;
-    var phi_515_: bool;
-    var phi_516_: bool;
-    var phi_517_: bool;
-    var phi_518_: bool;
+    var phi_479_: bool;
+    var phi_480_: bool;
+    var phi_481_: bool;
+    var phi_482_: bool;
+    var phi_486_: bool;
+    var phi_499_: bool;
+    var phi_500_: bool;
+    var phi_501_: bool;
+    var phi_502_: bool;
+    var phi_506_: bool;
     var phi_519_: bool;
     var phi_520_: bool;
     var phi_521_: bool;
-    var phi_522_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
     var phi_525_: bool;
     var phi_526_: bool;
-    var phi_530_: bool;
-    var phi_534_: bool;
-    var phi_604_: f32;
-    var phi_611_: f32;
-    var phi_618_: f32;
-    var phi_625_: f32;
-    var phi_632_: f32;
-    var phi_639_: f32;
-    var phi_656_: f32;
-    var phi_661_: f32;
-    var phi_666_: f32;
-    var phi_687_: u32;
-    var phi_692_: u32;
-    var phi_697_: u32;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_843_: u32;
-    var phi_845_: u32;
-    var phi_848_: bool;
-    var phi_928_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_955_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_982_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_988_: u32;
-    var phi_991_: u32;
-    var phi_1005_: u32;
-    var phi_1015_: u32;
-    var phi_1025_: u32;
-    var phi_1043_: u32;
-    var phi_1053_: u32;
-    var phi_1063_: u32;
-    var phi_1099_: u32;
-    var phi_1112_: u32;
-    var phi_1117_: u32;
-    var phi_1118_: u32;
+    var phi_527_: bool;
+    var phi_528_: bool;
+    var phi_529_: bool;
+    var phi_533_: bool;
+    var phi_603_: f32;
+    var phi_610_: f32;
+    var phi_617_: f32;
+    var phi_624_: f32;
+    var phi_631_: f32;
+    var phi_638_: f32;
+    var phi_655_: f32;
+    var phi_660_: f32;
+    var phi_665_: f32;
+    var phi_670_: f32;
+    var phi_675_: f32;
+    var phi_694_: u32;
+    var phi_699_: u32;
+    var phi_704_: u32;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_850_: u32;
+    var phi_852_: u32;
+    var phi_855_: bool;
+    var phi_935_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_962_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_989_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_995_: u32;
+    var phi_998_: u32;
+    var phi_1012_: u32;
+    var phi_1022_: u32;
+    var phi_1032_: u32;
+    var phi_1050_: u32;
+    var phi_1060_: u32;
+    var phi_1070_: u32;
+    var phi_1106_: u32;
     var phi_1119_: u32;
-    var phi_989_: u32;
-    var phi_992_: u32;
+    var phi_1124_: u32;
+    var phi_1125_: u32;
+    var phi_1126_: u32;
+    var phi_996_: u32;
+    var phi_999_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1177_: u32;
-    var phi_1180_: bool;
-    var phi_1229_: f32;
-    var phi_1234_: f32;
-    var phi_1239_: f32;
-    var phi_1247_: f32;
-    var phi_1252_: f32;
-    var phi_1257_: f32;
-    var phi_1401_: bool;
-    var phi_1402_: bool;
-    var phi_1403_: bool;
+    var phi_1184_: u32;
+    var phi_1187_: bool;
+    var phi_1236_: f32;
+    var phi_1241_: f32;
+    var phi_1246_: f32;
+    var phi_1254_: f32;
+    var phi_1259_: f32;
+    var phi_1264_: f32;
+    var phi_1384_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1387_: bool;
+    var phi_1391_: bool;
+    var phi_1404_: bool;
+    var phi_1405_: bool;
+    var phi_1406_: bool;
     var phi_1407_: bool;
-    var phi_1408_: bool;
-    var phi_1409_: bool;
-    var phi_1410_: bool;
     var phi_1411_: bool;
-    var phi_1412_: bool;
-    var phi_1413_: bool;
-    var phi_1414_: bool;
-    var phi_1415_: bool;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
-    var phi_1418_: bool;
-    var phi_1419_: bool;
-    var phi_1420_: bool;
-    var phi_1421_: bool;
-    var phi_1422_: bool;
-    var phi_1423_: bool;
     var phi_1424_: bool;
-    var phi_1428_: bool;
+    var phi_1425_: bool;
+    var phi_1426_: bool;
+    var phi_1430_: bool;
+    var phi_1431_: bool;
     var phi_1432_: bool;
-    var phi_1502_: f32;
-    var phi_1509_: f32;
-    var phi_1516_: f32;
-    var phi_1523_: f32;
-    var phi_1530_: f32;
-    var phi_1537_: f32;
-    var phi_1554_: f32;
-    var phi_1559_: f32;
-    var phi_1564_: f32;
-    var phi_1592_: bool;
-    var phi_1593_: bool;
-    var phi_1601_: u32;
-    var phi_1602_: u32;
-    var phi_1613_: vec3<f32>;
-    var phi_1614_: vec3<f32>;
-    var phi_1627_: u32;
-    var phi_1632_: u32;
-    var phi_1637_: u32;
-    var phi_1751_: bool;
-    var phi_1752_: bool;
-    var phi_1783_: u32;
-    var phi_1785_: u32;
-    var phi_1788_: bool;
-    var phi_1868_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1895_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1922_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1928_: u32;
-    var phi_1931_: u32;
+    var phi_1433_: bool;
+    var phi_1434_: bool;
+    var phi_1438_: bool;
+    var phi_1508_: f32;
+    var phi_1515_: f32;
+    var phi_1522_: f32;
+    var phi_1529_: f32;
+    var phi_1536_: f32;
+    var phi_1543_: f32;
+    var phi_1560_: f32;
+    var phi_1565_: f32;
+    var phi_1570_: f32;
+    var phi_1575_: f32;
+    var phi_1580_: f32;
+    var phi_1606_: bool;
+    var phi_1607_: bool;
+    var phi_1615_: u32;
+    var phi_1616_: u32;
+    var phi_1627_: vec3<f32>;
+    var phi_1628_: vec3<f32>;
+    var phi_1641_: u32;
+    var phi_1646_: u32;
+    var phi_1651_: u32;
+    var phi_1765_: bool;
+    var phi_1766_: bool;
+    var phi_1797_: u32;
+    var phi_1799_: u32;
+    var phi_1802_: bool;
+    var phi_1882_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1909_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1936_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1942_: u32;
     var phi_1945_: u32;
-    var phi_1955_: u32;
-    var phi_1965_: u32;
-    var phi_1983_: u32;
-    var phi_1993_: u32;
-    var phi_2003_: u32;
-    var phi_2039_: u32;
-    var phi_2052_: u32;
-    var phi_2057_: u32;
-    var phi_2058_: u32;
-    var phi_2059_: u32;
-    var phi_1929_: u32;
-    var phi_1932_: u32;
+    var phi_1959_: u32;
+    var phi_1969_: u32;
+    var phi_1979_: u32;
+    var phi_1997_: u32;
+    var phi_2007_: u32;
+    var phi_2017_: u32;
+    var phi_2053_: u32;
+    var phi_2066_: u32;
+    var phi_2071_: u32;
+    var phi_2072_: u32;
+    var phi_2073_: u32;
+    var phi_1943_: u32;
+    var phi_1946_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2117_: u32;
-    var phi_2120_: bool;
-    var phi_2164_: vec3<f32>;
-    var phi_2165_: vec3<f32>;
-    var phi_2194_: vec3<f32>;
-    var phi_2195_: vec3<f32>;
-    var phi_2224_: vec3<f32>;
-    var phi_2225_: vec3<f32>;
-    var phi_2243_: bool;
-    var phi_2244_: bool;
-    var phi_2248_: f32;
-    var phi_2249_: f32;
-    var phi_2250_: f32;
-    var phi_2251_: f32;
-    var phi_2259_: f32;
-    var phi_2269_: bool;
-    var phi_2270_: bool;
-    var phi_2274_: f32;
-    var phi_2275_: f32;
-    var phi_2276_: f32;
-    var phi_2277_: f32;
-    var phi_2285_: f32;
-    var phi_2295_: bool;
-    var phi_2296_: bool;
-    var phi_2300_: f32;
-    var phi_2301_: f32;
-    var phi_2302_: f32;
-    var phi_2303_: f32;
-    var phi_2311_: f32;
-    var phi_2326_: f32;
-    var phi_2327_: bool;
-    var phi_2328_: f32;
-    var phi_2329_: bool;
-    var phi_2330_: f32;
-    var phi_2331_: bool;
-    var phi_2349_: f32;
-    var phi_2350_: bool;
-    var phi_2351_: bool;
-    var phi_2352_: f32;
-    var phi_2353_: bool;
-    var phi_2354_: bool;
-    var phi_2358_: bool;
-    var phi_2359_: f32;
-    var phi_2360_: bool;
-    var phi_2388_: vec3<f32>;
-    var phi_2389_: vec3<f32>;
-    var phi_2414_: vec3<f32>;
-    var phi_2415_: vec3<f32>;
-    var phi_2440_: vec3<f32>;
-    var phi_2441_: vec3<f32>;
-    var phi_2497_: f32;
-    var phi_2506_: f32;
-    var phi_2515_: f32;
-    var phi_2524_: f32;
-    var phi_2531_: f32;
+    var phi_2131_: u32;
+    var phi_2134_: bool;
+    var phi_2178_: vec3<f32>;
+    var phi_2179_: vec3<f32>;
+    var phi_2208_: vec3<f32>;
+    var phi_2209_: vec3<f32>;
+    var phi_2238_: vec3<f32>;
+    var phi_2239_: vec3<f32>;
+    var phi_2257_: bool;
+    var phi_2258_: bool;
+    var phi_2262_: f32;
+    var phi_2263_: f32;
+    var phi_2264_: f32;
+    var phi_2265_: f32;
+    var phi_2273_: f32;
+    var phi_2283_: bool;
+    var phi_2284_: bool;
+    var phi_2288_: f32;
+    var phi_2289_: f32;
+    var phi_2290_: f32;
+    var phi_2291_: f32;
+    var phi_2299_: f32;
+    var phi_2309_: bool;
+    var phi_2310_: bool;
+    var phi_2314_: f32;
+    var phi_2315_: f32;
+    var phi_2316_: f32;
+    var phi_2317_: f32;
+    var phi_2325_: f32;
+    var phi_2340_: f32;
+    var phi_2341_: bool;
+    var phi_2342_: f32;
+    var phi_2343_: bool;
+    var phi_2344_: f32;
+    var phi_2345_: bool;
+    var phi_2363_: f32;
+    var phi_2364_: bool;
+    var phi_2365_: bool;
+    var phi_2366_: f32;
+    var phi_2367_: bool;
+    var phi_2368_: bool;
+    var phi_2372_: bool;
+    var phi_2373_: f32;
+    var phi_2374_: bool;
+    var phi_2402_: vec3<f32>;
+    var phi_2403_: vec3<f32>;
+    var phi_2428_: vec3<f32>;
+    var phi_2429_: vec3<f32>;
+    var phi_2454_: vec3<f32>;
+    var phi_2455_: vec3<f32>;
+    var phi_2511_: f32;
+    var phi_2520_: f32;
+    var phi_2529_: f32;
     var phi_2538_: f32;
-    var phi_2551_: f32;
-    var phi_2560_: f32;
-    var phi_2569_: f32;
-    var phi_2578_: f32;
-    var phi_2585_: f32;
+    var phi_2545_: f32;
+    var phi_2552_: f32;
+    var phi_2565_: f32;
+    var phi_2574_: f32;
+    var phi_2583_: f32;
     var phi_2592_: f32;
-    var phi_2609_: f32;
-    var phi_2614_: f32;
-    var phi_2619_: f32;
-    var phi_2627_: f32;
-    var phi_2632_: f32;
-    var phi_2637_: f32;
-    var phi_2649_: f32;
-    var phi_2654_: f32;
-    var phi_2659_: f32;
-    var phi_2664_: f32;
-    var phi_2669_: lt_bvh_triangle_Intersection;
-    var phi_2670_: bool;
-    var phi_2671_: lt_bvh_triangle_Intersection;
-    var phi_2672_: bool;
-    var phi_2676_: lt_bvh_triangle_Intersection;
-    var phi_2677_: bool;
-    var phi_2678_: lt_bvh_triangle_Intersection;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
+    var phi_2599_: f32;
+    var phi_2606_: f32;
+    var phi_2623_: f32;
+    var phi_2628_: f32;
+    var phi_2633_: f32;
+    var phi_2641_: f32;
+    var phi_2646_: f32;
+    var phi_2651_: f32;
+    var phi_2663_: f32;
+    var phi_2668_: f32;
+    var phi_2673_: f32;
+    var phi_2678_: f32;
+    var phi_2683_: lt_bvh_triangle_Intersection;
     var phi_2684_: bool;
-    var phi_2688_: lt_bvh_triangle_Intersection;
-    var phi_2708_: bool;
-    var phi_2709_: bool;
-    var phi_2710_: bool;
-    var phi_2711_: bool;
-    var phi_2712_: bool;
-    var phi_2713_: bool;
-    var phi_2714_: bool;
-    var phi_2118_: u32;
-    var phi_2121_: bool;
-    var phi_2718_: bool;
+    var phi_2685_: lt_bvh_triangle_Intersection;
+    var phi_2686_: bool;
+    var phi_2690_: lt_bvh_triangle_Intersection;
+    var phi_2691_: bool;
+    var phi_2692_: lt_bvh_triangle_Intersection;
+    var phi_2693_: bool;
+    var phi_2694_: bool;
+    var phi_2698_: bool;
+    var phi_2702_: lt_bvh_triangle_Intersection;
+    var phi_2722_: bool;
+    var phi_2723_: bool;
+    var phi_2724_: bool;
+    var phi_2725_: bool;
+    var phi_2726_: bool;
+    var phi_2727_: bool;
+    var phi_2728_: bool;
+    var phi_2132_: u32;
+    var phi_2135_: bool;
+    var phi_2732_: bool;
     var local_9: bool;
-    var phi_2760_: bool;
-    var phi_2761_: bool;
-    var phi_2792_: u32;
-    var phi_2793_: u32;
-    var phi_1786_: u32;
-    var phi_1789_: bool;
-    var phi_2794_: bool;
-    var phi_2795_: bool;
+    var phi_2774_: bool;
+    var phi_2775_: bool;
+    var phi_2806_: u32;
+    var phi_2807_: u32;
+    var phi_1800_: u32;
+    var phi_1803_: bool;
+    var phi_2808_: bool;
+    var phi_2809_: bool;
     var local_10: bool;
-    var phi_2799_: bool;
-    var phi_2803_: bool;
-    var phi_2804_: bool;
-    var phi_2805_: bool;
-    var phi_2806_: bool;
-    var phi_2810_: bool;
-    var phi_2814_: bool;
-    var phi_2815_: bool;
-    var phi_2816_: bool;
+    var phi_2813_: bool;
     var phi_2817_: bool;
     var phi_2818_: bool;
     var phi_2819_: bool;
     var phi_2820_: bool;
-    var phi_1178_: u32;
-    var phi_1181_: bool;
     var phi_2824_: bool;
+    var phi_2828_: bool;
+    var phi_2829_: bool;
+    var phi_2830_: bool;
+    var phi_2831_: bool;
+    var phi_2832_: bool;
+    var phi_2833_: bool;
+    var phi_2834_: bool;
+    var phi_1185_: u32;
+    var phi_1188_: bool;
+    var phi_2838_: bool;
     var local_11: bool;
-    var phi_2866_: bool;
-    var phi_2867_: bool;
-    var phi_2898_: u32;
-    var phi_2899_: u32;
-    var phi_846_: u32;
-    var phi_849_: bool;
-    var phi_2900_: bool;
-    var phi_2901_: bool;
-    var local_12: bool;
-    var phi_2905_: bool;
-    var phi_2909_: bool;
-    var phi_2910_: bool;
-    var phi_2911_: bool;
+    var phi_2880_: bool;
+    var phi_2881_: bool;
+    var phi_2912_: u32;
+    var phi_2913_: u32;
+    var phi_853_: u32;
+    var phi_856_: bool;
+    var phi_2914_: bool;
     var phi_2915_: bool;
-    var phi_2916_: bool;
-    var phi_2920_: bool;
-    var phi_2924_: f32;
-    var phi_2925_: f32;
+    var local_12: bool;
+    var phi_2919_: bool;
+    var phi_2923_: bool;
+    var phi_2924_: bool;
+    var phi_2925_: bool;
+    var phi_2929_: bool;
+    var phi_2930_: bool;
+    var phi_2934_: bool;
+    var phi_2938_: f32;
+    var phi_2939_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -554,12 +551,12 @@ fn function_() {
     let _e76 = p.member.size[0u];
     let _e78 = p.member.size[1u];
     let _e79 = lt_shaders_entry_pixel_index(_e57, _e76, _e78);
-    if (bitcast<i32>(_e79.root) != 0i) {
-        if (_e79.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e79.word) != 0i) {
+        if (_e79.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e87 = samples.member[(0u + _e79.first_primitive)];
+        let _e87 = samples.member[(0u + _e79.shift)];
         local_2 = abi_Sample(_e87.position, _e87.magnitude, _e87.normal, _e87.flags, _e87.shading_normal, _e87.albedo);
         let _e96 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e96 {
@@ -625,7 +622,7 @@ fn function_() {
         let _e219 = phi_404_;
         let _e224 = p.member.root;
         if _e219.unnamed_1 {
-            phi_2925_ = _e219.unnamed.visibility;
+            phi_2939_ = _e219.unnamed.visibility;
         } else {
             let _e227 = local_2.position;
             let _e229 = local_2.normal;
@@ -644,1857 +641,1859 @@ fn function_() {
             let _e259 = (_e247.x - (_e241 * _e247.w));
             let _e260 = (_e247.y - (_e243 * _e247.w));
             let _e261 = (_e247.z - (_e245 * _e247.w));
-            let _e265 = abs(_e259);
-            let _e266 = abs(_e260);
-            let _e267 = abs(_e261);
+            let _e262 = abs(_e259);
+            let _e263 = abs(_e260);
+            let _e264 = abs(_e261);
             if (abs(_e241) < 1000000000000000f) {
                 if (abs(_e243) < 1000000000000000f) {
-                    if (abs(_e245) < 1000000000000000f) {
-                        if (_e265 < 1000000000000000f) {
-                            if (_e266 < 1000000000000000f) {
-                                if (_e267 < 1000000000000000f) {
-                                    if (_e265 > 0f) {
-                                        phi_504_ = bool();
-                                        phi_505_ = true;
-                                    } else {
-                                        let _e275 = (_e266 > 0f);
-                                        if _e275 {
-                                            phi_503_ = bool();
-                                        } else {
-                                            phi_503_ = (_e267 > 0f);
-                                        }
-                                        let _e278 = phi_503_;
-                                        phi_504_ = _e278;
-                                        phi_505_ = _e275;
-                                    }
-                                    let _e280 = phi_504_;
-                                    let _e282 = phi_505_;
-                                    if _e282 {
-                                        phi_509_ = true;
-                                    } else {
-                                        phi_509_ = _e280;
-                                    }
-                                    let _e284 = phi_509_;
-                                    phi_510_ = _e284;
-                                    phi_511_ = false;
-                                } else {
-                                    phi_510_ = bool();
-                                    phi_511_ = true;
-                                }
-                                let _e286 = phi_510_;
-                                let _e288 = phi_511_;
-                                phi_512_ = _e286;
-                                phi_513_ = false;
-                                phi_514_ = _e288;
-                            } else {
-                                phi_512_ = bool();
-                                phi_513_ = true;
-                                phi_514_ = false;
-                            }
-                            let _e290 = phi_512_;
-                            let _e292 = phi_513_;
-                            let _e294 = phi_514_;
-                            phi_515_ = _e290;
-                            phi_516_ = _e292;
-                            phi_517_ = _e294;
-                        } else {
-                            phi_515_ = bool();
-                            phi_516_ = true;
-                            phi_517_ = false;
-                        }
-                        let _e296 = phi_515_;
-                        let _e298 = phi_516_;
-                        let _e300 = phi_517_;
-                        phi_518_ = _e296;
-                        phi_519_ = _e298;
-                        phi_520_ = _e300;
-                    } else {
-                        phi_518_ = bool();
-                        phi_519_ = true;
-                        phi_520_ = false;
-                    }
-                    let _e302 = phi_518_;
-                    let _e304 = phi_519_;
-                    let _e306 = phi_520_;
-                    phi_521_ = _e302;
-                    phi_522_ = _e304;
-                    phi_523_ = _e306;
+                    phi_479_ = (abs(_e245) < 1000000000000000f);
+                    phi_480_ = false;
                 } else {
-                    phi_521_ = bool();
-                    phi_522_ = true;
-                    phi_523_ = false;
+                    phi_479_ = bool();
+                    phi_480_ = true;
                 }
-                let _e308 = phi_521_;
-                let _e310 = phi_522_;
-                let _e312 = phi_523_;
-                phi_524_ = _e308;
-                phi_525_ = _e310;
-                phi_526_ = _e312;
+                let _e272 = phi_479_;
+                let _e274 = phi_480_;
+                phi_481_ = _e272;
+                phi_482_ = _e274;
             } else {
-                phi_524_ = bool();
-                phi_525_ = true;
-                phi_526_ = false;
+                phi_481_ = bool();
+                phi_482_ = true;
             }
-            let _e314 = phi_524_;
-            let _e316 = phi_525_;
-            let _e318 = phi_526_;
-            if _e316 {
-                phi_530_ = true;
+            let _e276 = phi_481_;
+            let _e278 = phi_482_;
+            if _e278 {
+                phi_486_ = false;
             } else {
-                phi_530_ = _e318;
+                phi_486_ = _e276;
             }
-            let _e320 = phi_530_;
-            if _e320 {
-                phi_534_ = false;
+            let _e280 = phi_486_;
+            if _e280 {
+                if (_e262 < 1000000000000000f) {
+                    if (_e263 < 1000000000000000f) {
+                        phi_499_ = (_e264 < 1000000000000000f);
+                        phi_500_ = false;
+                    } else {
+                        phi_499_ = bool();
+                        phi_500_ = true;
+                    }
+                    let _e285 = phi_499_;
+                    let _e287 = phi_500_;
+                    phi_501_ = _e285;
+                    phi_502_ = _e287;
+                } else {
+                    phi_501_ = bool();
+                    phi_502_ = true;
+                }
+                let _e289 = phi_501_;
+                let _e291 = phi_502_;
+                if _e291 {
+                    phi_506_ = false;
+                } else {
+                    phi_506_ = _e289;
+                }
+                let _e293 = phi_506_;
+                if _e293 {
+                    if (_e262 > 0f) {
+                        phi_520_ = bool();
+                        phi_521_ = true;
+                    } else {
+                        let _e295 = (_e263 > 0f);
+                        if _e295 {
+                            phi_519_ = bool();
+                        } else {
+                            phi_519_ = (_e264 > 0f);
+                        }
+                        let _e298 = phi_519_;
+                        phi_520_ = _e298;
+                        phi_521_ = _e295;
+                    }
+                    let _e300 = phi_520_;
+                    let _e302 = phi_521_;
+                    if _e302 {
+                        phi_525_ = true;
+                    } else {
+                        phi_525_ = _e300;
+                    }
+                    let _e304 = phi_525_;
+                    phi_526_ = _e304;
+                    phi_527_ = false;
+                } else {
+                    phi_526_ = bool();
+                    phi_527_ = true;
+                }
+                let _e306 = phi_526_;
+                let _e308 = phi_527_;
+                phi_528_ = _e306;
+                phi_529_ = _e308;
             } else {
-                phi_534_ = _e314;
+                phi_528_ = bool();
+                phi_529_ = true;
             }
-            let _e322 = phi_534_;
-            if _e322 {
-                let _e323 = (_e224 >= _e64);
-                if _e323 {
-                    phi_2909_ = false;
+            let _e310 = phi_528_;
+            let _e312 = phi_529_;
+            if _e312 {
+                phi_533_ = false;
+            } else {
+                phi_533_ = _e310;
+            }
+            let _e314 = phi_533_;
+            if _e314 {
+                let _e315 = (_e224 >= _e64);
+                if _e315 {
+                    phi_2923_ = false;
                 } else {
                     if (_e224 < _e64) {
                     } else {
                         return;
                     }
-                    let _e329 = nodes.member[(0u + _e224)].frame[0u];
-                    let _e333 = nodes.member[(0u + _e224)].frame[1u];
-                    let _e337 = nodes.member[(0u + _e224)].frame[2u];
-                    let _e341 = nodes.member[(0u + _e224)].frame[0u];
-                    let _e345 = nodes.member[(0u + _e224)].frame[1u];
-                    let _e349 = nodes.member[(0u + _e224)].frame[2u];
-                    let _e353 = nodes.member[(0u + _e224)].frame[3u];
-                    let _e387 = core_intrinsics_maximum_number_nsz_f32_(abs(_e259), abs(_e260));
-                    let _e388 = core_intrinsics_maximum_number_nsz_f32_(_e387, abs(_e261));
-                    let _e389 = (_e388 * 0.0000000000009094947f);
-                    if (abs(_e259) < _e389) {
-                        phi_604_ = _e389;
+                    let _e321 = nodes.member[(0u + _e224)].frame[0u];
+                    let _e325 = nodes.member[(0u + _e224)].frame[1u];
+                    let _e329 = nodes.member[(0u + _e224)].frame[2u];
+                    let _e333 = nodes.member[(0u + _e224)].frame[0u];
+                    let _e337 = nodes.member[(0u + _e224)].frame[1u];
+                    let _e341 = nodes.member[(0u + _e224)].frame[2u];
+                    let _e345 = nodes.member[(0u + _e224)].frame[3u];
+                    let _e379 = core_intrinsics_maximum_number_nsz_f32_(abs(_e259), abs(_e260));
+                    let _e380 = core_intrinsics_maximum_number_nsz_f32_(_e379, abs(_e261));
+                    let _e381 = (_e380 * 0.0000000000009094947f);
+                    if (abs(_e259) < _e381) {
+                        phi_603_ = _e381;
                     } else {
-                        phi_604_ = abs(_e259);
+                        phi_603_ = abs(_e259);
                     }
-                    let _e394 = phi_604_;
+                    let _e386 = phi_603_;
                     if (_e259 < 0f) {
-                        phi_611_ = (-1f / _e394);
+                        phi_610_ = (-1f / _e386);
                     } else {
-                        phi_611_ = (1f / _e394);
+                        phi_610_ = (1f / _e386);
                     }
-                    let _e399 = phi_611_;
-                    if (abs(_e260) < _e389) {
-                        phi_618_ = _e389;
+                    let _e391 = phi_610_;
+                    if (abs(_e260) < _e381) {
+                        phi_617_ = _e381;
                     } else {
-                        phi_618_ = abs(_e260);
+                        phi_617_ = abs(_e260);
                     }
-                    let _e404 = phi_618_;
+                    let _e396 = phi_617_;
                     if (_e260 < 0f) {
-                        phi_625_ = (-1f / _e404);
+                        phi_624_ = (-1f / _e396);
                     } else {
-                        phi_625_ = (1f / _e404);
+                        phi_624_ = (1f / _e396);
                     }
-                    let _e409 = phi_625_;
-                    if (abs(_e261) < _e389) {
-                        phi_632_ = _e389;
+                    let _e401 = phi_624_;
+                    if (abs(_e261) < _e381) {
+                        phi_631_ = _e381;
                     } else {
-                        phi_632_ = abs(_e261);
+                        phi_631_ = abs(_e261);
                     }
-                    let _e414 = phi_632_;
+                    let _e406 = phi_631_;
                     if (_e261 < 0f) {
-                        phi_639_ = (-1f / _e414);
+                        phi_638_ = (-1f / _e406);
                     } else {
-                        phi_639_ = (1f / _e414);
+                        phi_638_ = (1f / _e406);
                     }
-                    let _e419 = phi_639_;
-                    let _e423 = abs((bitcast<f32>(_e329) - _e241));
-                    let _e424 = abs((bitcast<f32>(_e333) - _e243));
-                    let _e425 = abs((bitcast<f32>(_e337) - _e245));
-                    let _e429 = abs(((bitcast<f32>(_e341) + (bitcast<f32>((((_e353 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e241));
-                    let _e430 = abs(((bitcast<f32>(_e345) + (bitcast<f32>((((_e353 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e243));
-                    let _e431 = abs(((bitcast<f32>(_e349) + (bitcast<f32>((((_e353 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e245));
-                    if (_e423 > _e429) {
-                        phi_656_ = _e423;
+                    let _e411 = phi_638_;
+                    let _e415 = abs((bitcast<f32>(_e321) - _e241));
+                    let _e416 = abs((bitcast<f32>(_e325) - _e243));
+                    let _e417 = abs((bitcast<f32>(_e329) - _e245));
+                    let _e421 = abs(((bitcast<f32>(_e333) + (bitcast<f32>((((_e345 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e241));
+                    let _e422 = abs(((bitcast<f32>(_e337) + (bitcast<f32>((((_e345 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e243));
+                    let _e423 = abs(((bitcast<f32>(_e341) + (bitcast<f32>((((_e345 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e245));
+                    if (_e415 > _e421) {
+                        phi_655_ = _e415;
                     } else {
-                        phi_656_ = _e429;
+                        phi_655_ = _e421;
                     }
-                    let _e434 = phi_656_;
-                    if (_e424 > _e430) {
-                        phi_661_ = _e424;
+                    let _e426 = phi_655_;
+                    if (_e416 > _e422) {
+                        phi_660_ = _e416;
                     } else {
-                        phi_661_ = _e430;
+                        phi_660_ = _e422;
                     }
-                    let _e437 = phi_661_;
-                    if (_e425 > _e431) {
-                        phi_666_ = _e425;
+                    let _e429 = phi_660_;
+                    if (_e417 > _e423) {
+                        phi_665_ = _e417;
                     } else {
-                        phi_666_ = _e431;
+                        phi_665_ = _e423;
                     }
-                    let _e440 = phi_666_;
-                    let _e441 = core_intrinsics_maximum_number_nsz_f32_(_e434, _e437);
-                    let _e442 = core_intrinsics_maximum_number_nsz_f32_(_e441, _e440);
-                    let _e446 = (_e442 * 0.0000019073486f);
-                    let _e447 = (abs(_e399) * _e446);
-                    let _e448 = (abs(_e409) * _e446);
-                    let _e449 = (abs(_e419) * _e446);
-                    let _e453 = (_e442 * 0.0000009536743f);
-                    let _e454 = (abs(_e399) * _e453);
-                    let _e455 = (abs(_e409) * _e453);
-                    let _e456 = (abs(_e419) * _e453);
-                    if (_e399 < 0f) {
-                        phi_687_ = 0u;
+                    let _e432 = phi_665_;
+                    if (_e426 > _e429) {
+                        phi_670_ = _e426;
                     } else {
-                        phi_687_ = 1u;
+                        phi_670_ = _e429;
                     }
-                    let _e459 = phi_687_;
-                    if (_e409 < 0f) {
-                        phi_692_ = 0u;
+                    let _e435 = phi_670_;
+                    if (_e435 > _e432) {
+                        phi_675_ = _e435;
                     } else {
-                        phi_692_ = 2u;
+                        phi_675_ = _e432;
                     }
-                    let _e462 = phi_692_;
-                    if (_e419 < 0f) {
-                        phi_697_ = 0u;
+                    let _e438 = phi_675_;
+                    let _e442 = (_e438 * 0.0000019073486f);
+                    let _e443 = (abs(_e391) * _e442);
+                    let _e444 = (abs(_e401) * _e442);
+                    let _e445 = (abs(_e411) * _e442);
+                    let _e449 = (_e438 * 0.0000009536743f);
+                    let _e450 = (abs(_e391) * _e449);
+                    let _e451 = (abs(_e401) * _e449);
+                    let _e452 = (abs(_e411) * _e449);
+                    if (_e391 < 0f) {
+                        phi_694_ = 0u;
                     } else {
-                        phi_697_ = 4u;
+                        phi_694_ = 1u;
                     }
-                    let _e465 = phi_697_;
-                    let _e467 = ((_e459 | _e462) | _e465);
-                    let _e468 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e224, 2147483648u);
-                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e468.first[0], _e468.first[1], _e468.first[2], _e468.first[3], _e468.first[4], _e468.first[5], _e468.first[6], _e468.first[7], _e468.first[8], _e468.first[9], _e468.first[10], _e468.first[11], _e468.first[12], _e468.first[13], _e468.first[14], _e468.first[15], _e468.first[16], _e468.first[17], _e468.first[18], _e468.first[19], _e468.first[20], _e468.first[21], _e468.first[22], _e468.first[23], _e468.first[24], _e468.first[25], _e468.first[26], _e468.first[27], _e468.first[28], _e468.first[29], _e468.first[30], _e468.first[31]), array<u32, 32>(_e468.mask[0], _e468.mask[1], _e468.mask[2], _e468.mask[3], _e468.mask[4], _e468.mask[5], _e468.mask[6], _e468.mask[7], _e468.mask[8], _e468.mask[9], _e468.mask[10], _e468.mask[11], _e468.mask[12], _e468.mask[13], _e468.mask[14], _e468.mask[15], _e468.mask[16], _e468.mask[17], _e468.mask[18], _e468.mask[19], _e468.mask[20], _e468.mask[21], _e468.mask[22], _e468.mask[23], _e468.mask[24], _e468.mask[25], _e468.mask[26], _e468.mask[27], _e468.mask[28], _e468.mask[29], _e468.mask[30], _e468.mask[31]), _e468.len, _e468.group, _e468.group_mask);
-                    let _e542 = local_1.group_mask;
-                    if ((_e542 & 4278190080u) == 0u) {
-                        let _e546 = local_1.len;
-                        if (_e546 == 0u) {
-                            phi_811_ = false;
+                    let _e455 = phi_694_;
+                    if (_e401 < 0f) {
+                        phi_699_ = 0u;
+                    } else {
+                        phi_699_ = 2u;
+                    }
+                    let _e458 = phi_699_;
+                    if (_e411 < 0f) {
+                        phi_704_ = 0u;
+                    } else {
+                        phi_704_ = 4u;
+                    }
+                    let _e461 = phi_704_;
+                    let _e463 = ((_e455 | _e458) | _e461);
+                    let _e464 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e224, 2147483648u);
+                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e464.first[0], _e464.first[1], _e464.first[2], _e464.first[3], _e464.first[4], _e464.first[5], _e464.first[6], _e464.first[7], _e464.first[8], _e464.first[9], _e464.first[10], _e464.first[11], _e464.first[12], _e464.first[13], _e464.first[14], _e464.first[15], _e464.first[16], _e464.first[17], _e464.first[18], _e464.first[19], _e464.first[20], _e464.first[21], _e464.first[22], _e464.first[23], _e464.first[24], _e464.first[25], _e464.first[26], _e464.first[27], _e464.first[28], _e464.first[29], _e464.first[30], _e464.first[31]), array<u32, 32>(_e464.mask[0], _e464.mask[1], _e464.mask[2], _e464.mask[3], _e464.mask[4], _e464.mask[5], _e464.mask[6], _e464.mask[7], _e464.mask[8], _e464.mask[9], _e464.mask[10], _e464.mask[11], _e464.mask[12], _e464.mask[13], _e464.mask[14], _e464.mask[15], _e464.mask[16], _e464.mask[17], _e464.mask[18], _e464.mask[19], _e464.mask[20], _e464.mask[21], _e464.mask[22], _e464.mask[23], _e464.mask[24], _e464.mask[25], _e464.mask[26], _e464.mask[27], _e464.mask[28], _e464.mask[29], _e464.mask[30], _e464.mask[31]), _e464.len, _e464.group, _e464.group_mask);
+                    let _e538 = local_1.group_mask;
+                    if ((_e538 & 4278190080u) == 0u) {
+                        let _e542 = local_1.len;
+                        if (_e542 == 0u) {
+                            phi_818_ = false;
                         } else {
-                            let _e550 = local_1.len;
-                            local_1.len = (_e550 - 1u);
-                            let _e553 = local_1.len;
-                            if (_e553 < 32u) {
+                            let _e546 = local_1.len;
+                            local_1.len = (_e546 - 1u);
+                            let _e549 = local_1.len;
+                            if (_e549 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e558 = local_1.first[(0u + _e553)];
-                            local_1.group = _e558;
-                            let _e561 = local_1.len;
-                            if (_e561 < 32u) {
+                            let _e554 = local_1.first[(0u + _e549)];
+                            local_1.group = _e554;
+                            let _e557 = local_1.len;
+                            if (_e557 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e566 = local_1.mask[(0u + _e561)];
-                            local_1.group_mask = _e566;
-                            phi_811_ = true;
+                            let _e562 = local_1.mask[(0u + _e557)];
+                            local_1.group_mask = _e562;
+                            phi_818_ = true;
                         }
-                        let _e569 = phi_811_;
-                        phi_812_ = _e569;
+                        let _e565 = phi_818_;
+                        phi_819_ = _e565;
                     } else {
-                        phi_812_ = true;
+                        phi_819_ = true;
                     }
-                    let _e571 = phi_812_;
-                    if _e571 {
-                        let _e573 = local_1.group_mask;
-                        let _e579 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e573)), 32u, (_e573 == 0u)));
-                        let _e583 = local_1.group_mask;
-                        let _e597 = local_1.group_mask;
-                        local_1.group_mask = (_e597 & ~((1u << bitcast<u32>((_e579 & 31u)))));
-                        let _e600 = local_1.group;
-                        phi_843_ = (_e600 + countOneBits(((_e583 & ~((4294967295u << bitcast<u32>((((_e579 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e567 = phi_819_;
+                    if _e567 {
+                        let _e569 = local_1.group_mask;
+                        let _e575 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e569)), 32u, (_e569 == 0u)));
+                        let _e579 = local_1.group_mask;
+                        let _e593 = local_1.group_mask;
+                        local_1.group_mask = (_e593 & ~((1u << bitcast<u32>((_e575 & 31u)))));
+                        let _e596 = local_1.group;
+                        phi_850_ = (_e596 + countOneBits(((_e579 & ~((4294967295u << bitcast<u32>((((_e575 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_843_ = 4294967295u;
+                        phi_850_ = 4294967295u;
                     }
-                    let _e603 = phi_843_;
-                    phi_845_ = _e603;
-                    phi_848_ = false;
+                    let _e599 = phi_850_;
+                    phi_852_ = _e599;
+                    phi_855_ = false;
                     loop {
-                        let _e605 = phi_845_;
-                        let _e607 = phi_848_;
-                        if (_e605 != 4294967295u) {
-                            if (_e605 < _e64) {
+                        let _e601 = phi_852_;
+                        let _e603 = phi_855_;
+                        if (_e601 != 4294967295u) {
+                            if (_e601 < _e64) {
                             } else {
                                 return;
                             }
-                            let _e614 = nodes.member[(0u + _e605)].frame[3u];
-                            let _e639 = (bitcast<f32>((((_e614 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e399);
-                            let _e640 = (bitcast<f32>((((_e614 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e409);
-                            let _e641 = (bitcast<f32>((((_e614 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e419);
-                            let _e644 = nodes.member[(0u + _e605)].frame[0u];
-                            let _e648 = nodes.member[(0u + _e605)].frame[1u];
-                            let _e652 = nodes.member[(0u + _e605)].frame[2u];
-                            let _e657 = ((bitcast<f32>(_e644) - _e241) * _e399);
-                            let _e658 = ((bitcast<f32>(_e648) - _e243) * _e409);
-                            let _e659 = ((bitcast<f32>(_e652) - _e245) * _e419);
-                            let _e667 = nodes.member[(0u + _e605)].x;
-                            if (_e399 < 0f) {
-                                let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e678.unnamed.root, _e667.w), _e678.unnamed_1);
-                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e667.x, _e684.unnamed_1.first_primitive));
-                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e690.unnamed_1.root, _e667.y));
+                            let _e610 = nodes.member[(0u + _e601)].frame[3u];
+                            let _e635 = (bitcast<f32>((((_e610 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e391);
+                            let _e636 = (bitcast<f32>((((_e610 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e401);
+                            let _e637 = (bitcast<f32>((((_e610 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e411);
+                            let _e640 = nodes.member[(0u + _e601)].frame[0u];
+                            let _e644 = nodes.member[(0u + _e601)].frame[1u];
+                            let _e648 = nodes.member[(0u + _e601)].frame[2u];
+                            let _e653 = ((bitcast<f32>(_e640) - _e241) * _e391);
+                            let _e654 = ((bitcast<f32>(_e644) - _e243) * _e401);
+                            let _e655 = ((bitcast<f32>(_e648) - _e245) * _e411);
+                            let _e663 = nodes.member[(0u + _e601)].x;
+                            if (_e391 < 0f) {
+                                let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e663.w), _e674.unnamed_1);
+                                let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e663.x, _e680.unnamed_1.shift));
+                                phi_935_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e663.y));
                             } else {
-                                let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e667.y), _e706.unnamed_1);
-                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e667.z, _e712.unnamed_1.first_primitive));
-                                phi_928_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e667.w));
+                                let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e663.y), _e702.unnamed_1);
+                                let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e663.z, _e708.unnamed_1.shift));
+                                phi_935_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e663.w));
                             }
-                            let _e726 = phi_928_;
-                            let _e736 = nodes.member[(0u + _e605)].y;
-                            if (_e409 < 0f) {
-                                let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e747.unnamed.root, _e736.w), _e747.unnamed_1);
-                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_bvh_traverse_Tree(_e736.x, _e753.unnamed_1.first_primitive));
-                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e759.unnamed_1.root, _e736.y));
+                            let _e722 = phi_935_;
+                            let _e732 = nodes.member[(0u + _e601)].y;
+                            if (_e401 < 0f) {
+                                let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e732.w), _e743.unnamed_1);
+                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e732.x, _e749.unnamed_1.shift));
+                                phi_962_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e732.y));
                             } else {
-                                let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e775.unnamed.root, _e736.y), _e775.unnamed_1);
-                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_bvh_traverse_Tree(_e736.z, _e781.unnamed_1.first_primitive));
-                                phi_955_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e787.unnamed_1.root, _e736.w));
+                                let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e732.y), _e771.unnamed_1);
+                                let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e732.z, _e777.unnamed_1.shift));
+                                phi_962_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e732.w));
                             }
-                            let _e795 = phi_955_;
-                            let _e805 = nodes.member[(0u + _e605)].z;
-                            if (_e419 < 0f) {
-                                let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e816.unnamed.root, _e805.w), _e816.unnamed_1);
-                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_bvh_traverse_Tree(_e805.x, _e822.unnamed_1.first_primitive));
-                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_bvh_traverse_Tree(_e828.unnamed_1.root, _e805.y));
+                            let _e791 = phi_962_;
+                            let _e801 = nodes.member[(0u + _e601)].z;
+                            if (_e411 < 0f) {
+                                let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e801.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e812.unnamed.word, _e801.w), _e812.unnamed_1);
+                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_mask_LightPlace(_e801.x, _e818.unnamed_1.shift));
+                                phi_989_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e824.unnamed_1.word, _e801.y));
                             } else {
-                                let _e844 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e805.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e850 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e844.unnamed.root, _e805.y), _e844.unnamed_1);
-                                let _e856 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e850.unnamed, lt_bvh_traverse_Tree(_e805.z, _e850.unnamed_1.first_primitive));
-                                phi_982_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e856.unnamed, lt_bvh_traverse_Tree(_e856.unnamed_1.root, _e805.w));
+                                let _e840 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e801.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e846 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e840.unnamed.word, _e801.y), _e840.unnamed_1);
+                                let _e852 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e846.unnamed, lt_mask_LightPlace(_e801.z, _e846.unnamed_1.shift));
+                                phi_989_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e852.unnamed, lt_mask_LightPlace(_e852.unnamed_1.word, _e801.w));
                             }
-                            let _e864 = phi_982_;
-                            phi_988_ = 0u;
-                            phi_991_ = 0u;
+                            let _e860 = phi_989_;
+                            phi_995_ = 0u;
+                            phi_998_ = 0u;
                             loop {
-                                let _e874 = phi_988_;
-                                let _e876 = phi_991_;
-                                local_3 = _e876;
-                                local_4 = _e876;
-                                local_5 = _e876;
-                                let _e877 = (_e874 < 8u);
-                                if _e877 {
-                                    let _e879 = (_e874 >> bitcast<u32>(2i));
-                                    let _e880 = (_e874 & 3u);
-                                    if (_e879 == 0u) {
-                                        phi_1005_ = _e726.unnamed.root;
+                                let _e870 = phi_995_;
+                                let _e872 = phi_998_;
+                                local_3 = _e872;
+                                local_4 = _e872;
+                                local_5 = _e872;
+                                let _e873 = (_e870 < 8u);
+                                if _e873 {
+                                    let _e875 = (_e870 >> bitcast<u32>(2i));
+                                    let _e876 = (_e870 & 3u);
+                                    if (_e875 == 0u) {
+                                        phi_1012_ = _e722.unnamed.word;
                                     } else {
-                                        phi_1005_ = _e726.unnamed.first_primitive;
+                                        phi_1012_ = _e722.unnamed.shift;
                                     }
-                                    let _e883 = phi_1005_;
-                                    if (_e879 == 0u) {
-                                        phi_1015_ = _e795.unnamed.root;
+                                    let _e879 = phi_1012_;
+                                    if (_e875 == 0u) {
+                                        phi_1022_ = _e791.unnamed.word;
                                     } else {
-                                        phi_1015_ = _e795.unnamed.first_primitive;
+                                        phi_1022_ = _e791.unnamed.shift;
                                     }
-                                    let _e892 = phi_1015_;
-                                    if (_e879 == 0u) {
-                                        phi_1025_ = _e864.unnamed.root;
+                                    let _e888 = phi_1022_;
+                                    if (_e875 == 0u) {
+                                        phi_1032_ = _e860.unnamed.word;
                                     } else {
-                                        phi_1025_ = _e864.unnamed.first_primitive;
+                                        phi_1032_ = _e860.unnamed.shift;
                                     }
-                                    let _e901 = phi_1025_;
-                                    let _e914 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e639) + (_e657 - _e447)), ((f32(((_e892 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e640) + (_e658 - _e448)));
-                                    let _e915 = core_intrinsics_maximum_number_nsz_f32_(_e914, ((f32(((_e901 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e641) + (_e659 - _e449)));
-                                    if (_e879 == 0u) {
-                                        phi_1043_ = _e726.unnamed_1.root;
+                                    let _e897 = phi_1032_;
+                                    let _e910 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e635) + (_e653 - _e443)), ((f32(((_e888 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e636) + (_e654 - _e444)));
+                                    let _e911 = core_intrinsics_maximum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e637) + (_e655 - _e445)));
+                                    if (_e875 == 0u) {
+                                        phi_1050_ = _e722.unnamed_1.word;
                                     } else {
-                                        phi_1043_ = _e726.unnamed_1.first_primitive;
+                                        phi_1050_ = _e722.unnamed_1.shift;
                                     }
-                                    let _e918 = phi_1043_;
-                                    if (_e879 == 0u) {
-                                        phi_1053_ = _e795.unnamed_1.root;
+                                    let _e914 = phi_1050_;
+                                    if (_e875 == 0u) {
+                                        phi_1060_ = _e791.unnamed_1.word;
                                     } else {
-                                        phi_1053_ = _e795.unnamed_1.first_primitive;
+                                        phi_1060_ = _e791.unnamed_1.shift;
                                     }
-                                    let _e927 = phi_1053_;
-                                    if (_e879 == 0u) {
-                                        phi_1063_ = _e864.unnamed_1.root;
+                                    let _e923 = phi_1060_;
+                                    if (_e875 == 0u) {
+                                        phi_1070_ = _e860.unnamed_1.word;
                                     } else {
-                                        phi_1063_ = _e864.unnamed_1.first_primitive;
+                                        phi_1070_ = _e860.unnamed_1.shift;
                                     }
-                                    let _e936 = phi_1063_;
-                                    let _e949 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e918 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e639) + (_e657 + _e447)), ((f32(((_e927 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e640) + (_e658 + _e448)));
-                                    let _e950 = core_intrinsics_minimum_number_nsz_f32_(_e949, ((f32(((_e936 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u)) * _e641) + (_e659 + _e449)));
-                                    if (_e915 <= _e950) {
-                                        if (_e915 <= _e251) {
-                                            if (_e950 >= 0f) {
-                                                if (_e879 == 0u) {
-                                                    let _e957 = nodes.member[(0u + _e605)].links[2u];
-                                                    phi_1099_ = _e957;
+                                    let _e932 = phi_1070_;
+                                    let _e945 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e914 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e635) + (_e653 + _e443)), ((f32(((_e923 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e636) + (_e654 + _e444)));
+                                    let _e946 = core_intrinsics_minimum_number_nsz_f32_(_e945, ((f32(((_e932 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e637) + (_e655 + _e445)));
+                                    if (_e911 <= _e946) {
+                                        if (_e911 <= _e251) {
+                                            if (_e946 >= 0f) {
+                                                if (_e875 == 0u) {
+                                                    let _e953 = nodes.member[(0u + _e601)].links[2u];
+                                                    phi_1106_ = _e953;
                                                 } else {
-                                                    let _e960 = nodes.member[(0u + _e605)].links[3u];
-                                                    phi_1099_ = _e960;
+                                                    let _e956 = nodes.member[(0u + _e601)].links[3u];
+                                                    phi_1106_ = _e956;
                                                 }
-                                                let _e962 = phi_1099_;
-                                                let _e967 = ((_e962 >> bitcast<u32>(((_e880 * 8u) & 31u))) & 255u);
-                                                let _e968 = (_e967 & 31u);
-                                                if (_e968 >= 24u) {
-                                                    phi_1112_ = (24u + ((_e968 - 24u) ^ _e467));
+                                                let _e958 = phi_1106_;
+                                                let _e963 = ((_e958 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u);
+                                                let _e964 = (_e963 & 31u);
+                                                if (_e964 >= 24u) {
+                                                    phi_1119_ = (24u + ((_e964 - 24u) ^ _e463));
                                                 } else {
-                                                    phi_1112_ = _e968;
+                                                    phi_1119_ = _e964;
                                                 }
-                                                let _e974 = phi_1112_;
-                                                phi_1117_ = (_e876 | ((_e967 >> bitcast<u32>(5i)) << bitcast<u32>((_e974 & 31u))));
+                                                let _e970 = phi_1119_;
+                                                phi_1124_ = (_e872 | ((_e963 >> bitcast<u32>(5i)) << bitcast<u32>((_e970 & 31u))));
                                             } else {
-                                                phi_1117_ = _e876;
+                                                phi_1124_ = _e872;
                                             }
-                                            let _e982 = phi_1117_;
-                                            phi_1118_ = _e982;
+                                            let _e978 = phi_1124_;
+                                            phi_1125_ = _e978;
                                         } else {
-                                            phi_1118_ = _e876;
+                                            phi_1125_ = _e872;
                                         }
-                                        let _e984 = phi_1118_;
-                                        phi_1119_ = _e984;
+                                        let _e980 = phi_1125_;
+                                        phi_1126_ = _e980;
                                     } else {
-                                        phi_1119_ = _e876;
+                                        phi_1126_ = _e872;
                                     }
-                                    let _e986 = phi_1119_;
-                                    phi_989_ = (_e874 + 1u);
-                                    phi_992_ = _e986;
+                                    let _e982 = phi_1126_;
+                                    phi_996_ = (_e870 + 1u);
+                                    phi_999_ = _e982;
                                 } else {
-                                    phi_989_ = u32();
-                                    phi_992_ = u32();
+                                    phi_996_ = u32();
+                                    phi_999_ = u32();
                                 }
-                                let _e989 = phi_989_;
-                                let _e991 = phi_992_;
+                                let _e985 = phi_996_;
+                                let _e987 = phi_999_;
                                 continue;
                                 continuing {
-                                    phi_988_ = _e989;
-                                    phi_991_ = _e991;
-                                    break if !(_e877);
+                                    phi_995_ = _e985;
+                                    phi_998_ = _e987;
+                                    break if !(_e873);
                                 }
                             }
-                            let _e995 = nodes.member[(0u + _e605)].links[0u];
-                            let _e999 = nodes.member[(0u + _e605)].frame[3u];
-                            let _e1003 = local_3;
-                            if ((_e1003 & 4278190080u) == 0u) {
+                            let _e991 = nodes.member[(0u + _e601)].links[0u];
+                            let _e995 = nodes.member[(0u + _e601)].frame[3u];
+                            let _e999 = local_3;
+                            if ((_e999 & 4278190080u) == 0u) {
                             } else {
-                                let _e1007 = local_1.group_mask;
-                                if ((_e1007 & 4278190080u) == 0u) {
+                                let _e1003 = local_1.group_mask;
+                                if ((_e1003 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1011 = local_1.len;
-                                    if (_e1011 < 32u) {
-                                        let _e1014 = local_1.group;
-                                        let _e1016 = local_1.len;
-                                        if (_e1016 < 32u) {
+                                    let _e1007 = local_1.len;
+                                    if (_e1007 < 32u) {
+                                        let _e1010 = local_1.group;
+                                        let _e1012 = local_1.len;
+                                        if (_e1012 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e1016)] = _e1014;
-                                        let _e1022 = local_1.group_mask;
-                                        let _e1024 = local_1.len;
-                                        if (_e1024 < 32u) {
+                                        local_1.first[(0u + _e1012)] = _e1010;
+                                        let _e1018 = local_1.group_mask;
+                                        let _e1020 = local_1.len;
+                                        if (_e1020 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e1024)] = _e1022;
-                                        let _e1031 = local_1.len;
-                                        local_1.len = (_e1031 + 1u);
+                                        local_1.mask[(0u + _e1020)] = _e1018;
+                                        let _e1027 = local_1.len;
+                                        local_1.len = (_e1027 + 1u);
                                     }
                                 }
-                                local_1.group = (_e224 + _e995);
-                                let _e1035 = local_4;
-                                local_1.group_mask = ((_e1035 & 4278190080u) | (_e999 >> bitcast<u32>(24i)));
+                                local_1.group = (_e224 + _e991);
+                                let _e1031 = local_4;
+                                local_1.group_mask = ((_e1031 & 4278190080u) | (_e995 >> bitcast<u32>(24i)));
                             }
-                            let _e1040 = local_5;
-                            phi_1177_ = (_e1040 & 16777215u);
-                            phi_1180_ = _e607;
+                            let _e1036 = local_5;
+                            phi_1184_ = (_e1036 & 16777215u);
+                            phi_1187_ = _e603;
                             loop {
-                                let _e1043 = phi_1177_;
-                                let _e1045 = phi_1180_;
-                                local_16 = _e1045;
-                                let _e1046 = (_e1043 == 0u);
-                                local_11 = _e1046;
-                                local_17 = _e1046;
-                                if _e1046 {
-                                    phi_1178_ = u32();
-                                    phi_1181_ = bool();
-                                    phi_2824_ = false;
+                                let _e1039 = phi_1184_;
+                                let _e1041 = phi_1187_;
+                                local_16 = _e1041;
+                                let _e1042 = (_e1039 == 0u);
+                                local_11 = _e1042;
+                                local_17 = _e1042;
+                                if _e1042 {
+                                    phi_1185_ = u32();
+                                    phi_1188_ = bool();
+                                    phi_2838_ = false;
                                 } else {
-                                    let _e1049 = nodes.member[(0u + _e605)].links[1u];
-                                    let _e1053 = (_e1049 + select(firstTrailingBit(_e1043), 32u, (_e1043 == 0u)));
-                                    if (_e1053 < arrayLength((&instances.member))) {
+                                    let _e1045 = nodes.member[(0u + _e601)].links[1u];
+                                    let _e1049 = (_e1045 + select(firstTrailingBit(_e1039), 32u, (_e1039 == 0u)));
+                                    if (_e1049 < arrayLength((&instances.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1060 = instances.member[(0u + _e1053)].low_world;
-                                    let _e1062 = instances.member[(0u + _e1053)].high_world;
-                                    let _e1069 = ((_e1060.x - _e241) * _e399);
-                                    let _e1070 = ((_e1060.y - _e243) * _e409);
-                                    let _e1071 = ((_e1060.z - _e245) * _e419);
-                                    let _e1078 = ((_e1062.x - _e241) * _e399);
-                                    let _e1079 = ((_e1062.y - _e243) * _e409);
-                                    let _e1080 = ((_e1062.z - _e245) * _e419);
-                                    if (_e1069 < _e1078) {
-                                        phi_1229_ = _e1069;
+                                    let _e1056 = instances.member[(0u + _e1049)].low_world;
+                                    let _e1058 = instances.member[(0u + _e1049)].high_world;
+                                    let _e1065 = ((_e1056.x - _e241) * _e391);
+                                    let _e1066 = ((_e1056.y - _e243) * _e401);
+                                    let _e1067 = ((_e1056.z - _e245) * _e411);
+                                    let _e1074 = ((_e1058.x - _e241) * _e391);
+                                    let _e1075 = ((_e1058.y - _e243) * _e401);
+                                    let _e1076 = ((_e1058.z - _e245) * _e411);
+                                    if (_e1065 < _e1074) {
+                                        phi_1236_ = _e1065;
                                     } else {
-                                        phi_1229_ = _e1078;
+                                        phi_1236_ = _e1074;
                                     }
-                                    let _e1083 = phi_1229_;
-                                    if (_e1070 < _e1079) {
-                                        phi_1234_ = _e1070;
+                                    let _e1079 = phi_1236_;
+                                    if (_e1066 < _e1075) {
+                                        phi_1241_ = _e1066;
                                     } else {
-                                        phi_1234_ = _e1079;
+                                        phi_1241_ = _e1075;
                                     }
-                                    let _e1086 = phi_1234_;
-                                    if (_e1071 < _e1080) {
-                                        phi_1239_ = _e1071;
+                                    let _e1082 = phi_1241_;
+                                    if (_e1067 < _e1076) {
+                                        phi_1246_ = _e1067;
                                     } else {
-                                        phi_1239_ = _e1080;
+                                        phi_1246_ = _e1076;
                                     }
-                                    let _e1089 = phi_1239_;
-                                    if (_e1069 > _e1078) {
-                                        phi_1247_ = _e1069;
+                                    let _e1085 = phi_1246_;
+                                    if (_e1065 > _e1074) {
+                                        phi_1254_ = _e1065;
                                     } else {
-                                        phi_1247_ = _e1078;
+                                        phi_1254_ = _e1074;
                                     }
-                                    let _e1095 = phi_1247_;
-                                    if (_e1070 > _e1079) {
-                                        phi_1252_ = _e1070;
+                                    let _e1091 = phi_1254_;
+                                    if (_e1066 > _e1075) {
+                                        phi_1259_ = _e1066;
                                     } else {
-                                        phi_1252_ = _e1079;
+                                        phi_1259_ = _e1075;
                                     }
-                                    let _e1098 = phi_1252_;
-                                    if (_e1071 > _e1080) {
-                                        phi_1257_ = _e1071;
+                                    let _e1094 = phi_1259_;
+                                    if (_e1067 > _e1076) {
+                                        phi_1264_ = _e1067;
                                     } else {
-                                        phi_1257_ = _e1080;
+                                        phi_1264_ = _e1076;
                                     }
-                                    let _e1101 = phi_1257_;
-                                    let _e1105 = core_intrinsics_maximum_number_nsz_f32_((_e1083 - _e454), (_e1086 - _e455));
-                                    let _e1106 = core_intrinsics_maximum_number_nsz_f32_(_e1105, (_e1089 - _e456));
-                                    let _e1107 = core_intrinsics_minimum_number_nsz_f32_((_e1095 + _e454), (_e1098 + _e455));
-                                    let _e1108 = core_intrinsics_minimum_number_nsz_f32_(_e1107, (_e1101 + _e456));
-                                    if (_e1106 <= _e1108) {
-                                        if (_e1106 <= _e251) {
-                                            if (_e1108 >= 0f) {
-                                                let _e1114 = instances.member[(0u + _e1053)].world_to_object[0u];
-                                                let _e1125 = ((((_e1114.x * _e241) + (_e1114.y * _e243)) + (_e1114.z * _e245)) + (_e1114.w * 1f));
-                                                let _e1127 = instances.member[(0u + _e1053)].world_to_object[1u];
-                                                let _e1138 = ((((_e1127.x * _e241) + (_e1127.y * _e243)) + (_e1127.z * _e245)) + (_e1127.w * 1f));
-                                                let _e1140 = instances.member[(0u + _e1053)].world_to_object[2u];
-                                                let _e1151 = ((((_e1140.x * _e241) + (_e1140.y * _e243)) + (_e1140.z * _e245)) + (_e1140.w * 1f));
-                                                let _e1154 = instances.member[(0u + _e1053)].world_to_object[0u];
-                                                let _e1165 = ((((_e1154.x * _e259) + (_e1154.y * _e260)) + (_e1154.z * _e261)) + (_e1154.w * 0f));
-                                                let _e1167 = instances.member[(0u + _e1053)].world_to_object[1u];
-                                                let _e1178 = ((((_e1167.x * _e259) + (_e1167.y * _e260)) + (_e1167.z * _e261)) + (_e1167.w * 0f));
-                                                let _e1180 = instances.member[(0u + _e1053)].world_to_object[2u];
-                                                let _e1191 = ((((_e1180.x * _e259) + (_e1180.y * _e260)) + (_e1180.z * _e261)) + (_e1180.w * 0f));
-                                                let _e1194 = instances.member[(0u + _e1053)].root;
-                                                let _e1196 = instances.member[(0u + _e1053)].first_triangle;
-                                                let _e1200 = abs(_e1165);
-                                                let _e1201 = abs(_e1178);
-                                                let _e1202 = abs(_e1191);
-                                                if (abs(_e1125) < 1000000000000000f) {
-                                                    if (abs(_e1138) < 1000000000000000f) {
-                                                        if (abs(_e1151) < 1000000000000000f) {
-                                                            if (_e1200 < 1000000000000000f) {
-                                                                if (_e1201 < 1000000000000000f) {
-                                                                    if (_e1202 < 1000000000000000f) {
-                                                                        if (_e1200 > 0f) {
-                                                                            phi_1402_ = bool();
-                                                                            phi_1403_ = true;
-                                                                        } else {
-                                                                            let _e1210 = (_e1201 > 0f);
-                                                                            if _e1210 {
-                                                                                phi_1401_ = bool();
-                                                                            } else {
-                                                                                phi_1401_ = (_e1202 > 0f);
-                                                                            }
-                                                                            let _e1213 = phi_1401_;
-                                                                            phi_1402_ = _e1213;
-                                                                            phi_1403_ = _e1210;
-                                                                        }
-                                                                        let _e1215 = phi_1402_;
-                                                                        let _e1217 = phi_1403_;
-                                                                        if _e1217 {
-                                                                            phi_1407_ = true;
-                                                                        } else {
-                                                                            phi_1407_ = _e1215;
-                                                                        }
-                                                                        let _e1219 = phi_1407_;
-                                                                        phi_1408_ = _e1219;
-                                                                        phi_1409_ = false;
-                                                                    } else {
-                                                                        phi_1408_ = bool();
-                                                                        phi_1409_ = true;
-                                                                    }
-                                                                    let _e1221 = phi_1408_;
-                                                                    let _e1223 = phi_1409_;
-                                                                    phi_1410_ = _e1221;
-                                                                    phi_1411_ = false;
-                                                                    phi_1412_ = _e1223;
-                                                                } else {
-                                                                    phi_1410_ = bool();
-                                                                    phi_1411_ = true;
-                                                                    phi_1412_ = false;
-                                                                }
-                                                                let _e1225 = phi_1410_;
-                                                                let _e1227 = phi_1411_;
-                                                                let _e1229 = phi_1412_;
-                                                                phi_1413_ = _e1225;
-                                                                phi_1414_ = _e1227;
-                                                                phi_1415_ = _e1229;
-                                                            } else {
-                                                                phi_1413_ = bool();
-                                                                phi_1414_ = true;
-                                                                phi_1415_ = false;
-                                                            }
-                                                            let _e1231 = phi_1413_;
-                                                            let _e1233 = phi_1414_;
-                                                            let _e1235 = phi_1415_;
-                                                            phi_1416_ = _e1231;
-                                                            phi_1417_ = _e1233;
-                                                            phi_1418_ = _e1235;
-                                                        } else {
-                                                            phi_1416_ = bool();
-                                                            phi_1417_ = true;
-                                                            phi_1418_ = false;
-                                                        }
-                                                        let _e1237 = phi_1416_;
-                                                        let _e1239 = phi_1417_;
-                                                        let _e1241 = phi_1418_;
-                                                        phi_1419_ = _e1237;
-                                                        phi_1420_ = _e1239;
-                                                        phi_1421_ = _e1241;
+                                    let _e1097 = phi_1264_;
+                                    let _e1101 = core_intrinsics_maximum_number_nsz_f32_((_e1079 - _e450), (_e1082 - _e451));
+                                    let _e1102 = core_intrinsics_maximum_number_nsz_f32_(_e1101, (_e1085 - _e452));
+                                    let _e1103 = core_intrinsics_minimum_number_nsz_f32_((_e1091 + _e450), (_e1094 + _e451));
+                                    let _e1104 = core_intrinsics_minimum_number_nsz_f32_(_e1103, (_e1097 + _e452));
+                                    if (_e1102 <= _e1104) {
+                                        if (_e1102 <= _e251) {
+                                            if (_e1104 >= 0f) {
+                                                let _e1110 = instances.member[(0u + _e1049)].world_to_object[0u];
+                                                let _e1121 = ((((_e1110.x * _e241) + (_e1110.y * _e243)) + (_e1110.z * _e245)) + (_e1110.w * 1f));
+                                                let _e1123 = instances.member[(0u + _e1049)].world_to_object[1u];
+                                                let _e1134 = ((((_e1123.x * _e241) + (_e1123.y * _e243)) + (_e1123.z * _e245)) + (_e1123.w * 1f));
+                                                let _e1136 = instances.member[(0u + _e1049)].world_to_object[2u];
+                                                let _e1147 = ((((_e1136.x * _e241) + (_e1136.y * _e243)) + (_e1136.z * _e245)) + (_e1136.w * 1f));
+                                                let _e1150 = instances.member[(0u + _e1049)].world_to_object[0u];
+                                                let _e1161 = ((((_e1150.x * _e259) + (_e1150.y * _e260)) + (_e1150.z * _e261)) + (_e1150.w * 0f));
+                                                let _e1163 = instances.member[(0u + _e1049)].world_to_object[1u];
+                                                let _e1174 = ((((_e1163.x * _e259) + (_e1163.y * _e260)) + (_e1163.z * _e261)) + (_e1163.w * 0f));
+                                                let _e1176 = instances.member[(0u + _e1049)].world_to_object[2u];
+                                                let _e1187 = ((((_e1176.x * _e259) + (_e1176.y * _e260)) + (_e1176.z * _e261)) + (_e1176.w * 0f));
+                                                let _e1190 = instances.member[(0u + _e1049)].root;
+                                                let _e1192 = instances.member[(0u + _e1049)].first_triangle;
+                                                let _e1193 = abs(_e1161);
+                                                let _e1194 = abs(_e1174);
+                                                let _e1195 = abs(_e1187);
+                                                if (abs(_e1121) < 1000000000000000f) {
+                                                    if (abs(_e1134) < 1000000000000000f) {
+                                                        phi_1384_ = (abs(_e1147) < 1000000000000000f);
+                                                        phi_1385_ = false;
                                                     } else {
-                                                        phi_1419_ = bool();
-                                                        phi_1420_ = true;
-                                                        phi_1421_ = false;
+                                                        phi_1384_ = bool();
+                                                        phi_1385_ = true;
                                                     }
-                                                    let _e1243 = phi_1419_;
-                                                    let _e1245 = phi_1420_;
-                                                    let _e1247 = phi_1421_;
-                                                    phi_1422_ = _e1243;
-                                                    phi_1423_ = _e1245;
-                                                    phi_1424_ = _e1247;
+                                                    let _e1203 = phi_1384_;
+                                                    let _e1205 = phi_1385_;
+                                                    phi_1386_ = _e1203;
+                                                    phi_1387_ = _e1205;
                                                 } else {
-                                                    phi_1422_ = bool();
-                                                    phi_1423_ = true;
-                                                    phi_1424_ = false;
+                                                    phi_1386_ = bool();
+                                                    phi_1387_ = true;
                                                 }
-                                                let _e1249 = phi_1422_;
-                                                let _e1251 = phi_1423_;
-                                                let _e1253 = phi_1424_;
-                                                if _e1251 {
-                                                    phi_1428_ = true;
+                                                let _e1207 = phi_1386_;
+                                                let _e1209 = phi_1387_;
+                                                if _e1209 {
+                                                    phi_1391_ = false;
                                                 } else {
-                                                    phi_1428_ = _e1253;
+                                                    phi_1391_ = _e1207;
                                                 }
-                                                let _e1255 = phi_1428_;
-                                                if _e1255 {
-                                                    phi_1432_ = false;
-                                                } else {
-                                                    phi_1432_ = _e1249;
-                                                }
-                                                let _e1257 = phi_1432_;
-                                                if _e1257 {
-                                                    let _e1258 = (_e1194 >= _e64);
-                                                    if _e1258 {
-                                                        phi_2804_ = bool();
+                                                let _e1211 = phi_1391_;
+                                                if _e1211 {
+                                                    if (_e1193 < 1000000000000000f) {
+                                                        if (_e1194 < 1000000000000000f) {
+                                                            phi_1404_ = (_e1195 < 1000000000000000f);
+                                                            phi_1405_ = false;
+                                                        } else {
+                                                            phi_1404_ = bool();
+                                                            phi_1405_ = true;
+                                                        }
+                                                        let _e1216 = phi_1404_;
+                                                        let _e1218 = phi_1405_;
+                                                        phi_1406_ = _e1216;
+                                                        phi_1407_ = _e1218;
                                                     } else {
-                                                        if (_e1194 < _e64) {
+                                                        phi_1406_ = bool();
+                                                        phi_1407_ = true;
+                                                    }
+                                                    let _e1220 = phi_1406_;
+                                                    let _e1222 = phi_1407_;
+                                                    if _e1222 {
+                                                        phi_1411_ = false;
+                                                    } else {
+                                                        phi_1411_ = _e1220;
+                                                    }
+                                                    let _e1224 = phi_1411_;
+                                                    if _e1224 {
+                                                        if (_e1193 > 0f) {
+                                                            phi_1425_ = bool();
+                                                            phi_1426_ = true;
+                                                        } else {
+                                                            let _e1226 = (_e1194 > 0f);
+                                                            if _e1226 {
+                                                                phi_1424_ = bool();
+                                                            } else {
+                                                                phi_1424_ = (_e1195 > 0f);
+                                                            }
+                                                            let _e1229 = phi_1424_;
+                                                            phi_1425_ = _e1229;
+                                                            phi_1426_ = _e1226;
+                                                        }
+                                                        let _e1231 = phi_1425_;
+                                                        let _e1233 = phi_1426_;
+                                                        if _e1233 {
+                                                            phi_1430_ = true;
+                                                        } else {
+                                                            phi_1430_ = _e1231;
+                                                        }
+                                                        let _e1235 = phi_1430_;
+                                                        phi_1431_ = _e1235;
+                                                        phi_1432_ = false;
+                                                    } else {
+                                                        phi_1431_ = bool();
+                                                        phi_1432_ = true;
+                                                    }
+                                                    let _e1237 = phi_1431_;
+                                                    let _e1239 = phi_1432_;
+                                                    phi_1433_ = _e1237;
+                                                    phi_1434_ = _e1239;
+                                                } else {
+                                                    phi_1433_ = bool();
+                                                    phi_1434_ = true;
+                                                }
+                                                let _e1241 = phi_1433_;
+                                                let _e1243 = phi_1434_;
+                                                if _e1243 {
+                                                    phi_1438_ = false;
+                                                } else {
+                                                    phi_1438_ = _e1241;
+                                                }
+                                                let _e1245 = phi_1438_;
+                                                if _e1245 {
+                                                    let _e1246 = (_e1190 >= _e64);
+                                                    if _e1246 {
+                                                        phi_2818_ = bool();
+                                                    } else {
+                                                        if (_e1190 < _e64) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1264 = nodes.member[(0u + _e1194)].frame[0u];
-                                                        let _e1268 = nodes.member[(0u + _e1194)].frame[1u];
-                                                        let _e1272 = nodes.member[(0u + _e1194)].frame[2u];
-                                                        let _e1276 = nodes.member[(0u + _e1194)].frame[0u];
-                                                        let _e1280 = nodes.member[(0u + _e1194)].frame[1u];
-                                                        let _e1284 = nodes.member[(0u + _e1194)].frame[2u];
-                                                        let _e1288 = nodes.member[(0u + _e1194)].frame[3u];
-                                                        let _e1322 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1165), abs(_e1178));
-                                                        let _e1323 = core_intrinsics_maximum_number_nsz_f32_(_e1322, abs(_e1191));
-                                                        let _e1324 = (_e1323 * 0.0000000000009094947f);
-                                                        if (abs(_e1165) < _e1324) {
-                                                            phi_1502_ = _e1324;
+                                                        let _e1252 = nodes.member[(0u + _e1190)].frame[0u];
+                                                        let _e1256 = nodes.member[(0u + _e1190)].frame[1u];
+                                                        let _e1260 = nodes.member[(0u + _e1190)].frame[2u];
+                                                        let _e1264 = nodes.member[(0u + _e1190)].frame[0u];
+                                                        let _e1268 = nodes.member[(0u + _e1190)].frame[1u];
+                                                        let _e1272 = nodes.member[(0u + _e1190)].frame[2u];
+                                                        let _e1276 = nodes.member[(0u + _e1190)].frame[3u];
+                                                        let _e1310 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1161), abs(_e1174));
+                                                        let _e1311 = core_intrinsics_maximum_number_nsz_f32_(_e1310, abs(_e1187));
+                                                        let _e1312 = (_e1311 * 0.0000000000009094947f);
+                                                        if (abs(_e1161) < _e1312) {
+                                                            phi_1508_ = _e1312;
                                                         } else {
-                                                            phi_1502_ = abs(_e1165);
+                                                            phi_1508_ = abs(_e1161);
                                                         }
-                                                        let _e1329 = phi_1502_;
-                                                        if (_e1165 < 0f) {
-                                                            phi_1509_ = (-1f / _e1329);
+                                                        let _e1317 = phi_1508_;
+                                                        if (_e1161 < 0f) {
+                                                            phi_1515_ = (-1f / _e1317);
                                                         } else {
-                                                            phi_1509_ = (1f / _e1329);
+                                                            phi_1515_ = (1f / _e1317);
                                                         }
-                                                        let _e1334 = phi_1509_;
-                                                        if (abs(_e1178) < _e1324) {
-                                                            phi_1516_ = _e1324;
+                                                        let _e1322 = phi_1515_;
+                                                        if (abs(_e1174) < _e1312) {
+                                                            phi_1522_ = _e1312;
                                                         } else {
-                                                            phi_1516_ = abs(_e1178);
+                                                            phi_1522_ = abs(_e1174);
                                                         }
-                                                        let _e1339 = phi_1516_;
-                                                        if (_e1178 < 0f) {
-                                                            phi_1523_ = (-1f / _e1339);
+                                                        let _e1327 = phi_1522_;
+                                                        if (_e1174 < 0f) {
+                                                            phi_1529_ = (-1f / _e1327);
                                                         } else {
-                                                            phi_1523_ = (1f / _e1339);
+                                                            phi_1529_ = (1f / _e1327);
                                                         }
-                                                        let _e1344 = phi_1523_;
-                                                        if (abs(_e1191) < _e1324) {
-                                                            phi_1530_ = _e1324;
+                                                        let _e1332 = phi_1529_;
+                                                        if (abs(_e1187) < _e1312) {
+                                                            phi_1536_ = _e1312;
                                                         } else {
-                                                            phi_1530_ = abs(_e1191);
+                                                            phi_1536_ = abs(_e1187);
                                                         }
-                                                        let _e1349 = phi_1530_;
-                                                        if (_e1191 < 0f) {
-                                                            phi_1537_ = (-1f / _e1349);
+                                                        let _e1337 = phi_1536_;
+                                                        if (_e1187 < 0f) {
+                                                            phi_1543_ = (-1f / _e1337);
                                                         } else {
-                                                            phi_1537_ = (1f / _e1349);
+                                                            phi_1543_ = (1f / _e1337);
                                                         }
-                                                        let _e1354 = phi_1537_;
-                                                        let _e1358 = abs((bitcast<f32>(_e1264) - _e1125));
-                                                        let _e1359 = abs((bitcast<f32>(_e1268) - _e1138));
-                                                        let _e1360 = abs((bitcast<f32>(_e1272) - _e1151));
-                                                        let _e1364 = abs(((bitcast<f32>(_e1276) + (bitcast<f32>((((_e1288 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1125));
-                                                        let _e1365 = abs(((bitcast<f32>(_e1280) + (bitcast<f32>((((_e1288 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1138));
-                                                        let _e1366 = abs(((bitcast<f32>(_e1284) + (bitcast<f32>((((_e1288 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1151));
-                                                        if (_e1358 > _e1364) {
-                                                            phi_1554_ = _e1358;
+                                                        let _e1342 = phi_1543_;
+                                                        let _e1346 = abs((bitcast<f32>(_e1252) - _e1121));
+                                                        let _e1347 = abs((bitcast<f32>(_e1256) - _e1134));
+                                                        let _e1348 = abs((bitcast<f32>(_e1260) - _e1147));
+                                                        let _e1352 = abs(((bitcast<f32>(_e1264) + (bitcast<f32>((((_e1276 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1121));
+                                                        let _e1353 = abs(((bitcast<f32>(_e1268) + (bitcast<f32>((((_e1276 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1134));
+                                                        let _e1354 = abs(((bitcast<f32>(_e1272) + (bitcast<f32>((((_e1276 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1147));
+                                                        if (_e1346 > _e1352) {
+                                                            phi_1560_ = _e1346;
                                                         } else {
-                                                            phi_1554_ = _e1364;
+                                                            phi_1560_ = _e1352;
                                                         }
-                                                        let _e1369 = phi_1554_;
-                                                        if (_e1359 > _e1365) {
-                                                            phi_1559_ = _e1359;
+                                                        let _e1357 = phi_1560_;
+                                                        if (_e1347 > _e1353) {
+                                                            phi_1565_ = _e1347;
                                                         } else {
-                                                            phi_1559_ = _e1365;
+                                                            phi_1565_ = _e1353;
                                                         }
-                                                        let _e1372 = phi_1559_;
-                                                        if (_e1360 > _e1366) {
-                                                            phi_1564_ = _e1360;
+                                                        let _e1360 = phi_1565_;
+                                                        if (_e1348 > _e1354) {
+                                                            phi_1570_ = _e1348;
                                                         } else {
-                                                            phi_1564_ = _e1366;
+                                                            phi_1570_ = _e1354;
                                                         }
-                                                        let _e1375 = phi_1564_;
-                                                        let _e1376 = core_intrinsics_maximum_number_nsz_f32_(_e1369, _e1372);
-                                                        let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, _e1375);
-                                                        let _e1381 = (_e1377 * 0.0000019073486f);
-                                                        let _e1382 = (abs(_e1334) * _e1381);
-                                                        let _e1383 = (abs(_e1344) * _e1381);
-                                                        let _e1384 = (abs(_e1354) * _e1381);
-                                                        let _e1388 = (_e1377 * 0.0000009536743f);
-                                                        let _e1389 = (abs(_e1334) * _e1388);
-                                                        let _e1390 = (abs(_e1344) * _e1388);
-                                                        let _e1391 = (abs(_e1354) * _e1388);
-                                                        let _e1392 = abs(_e1165);
-                                                        let _e1393 = abs(_e1178);
-                                                        let _e1394 = abs(_e1191);
-                                                        if (_e1392 >= _e1393) {
-                                                            if (_e1392 >= _e1394) {
-                                                                phi_1592_ = false;
+                                                        let _e1363 = phi_1570_;
+                                                        if (_e1357 > _e1360) {
+                                                            phi_1575_ = _e1357;
+                                                        } else {
+                                                            phi_1575_ = _e1360;
+                                                        }
+                                                        let _e1366 = phi_1575_;
+                                                        if (_e1366 > _e1363) {
+                                                            phi_1580_ = _e1366;
+                                                        } else {
+                                                            phi_1580_ = _e1363;
+                                                        }
+                                                        let _e1369 = phi_1580_;
+                                                        let _e1373 = (_e1369 * 0.0000019073486f);
+                                                        let _e1374 = (abs(_e1322) * _e1373);
+                                                        let _e1375 = (abs(_e1332) * _e1373);
+                                                        let _e1376 = (abs(_e1342) * _e1373);
+                                                        let _e1380 = (_e1369 * 0.0000009536743f);
+                                                        let _e1381 = (abs(_e1322) * _e1380);
+                                                        let _e1382 = (abs(_e1332) * _e1380);
+                                                        let _e1383 = (abs(_e1342) * _e1380);
+                                                        let _e1384 = abs(_e1161);
+                                                        let _e1385 = abs(_e1174);
+                                                        let _e1386 = abs(_e1187);
+                                                        if (_e1384 >= _e1385) {
+                                                            if (_e1384 >= _e1386) {
+                                                                phi_1606_ = false;
                                                             } else {
-                                                                phi_1592_ = true;
+                                                                phi_1606_ = true;
                                                             }
-                                                            let _e1398 = phi_1592_;
-                                                            phi_1593_ = _e1398;
+                                                            let _e1390 = phi_1606_;
+                                                            phi_1607_ = _e1390;
                                                         } else {
-                                                            phi_1593_ = true;
+                                                            phi_1607_ = true;
                                                         }
-                                                        let _e1400 = phi_1593_;
-                                                        if _e1400 {
-                                                            if (_e1393 >= _e1394) {
-                                                                phi_1601_ = 1u;
+                                                        let _e1392 = phi_1607_;
+                                                        if _e1392 {
+                                                            if (_e1385 >= _e1386) {
+                                                                phi_1615_ = 1u;
                                                             } else {
-                                                                phi_1601_ = 2u;
+                                                                phi_1615_ = 2u;
                                                             }
-                                                            let _e1403 = phi_1601_;
-                                                            phi_1602_ = _e1403;
+                                                            let _e1395 = phi_1615_;
+                                                            phi_1616_ = _e1395;
                                                         } else {
-                                                            phi_1602_ = 0u;
+                                                            phi_1616_ = 0u;
                                                         }
-                                                        let _e1405 = phi_1602_;
-                                                        if (_e1405 == 0u) {
-                                                            phi_1614_ = vec3<f32>(_e1178, _e1191, _e1165);
+                                                        let _e1397 = phi_1616_;
+                                                        if (_e1397 == 0u) {
+                                                            phi_1628_ = vec3<f32>(_e1174, _e1187, _e1161);
                                                         } else {
-                                                            if (_e1405 == 1u) {
-                                                                phi_1613_ = vec3<f32>(_e1191, _e1165, _e1178);
+                                                            if (_e1397 == 1u) {
+                                                                phi_1627_ = vec3<f32>(_e1187, _e1161, _e1174);
                                                             } else {
-                                                                phi_1613_ = vec3<f32>(_e1165, _e1178, _e1191);
+                                                                phi_1627_ = vec3<f32>(_e1161, _e1174, _e1187);
                                                             }
-                                                            let _e1411 = phi_1613_;
-                                                            phi_1614_ = _e1411;
+                                                            let _e1403 = phi_1627_;
+                                                            phi_1628_ = _e1403;
                                                         }
-                                                        let _e1413 = phi_1614_;
-                                                        let _e1416 = (_e1413.x / _e1413.z);
-                                                        let _e1419 = (_e1413.y / _e1413.z);
-                                                        if (_e1334 < 0f) {
-                                                            phi_1627_ = 0u;
+                                                        let _e1405 = phi_1628_;
+                                                        let _e1408 = (_e1405.x / _e1405.z);
+                                                        let _e1411 = (_e1405.y / _e1405.z);
+                                                        if (_e1322 < 0f) {
+                                                            phi_1641_ = 0u;
                                                         } else {
-                                                            phi_1627_ = 1u;
+                                                            phi_1641_ = 1u;
                                                         }
-                                                        let _e1424 = phi_1627_;
-                                                        if (_e1344 < 0f) {
-                                                            phi_1632_ = 0u;
+                                                        let _e1416 = phi_1641_;
+                                                        if (_e1332 < 0f) {
+                                                            phi_1646_ = 0u;
                                                         } else {
-                                                            phi_1632_ = 2u;
+                                                            phi_1646_ = 2u;
                                                         }
-                                                        let _e1427 = phi_1632_;
-                                                        if (_e1354 < 0f) {
-                                                            phi_1637_ = 0u;
+                                                        let _e1419 = phi_1646_;
+                                                        if (_e1342 < 0f) {
+                                                            phi_1651_ = 0u;
                                                         } else {
-                                                            phi_1637_ = 4u;
+                                                            phi_1651_ = 4u;
                                                         }
-                                                        let _e1430 = phi_1637_;
-                                                        let _e1432 = ((_e1424 | _e1427) | _e1430);
-                                                        let _e1433 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1194, 2147483648u);
-                                                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1433.first[0], _e1433.first[1], _e1433.first[2], _e1433.first[3], _e1433.first[4], _e1433.first[5], _e1433.first[6], _e1433.first[7], _e1433.first[8], _e1433.first[9], _e1433.first[10], _e1433.first[11], _e1433.first[12], _e1433.first[13], _e1433.first[14], _e1433.first[15], _e1433.first[16], _e1433.first[17], _e1433.first[18], _e1433.first[19], _e1433.first[20], _e1433.first[21], _e1433.first[22], _e1433.first[23], _e1433.first[24], _e1433.first[25], _e1433.first[26], _e1433.first[27], _e1433.first[28], _e1433.first[29], _e1433.first[30], _e1433.first[31]), array<u32, 32>(_e1433.mask[0], _e1433.mask[1], _e1433.mask[2], _e1433.mask[3], _e1433.mask[4], _e1433.mask[5], _e1433.mask[6], _e1433.mask[7], _e1433.mask[8], _e1433.mask[9], _e1433.mask[10], _e1433.mask[11], _e1433.mask[12], _e1433.mask[13], _e1433.mask[14], _e1433.mask[15], _e1433.mask[16], _e1433.mask[17], _e1433.mask[18], _e1433.mask[19], _e1433.mask[20], _e1433.mask[21], _e1433.mask[22], _e1433.mask[23], _e1433.mask[24], _e1433.mask[25], _e1433.mask[26], _e1433.mask[27], _e1433.mask[28], _e1433.mask[29], _e1433.mask[30], _e1433.mask[31]), _e1433.len, _e1433.group, _e1433.group_mask);
-                                                        let _e1507 = local.group_mask;
-                                                        if ((_e1507 & 4278190080u) == 0u) {
-                                                            let _e1511 = local.len;
-                                                            if (_e1511 == 0u) {
-                                                                phi_1751_ = false;
+                                                        let _e1422 = phi_1651_;
+                                                        let _e1424 = ((_e1416 | _e1419) | _e1422);
+                                                        let _e1425 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1190, 2147483648u);
+                                                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1425.first[0], _e1425.first[1], _e1425.first[2], _e1425.first[3], _e1425.first[4], _e1425.first[5], _e1425.first[6], _e1425.first[7], _e1425.first[8], _e1425.first[9], _e1425.first[10], _e1425.first[11], _e1425.first[12], _e1425.first[13], _e1425.first[14], _e1425.first[15], _e1425.first[16], _e1425.first[17], _e1425.first[18], _e1425.first[19], _e1425.first[20], _e1425.first[21], _e1425.first[22], _e1425.first[23], _e1425.first[24], _e1425.first[25], _e1425.first[26], _e1425.first[27], _e1425.first[28], _e1425.first[29], _e1425.first[30], _e1425.first[31]), array<u32, 32>(_e1425.mask[0], _e1425.mask[1], _e1425.mask[2], _e1425.mask[3], _e1425.mask[4], _e1425.mask[5], _e1425.mask[6], _e1425.mask[7], _e1425.mask[8], _e1425.mask[9], _e1425.mask[10], _e1425.mask[11], _e1425.mask[12], _e1425.mask[13], _e1425.mask[14], _e1425.mask[15], _e1425.mask[16], _e1425.mask[17], _e1425.mask[18], _e1425.mask[19], _e1425.mask[20], _e1425.mask[21], _e1425.mask[22], _e1425.mask[23], _e1425.mask[24], _e1425.mask[25], _e1425.mask[26], _e1425.mask[27], _e1425.mask[28], _e1425.mask[29], _e1425.mask[30], _e1425.mask[31]), _e1425.len, _e1425.group, _e1425.group_mask);
+                                                        let _e1499 = local.group_mask;
+                                                        if ((_e1499 & 4278190080u) == 0u) {
+                                                            let _e1503 = local.len;
+                                                            if (_e1503 == 0u) {
+                                                                phi_1765_ = false;
                                                             } else {
-                                                                let _e1515 = local.len;
-                                                                local.len = (_e1515 - 1u);
+                                                                let _e1507 = local.len;
+                                                                local.len = (_e1507 - 1u);
+                                                                let _e1510 = local.len;
+                                                                if (_e1510 < 32u) {
+                                                                } else {
+                                                                    return;
+                                                                }
+                                                                let _e1515 = local.first[(0u + _e1510)];
+                                                                local.group = _e1515;
                                                                 let _e1518 = local.len;
                                                                 if (_e1518 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1523 = local.first[(0u + _e1518)];
-                                                                local.group = _e1523;
-                                                                let _e1526 = local.len;
-                                                                if (_e1526 < 32u) {
-                                                                } else {
-                                                                    return;
-                                                                }
-                                                                let _e1531 = local.mask[(0u + _e1526)];
-                                                                local.group_mask = _e1531;
-                                                                phi_1751_ = true;
+                                                                let _e1523 = local.mask[(0u + _e1518)];
+                                                                local.group_mask = _e1523;
+                                                                phi_1765_ = true;
                                                             }
-                                                            let _e1534 = phi_1751_;
-                                                            phi_1752_ = _e1534;
+                                                            let _e1526 = phi_1765_;
+                                                            phi_1766_ = _e1526;
                                                         } else {
-                                                            phi_1752_ = true;
+                                                            phi_1766_ = true;
                                                         }
-                                                        let _e1536 = phi_1752_;
-                                                        if _e1536 {
-                                                            let _e1538 = local.group_mask;
-                                                            let _e1544 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1538)), 32u, (_e1538 == 0u)));
-                                                            let _e1548 = local.group_mask;
-                                                            let _e1562 = local.group_mask;
-                                                            local.group_mask = (_e1562 & ~((1u << bitcast<u32>((_e1544 & 31u)))));
-                                                            let _e1565 = local.group;
-                                                            phi_1783_ = (_e1565 + countOneBits(((_e1548 & ~((4294967295u << bitcast<u32>((((_e1544 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        let _e1528 = phi_1766_;
+                                                        if _e1528 {
+                                                            let _e1530 = local.group_mask;
+                                                            let _e1536 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1530)), 32u, (_e1530 == 0u)));
+                                                            let _e1540 = local.group_mask;
+                                                            let _e1554 = local.group_mask;
+                                                            local.group_mask = (_e1554 & ~((1u << bitcast<u32>((_e1536 & 31u)))));
+                                                            let _e1557 = local.group;
+                                                            phi_1797_ = (_e1557 + countOneBits(((_e1540 & ~((4294967295u << bitcast<u32>((((_e1536 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                         } else {
-                                                            phi_1783_ = 4294967295u;
+                                                            phi_1797_ = 4294967295u;
                                                         }
-                                                        let _e1568 = phi_1783_;
-                                                        phi_1785_ = _e1568;
-                                                        phi_1788_ = _e1045;
+                                                        let _e1560 = phi_1797_;
+                                                        phi_1799_ = _e1560;
+                                                        phi_1802_ = _e1041;
                                                         loop {
-                                                            let _e1570 = phi_1785_;
-                                                            let _e1572 = phi_1788_;
-                                                            local_15 = _e1572;
-                                                            if (_e1570 != 4294967295u) {
-                                                                if (_e1570 < _e64) {
+                                                            let _e1562 = phi_1799_;
+                                                            let _e1564 = phi_1802_;
+                                                            local_15 = _e1564;
+                                                            if (_e1562 != 4294967295u) {
+                                                                if (_e1562 < _e64) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1579 = nodes.member[(0u + _e1570)].frame[3u];
-                                                                let _e1604 = (bitcast<f32>((((_e1579 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1334);
-                                                                let _e1605 = (bitcast<f32>((((_e1579 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1344);
-                                                                let _e1606 = (bitcast<f32>((((_e1579 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1354);
-                                                                let _e1609 = nodes.member[(0u + _e1570)].frame[0u];
-                                                                let _e1613 = nodes.member[(0u + _e1570)].frame[1u];
-                                                                let _e1617 = nodes.member[(0u + _e1570)].frame[2u];
-                                                                let _e1622 = ((bitcast<f32>(_e1609) - _e1125) * _e1334);
-                                                                let _e1623 = ((bitcast<f32>(_e1613) - _e1138) * _e1344);
-                                                                let _e1624 = ((bitcast<f32>(_e1617) - _e1151) * _e1354);
-                                                                let _e1632 = nodes.member[(0u + _e1570)].x;
-                                                                if (_e1334 < 0f) {
-                                                                    let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.unnamed.root, _e1632.w), _e1643.unnamed_1);
-                                                                    let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1649.unnamed, lt_bvh_traverse_Tree(_e1632.x, _e1649.unnamed_1.first_primitive));
-                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_bvh_traverse_Tree(_e1655.unnamed_1.root, _e1632.y));
+                                                                let _e1571 = nodes.member[(0u + _e1562)].frame[3u];
+                                                                let _e1596 = (bitcast<f32>((((_e1571 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1322);
+                                                                let _e1597 = (bitcast<f32>((((_e1571 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1332);
+                                                                let _e1598 = (bitcast<f32>((((_e1571 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1342);
+                                                                let _e1601 = nodes.member[(0u + _e1562)].frame[0u];
+                                                                let _e1605 = nodes.member[(0u + _e1562)].frame[1u];
+                                                                let _e1609 = nodes.member[(0u + _e1562)].frame[2u];
+                                                                let _e1614 = ((bitcast<f32>(_e1601) - _e1121) * _e1322);
+                                                                let _e1615 = ((bitcast<f32>(_e1605) - _e1134) * _e1332);
+                                                                let _e1616 = ((bitcast<f32>(_e1609) - _e1147) * _e1342);
+                                                                let _e1624 = nodes.member[(0u + _e1562)].x;
+                                                                if (_e1322 < 0f) {
+                                                                    let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1635.unnamed.word, _e1624.w), _e1635.unnamed_1);
+                                                                    let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_mask_LightPlace(_e1624.x, _e1641.unnamed_1.shift));
+                                                                    phi_1882_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_mask_LightPlace(_e1647.unnamed_1.word, _e1624.y));
                                                                 } else {
-                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1632.y), _e1671.unnamed_1);
-                                                                    let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1632.z, _e1677.unnamed_1.first_primitive));
-                                                                    phi_1868_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1632.w));
+                                                                    let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.unnamed.word, _e1624.y), _e1663.unnamed_1);
+                                                                    let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_mask_LightPlace(_e1624.z, _e1669.unnamed_1.shift));
+                                                                    phi_1882_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1675.unnamed_1.word, _e1624.w));
                                                                 }
-                                                                let _e1691 = phi_1868_;
-                                                                let _e1701 = nodes.member[(0u + _e1570)].y;
-                                                                if (_e1344 < 0f) {
-                                                                    let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.unnamed.root, _e1701.w), _e1712.unnamed_1);
-                                                                    let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1718.unnamed, lt_bvh_traverse_Tree(_e1701.x, _e1718.unnamed_1.first_primitive));
-                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_bvh_traverse_Tree(_e1724.unnamed_1.root, _e1701.y));
+                                                                let _e1683 = phi_1882_;
+                                                                let _e1693 = nodes.member[(0u + _e1562)].y;
+                                                                if (_e1332 < 0f) {
+                                                                    let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1704.unnamed.word, _e1693.w), _e1704.unnamed_1);
+                                                                    let _e1716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_mask_LightPlace(_e1693.x, _e1710.unnamed_1.shift));
+                                                                    phi_1909_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1716.unnamed, lt_mask_LightPlace(_e1716.unnamed_1.word, _e1693.y));
                                                                 } else {
-                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1740.unnamed.root, _e1701.y), _e1740.unnamed_1);
-                                                                    let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_bvh_traverse_Tree(_e1701.z, _e1746.unnamed_1.first_primitive));
-                                                                    phi_1895_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1752.unnamed_1.root, _e1701.w));
+                                                                    let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.unnamed.word, _e1693.y), _e1732.unnamed_1);
+                                                                    let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_mask_LightPlace(_e1693.z, _e1738.unnamed_1.shift));
+                                                                    phi_1909_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1744.unnamed_1.word, _e1693.w));
                                                                 }
-                                                                let _e1760 = phi_1895_;
-                                                                let _e1770 = nodes.member[(0u + _e1570)].z;
-                                                                if (_e1354 < 0f) {
-                                                                    let _e1781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1781.unnamed.root, _e1770.w), _e1781.unnamed_1);
-                                                                    let _e1793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1787.unnamed, lt_bvh_traverse_Tree(_e1770.x, _e1787.unnamed_1.first_primitive));
-                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1793.unnamed, lt_bvh_traverse_Tree(_e1793.unnamed_1.root, _e1770.y));
+                                                                let _e1752 = phi_1909_;
+                                                                let _e1762 = nodes.member[(0u + _e1562)].z;
+                                                                if (_e1342 < 0f) {
+                                                                    let _e1773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1762.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1773.unnamed.word, _e1762.w), _e1773.unnamed_1);
+                                                                    let _e1785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1779.unnamed, lt_mask_LightPlace(_e1762.x, _e1779.unnamed_1.shift));
+                                                                    phi_1936_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1785.unnamed, lt_mask_LightPlace(_e1785.unnamed_1.word, _e1762.y));
                                                                 } else {
-                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1809.unnamed.root, _e1770.y), _e1809.unnamed_1);
-                                                                    let _e1821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1815.unnamed, lt_bvh_traverse_Tree(_e1770.z, _e1815.unnamed_1.first_primitive));
-                                                                    phi_1922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1821.unnamed, lt_bvh_traverse_Tree(_e1821.unnamed_1.root, _e1770.w));
+                                                                    let _e1801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1762.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1801.unnamed.word, _e1762.y), _e1801.unnamed_1);
+                                                                    let _e1813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1807.unnamed, lt_mask_LightPlace(_e1762.z, _e1807.unnamed_1.shift));
+                                                                    phi_1936_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1813.unnamed, lt_mask_LightPlace(_e1813.unnamed_1.word, _e1762.w));
                                                                 }
-                                                                let _e1829 = phi_1922_;
-                                                                phi_1928_ = 0u;
-                                                                phi_1931_ = 0u;
+                                                                let _e1821 = phi_1936_;
+                                                                phi_1942_ = 0u;
+                                                                phi_1945_ = 0u;
                                                                 loop {
-                                                                    let _e1839 = phi_1928_;
-                                                                    let _e1841 = phi_1931_;
-                                                                    local_6 = _e1841;
-                                                                    local_7 = _e1841;
-                                                                    local_8 = _e1841;
-                                                                    let _e1842 = (_e1839 < 8u);
-                                                                    if _e1842 {
-                                                                        let _e1844 = (_e1839 >> bitcast<u32>(2i));
-                                                                        let _e1845 = (_e1839 & 3u);
-                                                                        if (_e1844 == 0u) {
-                                                                            phi_1945_ = _e1691.unnamed.root;
+                                                                    let _e1831 = phi_1942_;
+                                                                    let _e1833 = phi_1945_;
+                                                                    local_6 = _e1833;
+                                                                    local_7 = _e1833;
+                                                                    local_8 = _e1833;
+                                                                    let _e1834 = (_e1831 < 8u);
+                                                                    if _e1834 {
+                                                                        let _e1836 = (_e1831 >> bitcast<u32>(2i));
+                                                                        let _e1837 = (_e1831 & 3u);
+                                                                        if (_e1836 == 0u) {
+                                                                            phi_1959_ = _e1683.unnamed.word;
                                                                         } else {
-                                                                            phi_1945_ = _e1691.unnamed.first_primitive;
+                                                                            phi_1959_ = _e1683.unnamed.shift;
                                                                         }
-                                                                        let _e1848 = phi_1945_;
-                                                                        if (_e1844 == 0u) {
-                                                                            phi_1955_ = _e1760.unnamed.root;
+                                                                        let _e1840 = phi_1959_;
+                                                                        if (_e1836 == 0u) {
+                                                                            phi_1969_ = _e1752.unnamed.word;
                                                                         } else {
-                                                                            phi_1955_ = _e1760.unnamed.first_primitive;
+                                                                            phi_1969_ = _e1752.unnamed.shift;
                                                                         }
-                                                                        let _e1857 = phi_1955_;
-                                                                        if (_e1844 == 0u) {
-                                                                            phi_1965_ = _e1829.unnamed.root;
+                                                                        let _e1849 = phi_1969_;
+                                                                        if (_e1836 == 0u) {
+                                                                            phi_1979_ = _e1821.unnamed.word;
                                                                         } else {
-                                                                            phi_1965_ = _e1829.unnamed.first_primitive;
+                                                                            phi_1979_ = _e1821.unnamed.shift;
                                                                         }
-                                                                        let _e1866 = phi_1965_;
-                                                                        let _e1879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1848 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1604) + (_e1622 - _e1382)), ((f32(((_e1857 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1605) + (_e1623 - _e1383)));
-                                                                        let _e1880 = core_intrinsics_maximum_number_nsz_f32_(_e1879, ((f32(((_e1866 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1606) + (_e1624 - _e1384)));
-                                                                        if (_e1844 == 0u) {
-                                                                            phi_1983_ = _e1691.unnamed_1.root;
+                                                                        let _e1858 = phi_1979_;
+                                                                        let _e1871 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1596) + (_e1614 - _e1374)), ((f32(((_e1849 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1597) + (_e1615 - _e1375)));
+                                                                        let _e1872 = core_intrinsics_maximum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1598) + (_e1616 - _e1376)));
+                                                                        if (_e1836 == 0u) {
+                                                                            phi_1997_ = _e1683.unnamed_1.word;
                                                                         } else {
-                                                                            phi_1983_ = _e1691.unnamed_1.first_primitive;
+                                                                            phi_1997_ = _e1683.unnamed_1.shift;
                                                                         }
-                                                                        let _e1883 = phi_1983_;
-                                                                        if (_e1844 == 0u) {
-                                                                            phi_1993_ = _e1760.unnamed_1.root;
+                                                                        let _e1875 = phi_1997_;
+                                                                        if (_e1836 == 0u) {
+                                                                            phi_2007_ = _e1752.unnamed_1.word;
                                                                         } else {
-                                                                            phi_1993_ = _e1760.unnamed_1.first_primitive;
+                                                                            phi_2007_ = _e1752.unnamed_1.shift;
                                                                         }
-                                                                        let _e1892 = phi_1993_;
-                                                                        if (_e1844 == 0u) {
-                                                                            phi_2003_ = _e1829.unnamed_1.root;
+                                                                        let _e1884 = phi_2007_;
+                                                                        if (_e1836 == 0u) {
+                                                                            phi_2017_ = _e1821.unnamed_1.word;
                                                                         } else {
-                                                                            phi_2003_ = _e1829.unnamed_1.first_primitive;
+                                                                            phi_2017_ = _e1821.unnamed_1.shift;
                                                                         }
-                                                                        let _e1901 = phi_2003_;
-                                                                        let _e1914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1883 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1604) + (_e1622 + _e1382)), ((f32(((_e1892 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1605) + (_e1623 + _e1383)));
-                                                                        let _e1915 = core_intrinsics_minimum_number_nsz_f32_(_e1914, ((f32(((_e1901 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u)) * _e1606) + (_e1624 + _e1384)));
-                                                                        if (_e1880 <= _e1915) {
-                                                                            if (_e1880 <= _e251) {
-                                                                                if (_e1915 >= 0f) {
-                                                                                    if (_e1844 == 0u) {
-                                                                                        let _e1922 = nodes.member[(0u + _e1570)].links[2u];
-                                                                                        phi_2039_ = _e1922;
+                                                                        let _e1893 = phi_2017_;
+                                                                        let _e1906 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1875 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1596) + (_e1614 + _e1374)), ((f32(((_e1884 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1597) + (_e1615 + _e1375)));
+                                                                        let _e1907 = core_intrinsics_minimum_number_nsz_f32_(_e1906, ((f32(((_e1893 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1598) + (_e1616 + _e1376)));
+                                                                        if (_e1872 <= _e1907) {
+                                                                            if (_e1872 <= _e251) {
+                                                                                if (_e1907 >= 0f) {
+                                                                                    if (_e1836 == 0u) {
+                                                                                        let _e1914 = nodes.member[(0u + _e1562)].links[2u];
+                                                                                        phi_2053_ = _e1914;
                                                                                     } else {
-                                                                                        let _e1925 = nodes.member[(0u + _e1570)].links[3u];
-                                                                                        phi_2039_ = _e1925;
+                                                                                        let _e1917 = nodes.member[(0u + _e1562)].links[3u];
+                                                                                        phi_2053_ = _e1917;
                                                                                     }
-                                                                                    let _e1927 = phi_2039_;
-                                                                                    let _e1932 = ((_e1927 >> bitcast<u32>(((_e1845 * 8u) & 31u))) & 255u);
-                                                                                    let _e1933 = (_e1932 & 31u);
-                                                                                    if (_e1933 >= 24u) {
-                                                                                        phi_2052_ = (24u + ((_e1933 - 24u) ^ _e1432));
+                                                                                    let _e1919 = phi_2053_;
+                                                                                    let _e1924 = ((_e1919 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u);
+                                                                                    let _e1925 = (_e1924 & 31u);
+                                                                                    if (_e1925 >= 24u) {
+                                                                                        phi_2066_ = (24u + ((_e1925 - 24u) ^ _e1424));
                                                                                     } else {
-                                                                                        phi_2052_ = _e1933;
+                                                                                        phi_2066_ = _e1925;
                                                                                     }
-                                                                                    let _e1939 = phi_2052_;
-                                                                                    phi_2057_ = (_e1841 | ((_e1932 >> bitcast<u32>(5i)) << bitcast<u32>((_e1939 & 31u))));
+                                                                                    let _e1931 = phi_2066_;
+                                                                                    phi_2071_ = (_e1833 | ((_e1924 >> bitcast<u32>(5i)) << bitcast<u32>((_e1931 & 31u))));
                                                                                 } else {
-                                                                                    phi_2057_ = _e1841;
+                                                                                    phi_2071_ = _e1833;
                                                                                 }
-                                                                                let _e1947 = phi_2057_;
-                                                                                phi_2058_ = _e1947;
+                                                                                let _e1939 = phi_2071_;
+                                                                                phi_2072_ = _e1939;
                                                                             } else {
-                                                                                phi_2058_ = _e1841;
+                                                                                phi_2072_ = _e1833;
                                                                             }
-                                                                            let _e1949 = phi_2058_;
-                                                                            phi_2059_ = _e1949;
+                                                                            let _e1941 = phi_2072_;
+                                                                            phi_2073_ = _e1941;
                                                                         } else {
-                                                                            phi_2059_ = _e1841;
+                                                                            phi_2073_ = _e1833;
                                                                         }
-                                                                        let _e1951 = phi_2059_;
-                                                                        phi_1929_ = (_e1839 + 1u);
-                                                                        phi_1932_ = _e1951;
+                                                                        let _e1943 = phi_2073_;
+                                                                        phi_1943_ = (_e1831 + 1u);
+                                                                        phi_1946_ = _e1943;
                                                                     } else {
-                                                                        phi_1929_ = u32();
-                                                                        phi_1932_ = u32();
+                                                                        phi_1943_ = u32();
+                                                                        phi_1946_ = u32();
                                                                     }
-                                                                    let _e1954 = phi_1929_;
-                                                                    let _e1956 = phi_1932_;
+                                                                    let _e1946 = phi_1943_;
+                                                                    let _e1948 = phi_1946_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1928_ = _e1954;
-                                                                        phi_1931_ = _e1956;
-                                                                        break if !(_e1842);
+                                                                        phi_1942_ = _e1946;
+                                                                        phi_1945_ = _e1948;
+                                                                        break if !(_e1834);
                                                                     }
                                                                 }
-                                                                let _e1960 = nodes.member[(0u + _e1570)].links[0u];
-                                                                let _e1964 = nodes.member[(0u + _e1570)].frame[3u];
-                                                                let _e1968 = local_6;
-                                                                if ((_e1968 & 4278190080u) == 0u) {
+                                                                let _e1952 = nodes.member[(0u + _e1562)].links[0u];
+                                                                let _e1956 = nodes.member[(0u + _e1562)].frame[3u];
+                                                                let _e1960 = local_6;
+                                                                if ((_e1960 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1972 = local.group_mask;
-                                                                    if ((_e1972 & 4278190080u) == 0u) {
+                                                                    let _e1964 = local.group_mask;
+                                                                    if ((_e1964 & 4278190080u) == 0u) {
                                                                     } else {
-                                                                        let _e1976 = local.len;
-                                                                        if (_e1976 < 32u) {
-                                                                            let _e1979 = local.group;
+                                                                        let _e1968 = local.len;
+                                                                        if (_e1968 < 32u) {
+                                                                            let _e1971 = local.group;
+                                                                            let _e1973 = local.len;
+                                                                            if (_e1973 < 32u) {
+                                                                            } else {
+                                                                                return;
+                                                                            }
+                                                                            local.first[(0u + _e1973)] = _e1971;
+                                                                            let _e1979 = local.group_mask;
                                                                             let _e1981 = local.len;
                                                                             if (_e1981 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local.first[(0u + _e1981)] = _e1979;
-                                                                            let _e1987 = local.group_mask;
-                                                                            let _e1989 = local.len;
-                                                                            if (_e1989 < 32u) {
-                                                                            } else {
-                                                                                return;
-                                                                            }
-                                                                            local.mask[(0u + _e1989)] = _e1987;
-                                                                            let _e1996 = local.len;
-                                                                            local.len = (_e1996 + 1u);
+                                                                            local.mask[(0u + _e1981)] = _e1979;
+                                                                            let _e1988 = local.len;
+                                                                            local.len = (_e1988 + 1u);
                                                                         }
                                                                     }
-                                                                    local.group = (_e1194 + _e1960);
-                                                                    let _e2000 = local_7;
-                                                                    local.group_mask = ((_e2000 & 4278190080u) | (_e1964 >> bitcast<u32>(24i)));
+                                                                    local.group = (_e1190 + _e1952);
+                                                                    let _e1992 = local_7;
+                                                                    local.group_mask = ((_e1992 & 4278190080u) | (_e1956 >> bitcast<u32>(24i)));
                                                                 }
-                                                                let _e2005 = local_8;
-                                                                phi_2117_ = (_e2005 & 16777215u);
-                                                                phi_2120_ = _e1572;
+                                                                let _e1997 = local_8;
+                                                                phi_2131_ = (_e1997 & 16777215u);
+                                                                phi_2134_ = _e1564;
                                                                 loop {
-                                                                    let _e2008 = phi_2117_;
-                                                                    let _e2010 = phi_2120_;
-                                                                    local_13 = _e2010;
-                                                                    let _e2011 = (_e2008 == 0u);
-                                                                    local_9 = _e2011;
-                                                                    local_14 = _e2011;
-                                                                    if _e2011 {
-                                                                        phi_2118_ = u32();
-                                                                        phi_2121_ = bool();
-                                                                        phi_2718_ = false;
+                                                                    let _e2000 = phi_2131_;
+                                                                    let _e2002 = phi_2134_;
+                                                                    local_13 = _e2002;
+                                                                    let _e2003 = (_e2000 == 0u);
+                                                                    local_9 = _e2003;
+                                                                    local_14 = _e2003;
+                                                                    if _e2003 {
+                                                                        phi_2132_ = u32();
+                                                                        phi_2135_ = bool();
+                                                                        phi_2732_ = false;
                                                                     } else {
-                                                                        let _e2014 = nodes.member[(0u + _e1570)].links[1u];
-                                                                        let _e2019 = ((_e1196 + _e2014) + select(firstTrailingBit(_e2008), 32u, (_e2008 == 0u)));
-                                                                        if (_e2019 < arrayLength((&triangles.member))) {
+                                                                        let _e2006 = nodes.member[(0u + _e1562)].links[1u];
+                                                                        let _e2011 = ((_e1192 + _e2006) + select(firstTrailingBit(_e2000), 32u, (_e2000 == 0u)));
+                                                                        if (_e2011 < arrayLength((&triangles.member))) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2026 = triangles.member[(0u + _e2019)].v0_;
-                                                                        let _e2028 = (_e2026.x - _e1125);
-                                                                        let _e2030 = (_e2026.y - _e1138);
-                                                                        let _e2032 = (_e2026.z - _e1151);
-                                                                        if (_e1405 == 0u) {
-                                                                            phi_2165_ = vec3<f32>(_e2030, _e2032, _e2028);
+                                                                        let _e2018 = triangles.member[(0u + _e2011)].v0_;
+                                                                        let _e2020 = (_e2018.x - _e1121);
+                                                                        let _e2022 = (_e2018.y - _e1134);
+                                                                        let _e2024 = (_e2018.z - _e1147);
+                                                                        if (_e1397 == 0u) {
+                                                                            phi_2179_ = vec3<f32>(_e2022, _e2024, _e2020);
                                                                         } else {
-                                                                            if (_e1405 == 1u) {
-                                                                                phi_2164_ = vec3<f32>(_e2032, _e2028, _e2030);
+                                                                            if (_e1397 == 1u) {
+                                                                                phi_2178_ = vec3<f32>(_e2024, _e2020, _e2022);
                                                                             } else {
-                                                                                phi_2164_ = (_e2026 - vec3<f32>(_e1125, _e1138, _e1151));
+                                                                                phi_2178_ = (_e2018 - vec3<f32>(_e1121, _e1134, _e1147));
                                                                             }
-                                                                            let _e2040 = phi_2164_;
-                                                                            phi_2165_ = _e2040;
+                                                                            let _e2032 = phi_2178_;
+                                                                            phi_2179_ = _e2032;
                                                                         }
-                                                                        let _e2042 = phi_2165_;
-                                                                        let _e2046 = (_e2042.x - (_e1416 * _e2042.z));
-                                                                        let _e2050 = (_e2042.y - (_e1419 * _e2042.z));
-                                                                        let _e2052 = triangles.member[(0u + _e2019)].v1_;
-                                                                        let _e2054 = (_e2052.x - _e1125);
-                                                                        let _e2056 = (_e2052.y - _e1138);
-                                                                        let _e2058 = (_e2052.z - _e1151);
-                                                                        if (_e1405 == 0u) {
-                                                                            phi_2195_ = vec3<f32>(_e2056, _e2058, _e2054);
+                                                                        let _e2034 = phi_2179_;
+                                                                        let _e2038 = (_e2034.x - (_e1408 * _e2034.z));
+                                                                        let _e2042 = (_e2034.y - (_e1411 * _e2034.z));
+                                                                        let _e2044 = triangles.member[(0u + _e2011)].v1_;
+                                                                        let _e2046 = (_e2044.x - _e1121);
+                                                                        let _e2048 = (_e2044.y - _e1134);
+                                                                        let _e2050 = (_e2044.z - _e1147);
+                                                                        if (_e1397 == 0u) {
+                                                                            phi_2209_ = vec3<f32>(_e2048, _e2050, _e2046);
                                                                         } else {
-                                                                            if (_e1405 == 1u) {
-                                                                                phi_2194_ = vec3<f32>(_e2058, _e2054, _e2056);
+                                                                            if (_e1397 == 1u) {
+                                                                                phi_2208_ = vec3<f32>(_e2050, _e2046, _e2048);
                                                                             } else {
-                                                                                phi_2194_ = (_e2052 - vec3<f32>(_e1125, _e1138, _e1151));
+                                                                                phi_2208_ = (_e2044 - vec3<f32>(_e1121, _e1134, _e1147));
                                                                             }
-                                                                            let _e2066 = phi_2194_;
-                                                                            phi_2195_ = _e2066;
+                                                                            let _e2058 = phi_2208_;
+                                                                            phi_2209_ = _e2058;
                                                                         }
-                                                                        let _e2068 = phi_2195_;
-                                                                        let _e2072 = (_e2068.x - (_e1416 * _e2068.z));
-                                                                        let _e2076 = (_e2068.y - (_e1419 * _e2068.z));
-                                                                        let _e2078 = triangles.member[(0u + _e2019)].v2_;
-                                                                        let _e2080 = (_e2078.x - _e1125);
-                                                                        let _e2082 = (_e2078.y - _e1138);
-                                                                        let _e2084 = (_e2078.z - _e1151);
-                                                                        if (_e1405 == 0u) {
-                                                                            phi_2225_ = vec3<f32>(_e2082, _e2084, _e2080);
+                                                                        let _e2060 = phi_2209_;
+                                                                        let _e2064 = (_e2060.x - (_e1408 * _e2060.z));
+                                                                        let _e2068 = (_e2060.y - (_e1411 * _e2060.z));
+                                                                        let _e2070 = triangles.member[(0u + _e2011)].v2_;
+                                                                        let _e2072 = (_e2070.x - _e1121);
+                                                                        let _e2074 = (_e2070.y - _e1134);
+                                                                        let _e2076 = (_e2070.z - _e1147);
+                                                                        if (_e1397 == 0u) {
+                                                                            phi_2239_ = vec3<f32>(_e2074, _e2076, _e2072);
                                                                         } else {
-                                                                            if (_e1405 == 1u) {
-                                                                                phi_2224_ = vec3<f32>(_e2084, _e2080, _e2082);
+                                                                            if (_e1397 == 1u) {
+                                                                                phi_2238_ = vec3<f32>(_e2076, _e2072, _e2074);
                                                                             } else {
-                                                                                phi_2224_ = (_e2078 - vec3<f32>(_e1125, _e1138, _e1151));
+                                                                                phi_2238_ = (_e2070 - vec3<f32>(_e1121, _e1134, _e1147));
                                                                             }
-                                                                            let _e2092 = phi_2224_;
-                                                                            phi_2225_ = _e2092;
+                                                                            let _e2084 = phi_2238_;
+                                                                            phi_2239_ = _e2084;
                                                                         }
-                                                                        let _e2094 = phi_2225_;
-                                                                        let _e2098 = (_e2094.x - (_e1416 * _e2094.z));
-                                                                        let _e2102 = (_e2094.y - (_e1419 * _e2094.z));
-                                                                        if (_e2072 < _e2098) {
-                                                                            phi_2244_ = true;
+                                                                        let _e2086 = phi_2239_;
+                                                                        let _e2090 = (_e2086.x - (_e1408 * _e2086.z));
+                                                                        let _e2094 = (_e2086.y - (_e1411 * _e2086.z));
+                                                                        if (_e2064 < _e2090) {
+                                                                            phi_2258_ = true;
                                                                         } else {
-                                                                            if (_e2072 == _e2098) {
-                                                                                phi_2243_ = (_e2076 < _e2102);
+                                                                            if (_e2064 == _e2090) {
+                                                                                phi_2257_ = (_e2068 < _e2094);
                                                                             } else {
-                                                                                phi_2243_ = false;
+                                                                                phi_2257_ = false;
                                                                             }
-                                                                            let _e2107 = phi_2243_;
-                                                                            phi_2244_ = _e2107;
+                                                                            let _e2099 = phi_2257_;
+                                                                            phi_2258_ = _e2099;
                                                                         }
-                                                                        let _e2109 = phi_2244_;
-                                                                        if _e2109 {
-                                                                            phi_2248_ = _e2102;
-                                                                            phi_2249_ = _e2098;
-                                                                            phi_2250_ = _e2076;
-                                                                            phi_2251_ = _e2072;
+                                                                        let _e2101 = phi_2258_;
+                                                                        if _e2101 {
+                                                                            phi_2262_ = _e2094;
+                                                                            phi_2263_ = _e2090;
+                                                                            phi_2264_ = _e2068;
+                                                                            phi_2265_ = _e2064;
                                                                         } else {
-                                                                            phi_2248_ = _e2076;
-                                                                            phi_2249_ = _e2072;
-                                                                            phi_2250_ = _e2102;
-                                                                            phi_2251_ = _e2098;
+                                                                            phi_2262_ = _e2068;
+                                                                            phi_2263_ = _e2064;
+                                                                            phi_2264_ = _e2094;
+                                                                            phi_2265_ = _e2090;
                                                                         }
-                                                                        let _e2111 = phi_2248_;
-                                                                        let _e2113 = phi_2249_;
-                                                                        let _e2115 = phi_2250_;
-                                                                        let _e2117 = phi_2251_;
-                                                                        let _e2120 = ((_e2117 * _e2111) - (_e2115 * _e2113));
-                                                                        if _e2109 {
-                                                                            phi_2259_ = -(_e2120);
+                                                                        let _e2103 = phi_2262_;
+                                                                        let _e2105 = phi_2263_;
+                                                                        let _e2107 = phi_2264_;
+                                                                        let _e2109 = phi_2265_;
+                                                                        let _e2112 = ((_e2109 * _e2103) - (_e2107 * _e2105));
+                                                                        if _e2101 {
+                                                                            phi_2273_ = -(_e2112);
                                                                         } else {
-                                                                            phi_2259_ = _e2120;
+                                                                            phi_2273_ = _e2112;
                                                                         }
-                                                                        let _e2123 = phi_2259_;
-                                                                        if (_e2098 < _e2046) {
-                                                                            phi_2270_ = true;
+                                                                        let _e2115 = phi_2273_;
+                                                                        if (_e2090 < _e2038) {
+                                                                            phi_2284_ = true;
                                                                         } else {
-                                                                            if (_e2098 == _e2046) {
-                                                                                phi_2269_ = (_e2102 < _e2050);
+                                                                            if (_e2090 == _e2038) {
+                                                                                phi_2283_ = (_e2094 < _e2042);
                                                                             } else {
-                                                                                phi_2269_ = false;
+                                                                                phi_2283_ = false;
                                                                             }
-                                                                            let _e2128 = phi_2269_;
-                                                                            phi_2270_ = _e2128;
+                                                                            let _e2120 = phi_2283_;
+                                                                            phi_2284_ = _e2120;
                                                                         }
-                                                                        let _e2130 = phi_2270_;
-                                                                        if _e2130 {
-                                                                            phi_2274_ = _e2050;
-                                                                            phi_2275_ = _e2046;
-                                                                            phi_2276_ = _e2102;
-                                                                            phi_2277_ = _e2098;
+                                                                        let _e2122 = phi_2284_;
+                                                                        if _e2122 {
+                                                                            phi_2288_ = _e2042;
+                                                                            phi_2289_ = _e2038;
+                                                                            phi_2290_ = _e2094;
+                                                                            phi_2291_ = _e2090;
                                                                         } else {
-                                                                            phi_2274_ = _e2102;
-                                                                            phi_2275_ = _e2098;
-                                                                            phi_2276_ = _e2050;
-                                                                            phi_2277_ = _e2046;
+                                                                            phi_2288_ = _e2094;
+                                                                            phi_2289_ = _e2090;
+                                                                            phi_2290_ = _e2042;
+                                                                            phi_2291_ = _e2038;
                                                                         }
-                                                                        let _e2132 = phi_2274_;
-                                                                        let _e2134 = phi_2275_;
-                                                                        let _e2136 = phi_2276_;
-                                                                        let _e2138 = phi_2277_;
-                                                                        let _e2141 = ((_e2138 * _e2132) - (_e2136 * _e2134));
-                                                                        if _e2130 {
-                                                                            phi_2285_ = -(_e2141);
+                                                                        let _e2124 = phi_2288_;
+                                                                        let _e2126 = phi_2289_;
+                                                                        let _e2128 = phi_2290_;
+                                                                        let _e2130 = phi_2291_;
+                                                                        let _e2133 = ((_e2130 * _e2124) - (_e2128 * _e2126));
+                                                                        if _e2122 {
+                                                                            phi_2299_ = -(_e2133);
                                                                         } else {
-                                                                            phi_2285_ = _e2141;
+                                                                            phi_2299_ = _e2133;
                                                                         }
-                                                                        let _e2144 = phi_2285_;
-                                                                        if (_e2046 < _e2072) {
-                                                                            phi_2296_ = true;
+                                                                        let _e2136 = phi_2299_;
+                                                                        if (_e2038 < _e2064) {
+                                                                            phi_2310_ = true;
                                                                         } else {
-                                                                            if (_e2046 == _e2072) {
-                                                                                phi_2295_ = (_e2050 < _e2076);
+                                                                            if (_e2038 == _e2064) {
+                                                                                phi_2309_ = (_e2042 < _e2068);
                                                                             } else {
-                                                                                phi_2295_ = false;
+                                                                                phi_2309_ = false;
                                                                             }
-                                                                            let _e2149 = phi_2295_;
-                                                                            phi_2296_ = _e2149;
+                                                                            let _e2141 = phi_2309_;
+                                                                            phi_2310_ = _e2141;
                                                                         }
-                                                                        let _e2151 = phi_2296_;
-                                                                        if _e2151 {
-                                                                            phi_2300_ = _e2076;
-                                                                            phi_2301_ = _e2072;
-                                                                            phi_2302_ = _e2050;
-                                                                            phi_2303_ = _e2046;
+                                                                        let _e2143 = phi_2310_;
+                                                                        if _e2143 {
+                                                                            phi_2314_ = _e2068;
+                                                                            phi_2315_ = _e2064;
+                                                                            phi_2316_ = _e2042;
+                                                                            phi_2317_ = _e2038;
                                                                         } else {
-                                                                            phi_2300_ = _e2050;
-                                                                            phi_2301_ = _e2046;
-                                                                            phi_2302_ = _e2076;
-                                                                            phi_2303_ = _e2072;
+                                                                            phi_2314_ = _e2042;
+                                                                            phi_2315_ = _e2038;
+                                                                            phi_2316_ = _e2068;
+                                                                            phi_2317_ = _e2064;
                                                                         }
-                                                                        let _e2153 = phi_2300_;
-                                                                        let _e2155 = phi_2301_;
-                                                                        let _e2157 = phi_2302_;
-                                                                        let _e2159 = phi_2303_;
-                                                                        let _e2162 = ((_e2159 * _e2153) - (_e2157 * _e2155));
-                                                                        if _e2151 {
-                                                                            phi_2311_ = -(_e2162);
+                                                                        let _e2145 = phi_2314_;
+                                                                        let _e2147 = phi_2315_;
+                                                                        let _e2149 = phi_2316_;
+                                                                        let _e2151 = phi_2317_;
+                                                                        let _e2154 = ((_e2151 * _e2145) - (_e2149 * _e2147));
+                                                                        if _e2143 {
+                                                                            phi_2325_ = -(_e2154);
                                                                         } else {
-                                                                            phi_2311_ = _e2162;
+                                                                            phi_2325_ = _e2154;
                                                                         }
-                                                                        let _e2165 = phi_2311_;
-                                                                        if (_e2123 >= 0f) {
-                                                                            if (_e2144 >= 0f) {
-                                                                                if (_e2165 >= 0f) {
-                                                                                    phi_2326_ = ((_e2123 + _e2144) + _e2165);
-                                                                                    phi_2327_ = false;
+                                                                        let _e2157 = phi_2325_;
+                                                                        if (_e2115 >= 0f) {
+                                                                            if (_e2136 >= 0f) {
+                                                                                if (_e2157 >= 0f) {
+                                                                                    phi_2340_ = ((_e2115 + _e2136) + _e2157);
+                                                                                    phi_2341_ = false;
                                                                                 } else {
-                                                                                    phi_2326_ = f32();
-                                                                                    phi_2327_ = true;
+                                                                                    phi_2340_ = f32();
+                                                                                    phi_2341_ = true;
                                                                                 }
-                                                                                let _e2172 = phi_2326_;
-                                                                                let _e2174 = phi_2327_;
-                                                                                phi_2328_ = _e2172;
-                                                                                phi_2329_ = _e2174;
+                                                                                let _e2164 = phi_2340_;
+                                                                                let _e2166 = phi_2341_;
+                                                                                phi_2342_ = _e2164;
+                                                                                phi_2343_ = _e2166;
                                                                             } else {
-                                                                                phi_2328_ = f32();
-                                                                                phi_2329_ = true;
+                                                                                phi_2342_ = f32();
+                                                                                phi_2343_ = true;
                                                                             }
-                                                                            let _e2176 = phi_2328_;
-                                                                            let _e2178 = phi_2329_;
-                                                                            phi_2330_ = _e2176;
-                                                                            phi_2331_ = _e2178;
+                                                                            let _e2168 = phi_2342_;
+                                                                            let _e2170 = phi_2343_;
+                                                                            phi_2344_ = _e2168;
+                                                                            phi_2345_ = _e2170;
                                                                         } else {
-                                                                            phi_2330_ = f32();
-                                                                            phi_2331_ = true;
+                                                                            phi_2344_ = f32();
+                                                                            phi_2345_ = true;
                                                                         }
-                                                                        let _e2180 = phi_2330_;
-                                                                        let _e2182 = phi_2331_;
-                                                                        if _e2182 {
-                                                                            if (_e2123 <= 0f) {
-                                                                                if (_e2144 <= 0f) {
-                                                                                    let _e2185 = (_e2165 <= 0f);
-                                                                                    if _e2185 {
+                                                                        let _e2172 = phi_2344_;
+                                                                        let _e2174 = phi_2345_;
+                                                                        if _e2174 {
+                                                                            if (_e2115 <= 0f) {
+                                                                                if (_e2136 <= 0f) {
+                                                                                    let _e2177 = (_e2157 <= 0f);
+                                                                                    if _e2177 {
                                                                                     }
-                                                                                    phi_2349_ = ((_e2123 + _e2144) + _e2165);
-                                                                                    phi_2350_ = false;
-                                                                                    phi_2351_ = _e2185;
+                                                                                    phi_2363_ = ((_e2115 + _e2136) + _e2157);
+                                                                                    phi_2364_ = false;
+                                                                                    phi_2365_ = _e2177;
                                                                                 } else {
-                                                                                    phi_2349_ = f32();
-                                                                                    phi_2350_ = true;
-                                                                                    phi_2351_ = false;
+                                                                                    phi_2363_ = f32();
+                                                                                    phi_2364_ = true;
+                                                                                    phi_2365_ = false;
                                                                                 }
-                                                                                let _e2189 = phi_2349_;
-                                                                                let _e2191 = phi_2350_;
-                                                                                let _e2193 = phi_2351_;
-                                                                                phi_2352_ = _e2189;
-                                                                                phi_2353_ = _e2191;
-                                                                                phi_2354_ = _e2193;
+                                                                                let _e2181 = phi_2363_;
+                                                                                let _e2183 = phi_2364_;
+                                                                                let _e2185 = phi_2365_;
+                                                                                phi_2366_ = _e2181;
+                                                                                phi_2367_ = _e2183;
+                                                                                phi_2368_ = _e2185;
                                                                             } else {
-                                                                                phi_2352_ = f32();
-                                                                                phi_2353_ = true;
-                                                                                phi_2354_ = false;
+                                                                                phi_2366_ = f32();
+                                                                                phi_2367_ = true;
+                                                                                phi_2368_ = false;
                                                                             }
-                                                                            let _e2195 = phi_2352_;
-                                                                            let _e2197 = phi_2353_;
-                                                                            let _e2199 = phi_2354_;
-                                                                            if _e2197 {
-                                                                                phi_2358_ = false;
+                                                                            let _e2187 = phi_2366_;
+                                                                            let _e2189 = phi_2367_;
+                                                                            let _e2191 = phi_2368_;
+                                                                            if _e2189 {
+                                                                                phi_2372_ = false;
                                                                             } else {
-                                                                                phi_2358_ = _e2199;
+                                                                                phi_2372_ = _e2191;
                                                                             }
-                                                                            let _e2201 = phi_2358_;
-                                                                            phi_2359_ = _e2195;
-                                                                            phi_2360_ = _e2201;
+                                                                            let _e2193 = phi_2372_;
+                                                                            phi_2373_ = _e2187;
+                                                                            phi_2374_ = _e2193;
                                                                         } else {
-                                                                            phi_2359_ = _e2180;
-                                                                            phi_2360_ = true;
+                                                                            phi_2373_ = _e2172;
+                                                                            phi_2374_ = true;
                                                                         }
-                                                                        let _e2203 = phi_2359_;
-                                                                        let _e2205 = phi_2360_;
-                                                                        if _e2205 {
-                                                                            let _e2206 = (_e2203 == 0f);
-                                                                            if _e2206 {
-                                                                                phi_2676_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2677_ = false;
+                                                                        let _e2195 = phi_2373_;
+                                                                        let _e2197 = phi_2374_;
+                                                                        if _e2197 {
+                                                                            let _e2198 = (_e2195 == 0f);
+                                                                            if _e2198 {
+                                                                                phi_2690_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2691_ = false;
                                                                             } else {
-                                                                                let _e2208 = triangles.member[(0u + _e2019)].v0_;
-                                                                                let _e2210 = (_e2208.x - _e1125);
-                                                                                let _e2212 = (_e2208.y - _e1138);
-                                                                                let _e2214 = (_e2208.z - _e1151);
-                                                                                if (_e1405 == 0u) {
-                                                                                    phi_2389_ = vec3<f32>(_e2212, _e2214, _e2210);
+                                                                                let _e2200 = triangles.member[(0u + _e2011)].v0_;
+                                                                                let _e2202 = (_e2200.x - _e1121);
+                                                                                let _e2204 = (_e2200.y - _e1134);
+                                                                                let _e2206 = (_e2200.z - _e1147);
+                                                                                if (_e1397 == 0u) {
+                                                                                    phi_2403_ = vec3<f32>(_e2204, _e2206, _e2202);
                                                                                 } else {
-                                                                                    if (_e1405 == 1u) {
-                                                                                        phi_2388_ = vec3<f32>(_e2214, _e2210, _e2212);
+                                                                                    if (_e1397 == 1u) {
+                                                                                        phi_2402_ = vec3<f32>(_e2206, _e2202, _e2204);
                                                                                     } else {
-                                                                                        phi_2388_ = (_e2208 - vec3<f32>(_e1125, _e1138, _e1151));
+                                                                                        phi_2402_ = (_e2200 - vec3<f32>(_e1121, _e1134, _e1147));
                                                                                     }
-                                                                                    let _e2222 = phi_2388_;
-                                                                                    phi_2389_ = _e2222;
+                                                                                    let _e2214 = phi_2402_;
+                                                                                    phi_2403_ = _e2214;
                                                                                 }
-                                                                                let _e2224 = phi_2389_;
-                                                                                let _e2226 = triangles.member[(0u + _e2019)].v1_;
-                                                                                let _e2228 = triangles.member[(0u + _e2019)].v0_;
-                                                                                let _e2231 = (_e2226.x - _e2228.x);
-                                                                                let _e2234 = (_e2226.y - _e2228.y);
-                                                                                let _e2237 = (_e2226.z - _e2228.z);
-                                                                                if (_e1405 == 0u) {
-                                                                                    phi_2415_ = vec3<f32>(_e2234, _e2237, _e2231);
+                                                                                let _e2216 = phi_2403_;
+                                                                                let _e2218 = triangles.member[(0u + _e2011)].v1_;
+                                                                                let _e2220 = triangles.member[(0u + _e2011)].v0_;
+                                                                                let _e2223 = (_e2218.x - _e2220.x);
+                                                                                let _e2226 = (_e2218.y - _e2220.y);
+                                                                                let _e2229 = (_e2218.z - _e2220.z);
+                                                                                if (_e1397 == 0u) {
+                                                                                    phi_2429_ = vec3<f32>(_e2226, _e2229, _e2223);
                                                                                 } else {
-                                                                                    if (_e1405 == 1u) {
-                                                                                        phi_2414_ = vec3<f32>(_e2237, _e2231, _e2234);
+                                                                                    if (_e1397 == 1u) {
+                                                                                        phi_2428_ = vec3<f32>(_e2229, _e2223, _e2226);
                                                                                     } else {
-                                                                                        phi_2414_ = (_e2226 - _e2228);
+                                                                                        phi_2428_ = (_e2218 - _e2220);
                                                                                     }
-                                                                                    let _e2244 = phi_2414_;
-                                                                                    phi_2415_ = _e2244;
+                                                                                    let _e2236 = phi_2428_;
+                                                                                    phi_2429_ = _e2236;
                                                                                 }
-                                                                                let _e2246 = phi_2415_;
-                                                                                let _e2248 = triangles.member[(0u + _e2019)].v2_;
-                                                                                let _e2250 = triangles.member[(0u + _e2019)].v0_;
-                                                                                let _e2253 = (_e2248.x - _e2250.x);
-                                                                                let _e2256 = (_e2248.y - _e2250.y);
-                                                                                let _e2259 = (_e2248.z - _e2250.z);
-                                                                                if (_e1405 == 0u) {
-                                                                                    phi_2441_ = vec3<f32>(_e2256, _e2259, _e2253);
+                                                                                let _e2238 = phi_2429_;
+                                                                                let _e2240 = triangles.member[(0u + _e2011)].v2_;
+                                                                                let _e2242 = triangles.member[(0u + _e2011)].v0_;
+                                                                                let _e2245 = (_e2240.x - _e2242.x);
+                                                                                let _e2248 = (_e2240.y - _e2242.y);
+                                                                                let _e2251 = (_e2240.z - _e2242.z);
+                                                                                if (_e1397 == 0u) {
+                                                                                    phi_2455_ = vec3<f32>(_e2248, _e2251, _e2245);
                                                                                 } else {
-                                                                                    if (_e1405 == 1u) {
-                                                                                        phi_2440_ = vec3<f32>(_e2259, _e2253, _e2256);
+                                                                                    if (_e1397 == 1u) {
+                                                                                        phi_2454_ = vec3<f32>(_e2251, _e2245, _e2248);
                                                                                     } else {
-                                                                                        phi_2440_ = (_e2248 - _e2250);
+                                                                                        phi_2454_ = (_e2240 - _e2242);
                                                                                     }
-                                                                                    let _e2266 = phi_2440_;
-                                                                                    phi_2441_ = _e2266;
+                                                                                    let _e2258 = phi_2454_;
+                                                                                    phi_2455_ = _e2258;
                                                                                 }
-                                                                                let _e2268 = phi_2441_;
-                                                                                let _e2275 = ((_e2246.y * _e2268.z) - (_e2246.z * _e2268.y));
-                                                                                let _e2282 = ((_e2246.z * _e2268.x) - (_e2246.x * _e2268.z));
-                                                                                let _e2289 = ((_e2246.x * _e2268.y) - (_e2246.y * _e2268.x));
-                                                                                let _e2303 = (((1f / _e1413.z) * (((_e2275 * _e2224.x) + (_e2282 * _e2224.y)) + (_e2289 * _e2224.z))) / (((_e2275 * _e1416) + (_e2282 * _e1419)) + _e2289));
-                                                                                if (_e2303 > 0f) {
-                                                                                    if (_e2303 < _e251) {
-                                                                                        let _e2307 = triangles.member[(0u + _e2019)].v0_;
-                                                                                        let _e2309 = triangles.member[(0u + _e2019)].v1_;
-                                                                                        if (_e2307.x < _e2309.x) {
-                                                                                            phi_2497_ = _e2307.x;
+                                                                                let _e2260 = phi_2455_;
+                                                                                let _e2267 = ((_e2238.y * _e2260.z) - (_e2238.z * _e2260.y));
+                                                                                let _e2274 = ((_e2238.z * _e2260.x) - (_e2238.x * _e2260.z));
+                                                                                let _e2281 = ((_e2238.x * _e2260.y) - (_e2238.y * _e2260.x));
+                                                                                let _e2295 = (((1f / _e1405.z) * (((_e2267 * _e2216.x) + (_e2274 * _e2216.y)) + (_e2281 * _e2216.z))) / (((_e2267 * _e1408) + (_e2274 * _e1411)) + _e2281));
+                                                                                if (_e2295 > 0f) {
+                                                                                    if (_e2295 < _e251) {
+                                                                                        let _e2299 = triangles.member[(0u + _e2011)].v0_;
+                                                                                        let _e2301 = triangles.member[(0u + _e2011)].v1_;
+                                                                                        if (_e2299.x < _e2301.x) {
+                                                                                            phi_2511_ = _e2299.x;
                                                                                         } else {
-                                                                                            phi_2497_ = _e2309.x;
+                                                                                            phi_2511_ = _e2301.x;
                                                                                         }
-                                                                                        let _e2316 = phi_2497_;
-                                                                                        if (_e2307.y < _e2309.y) {
-                                                                                            phi_2506_ = _e2307.y;
+                                                                                        let _e2308 = phi_2511_;
+                                                                                        if (_e2299.y < _e2301.y) {
+                                                                                            phi_2520_ = _e2299.y;
                                                                                         } else {
-                                                                                            phi_2506_ = _e2309.y;
+                                                                                            phi_2520_ = _e2301.y;
                                                                                         }
-                                                                                        let _e2323 = phi_2506_;
-                                                                                        if (_e2307.z < _e2309.z) {
-                                                                                            phi_2515_ = _e2307.z;
+                                                                                        let _e2315 = phi_2520_;
+                                                                                        if (_e2299.z < _e2301.z) {
+                                                                                            phi_2529_ = _e2299.z;
                                                                                         } else {
-                                                                                            phi_2515_ = _e2309.z;
+                                                                                            phi_2529_ = _e2301.z;
                                                                                         }
-                                                                                        let _e2330 = phi_2515_;
-                                                                                        let _e2332 = triangles.member[(0u + _e2019)].v2_;
-                                                                                        if (_e2316 < _e2332.x) {
-                                                                                            phi_2524_ = _e2316;
+                                                                                        let _e2322 = phi_2529_;
+                                                                                        let _e2324 = triangles.member[(0u + _e2011)].v2_;
+                                                                                        if (_e2308 < _e2324.x) {
+                                                                                            phi_2538_ = _e2308;
                                                                                         } else {
-                                                                                            phi_2524_ = _e2332.x;
+                                                                                            phi_2538_ = _e2324.x;
                                                                                         }
-                                                                                        let _e2337 = phi_2524_;
-                                                                                        if (_e2323 < _e2332.y) {
-                                                                                            phi_2531_ = _e2323;
+                                                                                        let _e2329 = phi_2538_;
+                                                                                        if (_e2315 < _e2324.y) {
+                                                                                            phi_2545_ = _e2315;
                                                                                         } else {
-                                                                                            phi_2531_ = _e2332.y;
+                                                                                            phi_2545_ = _e2324.y;
                                                                                         }
-                                                                                        let _e2342 = phi_2531_;
-                                                                                        if (_e2330 < _e2332.z) {
-                                                                                            phi_2538_ = _e2330;
+                                                                                        let _e2334 = phi_2545_;
+                                                                                        if (_e2322 < _e2324.z) {
+                                                                                            phi_2552_ = _e2322;
                                                                                         } else {
-                                                                                            phi_2538_ = _e2332.z;
+                                                                                            phi_2552_ = _e2324.z;
                                                                                         }
-                                                                                        let _e2347 = phi_2538_;
-                                                                                        let _e2349 = triangles.member[(0u + _e2019)].v0_;
-                                                                                        let _e2351 = triangles.member[(0u + _e2019)].v1_;
-                                                                                        if (_e2349.x > _e2351.x) {
-                                                                                            phi_2551_ = _e2349.x;
+                                                                                        let _e2339 = phi_2552_;
+                                                                                        let _e2341 = triangles.member[(0u + _e2011)].v0_;
+                                                                                        let _e2343 = triangles.member[(0u + _e2011)].v1_;
+                                                                                        if (_e2341.x > _e2343.x) {
+                                                                                            phi_2565_ = _e2341.x;
                                                                                         } else {
-                                                                                            phi_2551_ = _e2351.x;
+                                                                                            phi_2565_ = _e2343.x;
                                                                                         }
-                                                                                        let _e2358 = phi_2551_;
-                                                                                        if (_e2349.y > _e2351.y) {
-                                                                                            phi_2560_ = _e2349.y;
+                                                                                        let _e2350 = phi_2565_;
+                                                                                        if (_e2341.y > _e2343.y) {
+                                                                                            phi_2574_ = _e2341.y;
                                                                                         } else {
-                                                                                            phi_2560_ = _e2351.y;
+                                                                                            phi_2574_ = _e2343.y;
                                                                                         }
-                                                                                        let _e2365 = phi_2560_;
-                                                                                        if (_e2349.z > _e2351.z) {
-                                                                                            phi_2569_ = _e2349.z;
+                                                                                        let _e2357 = phi_2574_;
+                                                                                        if (_e2341.z > _e2343.z) {
+                                                                                            phi_2583_ = _e2341.z;
                                                                                         } else {
-                                                                                            phi_2569_ = _e2351.z;
+                                                                                            phi_2583_ = _e2343.z;
                                                                                         }
-                                                                                        let _e2372 = phi_2569_;
-                                                                                        let _e2374 = triangles.member[(0u + _e2019)].v2_;
-                                                                                        if (_e2358 > _e2374.x) {
-                                                                                            phi_2578_ = _e2358;
+                                                                                        let _e2364 = phi_2583_;
+                                                                                        let _e2366 = triangles.member[(0u + _e2011)].v2_;
+                                                                                        if (_e2350 > _e2366.x) {
+                                                                                            phi_2592_ = _e2350;
                                                                                         } else {
-                                                                                            phi_2578_ = _e2374.x;
+                                                                                            phi_2592_ = _e2366.x;
                                                                                         }
-                                                                                        let _e2379 = phi_2578_;
-                                                                                        if (_e2365 > _e2374.y) {
-                                                                                            phi_2585_ = _e2365;
+                                                                                        let _e2371 = phi_2592_;
+                                                                                        if (_e2357 > _e2366.y) {
+                                                                                            phi_2599_ = _e2357;
                                                                                         } else {
-                                                                                            phi_2585_ = _e2374.y;
+                                                                                            phi_2599_ = _e2366.y;
                                                                                         }
-                                                                                        let _e2384 = phi_2585_;
-                                                                                        if (_e2372 > _e2374.z) {
-                                                                                            phi_2592_ = _e2372;
+                                                                                        let _e2376 = phi_2599_;
+                                                                                        if (_e2364 > _e2366.z) {
+                                                                                            phi_2606_ = _e2364;
                                                                                         } else {
-                                                                                            phi_2592_ = _e2374.z;
+                                                                                            phi_2606_ = _e2366.z;
                                                                                         }
-                                                                                        let _e2389 = phi_2592_;
-                                                                                        let _e2393 = ((_e2337 - _e1125) * _e1334);
-                                                                                        let _e2394 = ((_e2342 - _e1138) * _e1344);
-                                                                                        let _e2395 = ((_e2347 - _e1151) * _e1354);
-                                                                                        let _e2399 = ((_e2379 - _e1125) * _e1334);
-                                                                                        let _e2400 = ((_e2384 - _e1138) * _e1344);
-                                                                                        let _e2401 = ((_e2389 - _e1151) * _e1354);
-                                                                                        if (_e2393 < _e2399) {
-                                                                                            phi_2609_ = _e2393;
+                                                                                        let _e2381 = phi_2606_;
+                                                                                        let _e2385 = ((_e2329 - _e1121) * _e1322);
+                                                                                        let _e2386 = ((_e2334 - _e1134) * _e1332);
+                                                                                        let _e2387 = ((_e2339 - _e1147) * _e1342);
+                                                                                        let _e2391 = ((_e2371 - _e1121) * _e1322);
+                                                                                        let _e2392 = ((_e2376 - _e1134) * _e1332);
+                                                                                        let _e2393 = ((_e2381 - _e1147) * _e1342);
+                                                                                        if (_e2385 < _e2391) {
+                                                                                            phi_2623_ = _e2385;
                                                                                         } else {
-                                                                                            phi_2609_ = _e2399;
+                                                                                            phi_2623_ = _e2391;
                                                                                         }
-                                                                                        let _e2404 = phi_2609_;
-                                                                                        if (_e2394 < _e2400) {
-                                                                                            phi_2614_ = _e2394;
+                                                                                        let _e2396 = phi_2623_;
+                                                                                        if (_e2386 < _e2392) {
+                                                                                            phi_2628_ = _e2386;
                                                                                         } else {
-                                                                                            phi_2614_ = _e2400;
+                                                                                            phi_2628_ = _e2392;
                                                                                         }
-                                                                                        let _e2407 = phi_2614_;
-                                                                                        if (_e2395 < _e2401) {
-                                                                                            phi_2619_ = _e2395;
+                                                                                        let _e2399 = phi_2628_;
+                                                                                        if (_e2387 < _e2393) {
+                                                                                            phi_2633_ = _e2387;
                                                                                         } else {
-                                                                                            phi_2619_ = _e2401;
+                                                                                            phi_2633_ = _e2393;
                                                                                         }
-                                                                                        let _e2410 = phi_2619_;
-                                                                                        if (_e2393 > _e2399) {
-                                                                                            phi_2627_ = _e2393;
+                                                                                        let _e2402 = phi_2633_;
+                                                                                        if (_e2385 > _e2391) {
+                                                                                            phi_2641_ = _e2385;
                                                                                         } else {
-                                                                                            phi_2627_ = _e2399;
+                                                                                            phi_2641_ = _e2391;
                                                                                         }
-                                                                                        let _e2416 = phi_2627_;
-                                                                                        if (_e2394 > _e2400) {
-                                                                                            phi_2632_ = _e2394;
+                                                                                        let _e2408 = phi_2641_;
+                                                                                        if (_e2386 > _e2392) {
+                                                                                            phi_2646_ = _e2386;
                                                                                         } else {
-                                                                                            phi_2632_ = _e2400;
+                                                                                            phi_2646_ = _e2392;
                                                                                         }
-                                                                                        let _e2419 = phi_2632_;
-                                                                                        if (_e2395 > _e2401) {
-                                                                                            phi_2637_ = _e2395;
+                                                                                        let _e2411 = phi_2646_;
+                                                                                        if (_e2387 > _e2393) {
+                                                                                            phi_2651_ = _e2387;
                                                                                         } else {
-                                                                                            phi_2637_ = _e2401;
+                                                                                            phi_2651_ = _e2393;
                                                                                         }
-                                                                                        let _e2422 = phi_2637_;
-                                                                                        let _e2426 = core_intrinsics_maximum_number_nsz_f32_((_e2404 - _e1389), (_e2407 - _e1390));
-                                                                                        let _e2427 = core_intrinsics_maximum_number_nsz_f32_(_e2426, (_e2410 - _e1391));
-                                                                                        let _e2428 = core_intrinsics_minimum_number_nsz_f32_((_e2416 + _e1389), (_e2419 + _e1390));
-                                                                                        let _e2429 = core_intrinsics_minimum_number_nsz_f32_(_e2428, (_e2422 + _e1391));
-                                                                                        if (_e2427 > _e1106) {
-                                                                                            phi_2649_ = _e2427;
+                                                                                        let _e2414 = phi_2651_;
+                                                                                        let _e2418 = core_intrinsics_maximum_number_nsz_f32_((_e2396 - _e1381), (_e2399 - _e1382));
+                                                                                        let _e2419 = core_intrinsics_maximum_number_nsz_f32_(_e2418, (_e2402 - _e1383));
+                                                                                        let _e2420 = core_intrinsics_minimum_number_nsz_f32_((_e2408 + _e1381), (_e2411 + _e1382));
+                                                                                        let _e2421 = core_intrinsics_minimum_number_nsz_f32_(_e2420, (_e2414 + _e1383));
+                                                                                        if (_e2419 > _e1102) {
+                                                                                            phi_2663_ = _e2419;
                                                                                         } else {
-                                                                                            phi_2649_ = _e1106;
+                                                                                            phi_2663_ = _e1102;
                                                                                         }
-                                                                                        let _e2432 = phi_2649_;
-                                                                                        if (_e2429 < _e1108) {
-                                                                                            phi_2654_ = _e2429;
+                                                                                        let _e2424 = phi_2663_;
+                                                                                        if (_e2421 < _e1104) {
+                                                                                            phi_2668_ = _e2421;
                                                                                         } else {
-                                                                                            phi_2654_ = _e1108;
+                                                                                            phi_2668_ = _e1104;
                                                                                         }
-                                                                                        let _e2435 = phi_2654_;
-                                                                                        if (_e2303 < _e2432) {
-                                                                                            phi_2659_ = _e2432;
+                                                                                        let _e2427 = phi_2668_;
+                                                                                        if (_e2295 < _e2424) {
+                                                                                            phi_2673_ = _e2424;
                                                                                         } else {
-                                                                                            phi_2659_ = _e2303;
+                                                                                            phi_2673_ = _e2295;
                                                                                         }
-                                                                                        let _e2438 = phi_2659_;
-                                                                                        if (_e2438 > _e2435) {
-                                                                                            phi_2664_ = _e2435;
+                                                                                        let _e2430 = phi_2673_;
+                                                                                        if (_e2430 > _e2427) {
+                                                                                            phi_2678_ = _e2427;
                                                                                         } else {
-                                                                                            phi_2664_ = _e2438;
+                                                                                            phi_2678_ = _e2430;
                                                                                         }
-                                                                                        let _e2441 = phi_2664_;
-                                                                                        phi_2669_ = lt_bvh_triangle_Intersection(_e2441, (_e2144 / _e2203), (_e2165 / _e2203), (_e2432 <= _e2435));
-                                                                                        phi_2670_ = false;
+                                                                                        let _e2433 = phi_2678_;
+                                                                                        phi_2683_ = lt_bvh_triangle_Intersection(_e2433, (_e2136 / _e2195), (_e2157 / _e2195), (_e2424 <= _e2427));
+                                                                                        phi_2684_ = false;
                                                                                     } else {
-                                                                                        phi_2669_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_2670_ = true;
+                                                                                        phi_2683_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_2684_ = true;
                                                                                     }
-                                                                                    let _e2447 = phi_2669_;
-                                                                                    let _e2449 = phi_2670_;
-                                                                                    phi_2671_ = _e2447;
-                                                                                    phi_2672_ = _e2449;
+                                                                                    let _e2439 = phi_2683_;
+                                                                                    let _e2441 = phi_2684_;
+                                                                                    phi_2685_ = _e2439;
+                                                                                    phi_2686_ = _e2441;
                                                                                 } else {
-                                                                                    phi_2671_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2672_ = true;
+                                                                                    phi_2685_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2686_ = true;
                                                                                 }
-                                                                                let _e2451 = phi_2671_;
-                                                                                let _e2453 = phi_2672_;
-                                                                                if _e2453 {
+                                                                                let _e2443 = phi_2685_;
+                                                                                let _e2445 = phi_2686_;
+                                                                                if _e2445 {
                                                                                 }
-                                                                                phi_2676_ = _e2451;
-                                                                                phi_2677_ = _e2453;
+                                                                                phi_2690_ = _e2443;
+                                                                                phi_2691_ = _e2445;
                                                                             }
-                                                                            let _e2455 = phi_2676_;
-                                                                            let _e2457 = phi_2677_;
-                                                                            phi_2678_ = _e2455;
-                                                                            phi_2679_ = _e2206;
-                                                                            phi_2680_ = _e2457;
+                                                                            let _e2447 = phi_2690_;
+                                                                            let _e2449 = phi_2691_;
+                                                                            phi_2692_ = _e2447;
+                                                                            phi_2693_ = _e2198;
+                                                                            phi_2694_ = _e2449;
                                                                         } else {
-                                                                            phi_2678_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2679_ = true;
-                                                                            phi_2680_ = false;
+                                                                            phi_2692_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2693_ = true;
+                                                                            phi_2694_ = false;
                                                                         }
-                                                                        let _e2459 = phi_2678_;
-                                                                        let _e2461 = phi_2679_;
-                                                                        let _e2463 = phi_2680_;
-                                                                        if _e2461 {
-                                                                            phi_2684_ = true;
+                                                                        let _e2451 = phi_2692_;
+                                                                        let _e2453 = phi_2693_;
+                                                                        let _e2455 = phi_2694_;
+                                                                        if _e2453 {
+                                                                            phi_2698_ = true;
                                                                         } else {
-                                                                            phi_2684_ = _e2463;
+                                                                            phi_2698_ = _e2455;
                                                                         }
-                                                                        let _e2465 = phi_2684_;
-                                                                        if _e2465 {
-                                                                            phi_2688_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        let _e2457 = phi_2698_;
+                                                                        if _e2457 {
+                                                                            phi_2702_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_2688_ = _e2459;
+                                                                            phi_2702_ = _e2451;
                                                                         }
-                                                                        let _e2467 = phi_2688_;
-                                                                        if _e2467.is_hit {
-                                                                            if (_e2467.t > 0f) {
-                                                                                if (_e2467.t < _e251) {
+                                                                        let _e2459 = phi_2702_;
+                                                                        if _e2459.is_hit {
+                                                                            if (_e2459.t > 0f) {
+                                                                                if (_e2459.t < _e251) {
                                                                                     if true {
-                                                                                        phi_2708_ = false;
+                                                                                        phi_2722_ = false;
                                                                                     } else {
-                                                                                        phi_2708_ = true;
+                                                                                        phi_2722_ = true;
                                                                                     }
-                                                                                    let _e2476 = phi_2708_;
-                                                                                    phi_2709_ = true;
-                                                                                    phi_2710_ = _e2476;
+                                                                                    let _e2468 = phi_2722_;
+                                                                                    phi_2723_ = true;
+                                                                                    phi_2724_ = _e2468;
                                                                                 } else {
-                                                                                    phi_2709_ = _e2010;
-                                                                                    phi_2710_ = true;
+                                                                                    phi_2723_ = _e2002;
+                                                                                    phi_2724_ = true;
                                                                                 }
-                                                                                let _e2478 = phi_2709_;
-                                                                                let _e2480 = phi_2710_;
-                                                                                phi_2711_ = _e2478;
-                                                                                phi_2712_ = _e2480;
+                                                                                let _e2470 = phi_2723_;
+                                                                                let _e2472 = phi_2724_;
+                                                                                phi_2725_ = _e2470;
+                                                                                phi_2726_ = _e2472;
                                                                             } else {
-                                                                                phi_2711_ = _e2010;
-                                                                                phi_2712_ = true;
+                                                                                phi_2725_ = _e2002;
+                                                                                phi_2726_ = true;
                                                                             }
-                                                                            let _e2482 = phi_2711_;
-                                                                            let _e2484 = phi_2712_;
-                                                                            phi_2713_ = _e2482;
-                                                                            phi_2714_ = _e2484;
+                                                                            let _e2474 = phi_2725_;
+                                                                            let _e2476 = phi_2726_;
+                                                                            phi_2727_ = _e2474;
+                                                                            phi_2728_ = _e2476;
                                                                         } else {
-                                                                            phi_2713_ = _e2010;
-                                                                            phi_2714_ = true;
+                                                                            phi_2727_ = _e2002;
+                                                                            phi_2728_ = true;
                                                                         }
-                                                                        let _e2486 = phi_2713_;
-                                                                        let _e2488 = phi_2714_;
-                                                                        if _e2488 {
+                                                                        let _e2478 = phi_2727_;
+                                                                        let _e2480 = phi_2728_;
+                                                                        if _e2480 {
                                                                         }
-                                                                        phi_2118_ = (_e2008 & (_e2008 - 1u));
-                                                                        phi_2121_ = _e2486;
-                                                                        phi_2718_ = _e2488;
+                                                                        phi_2132_ = (_e2000 & (_e2000 - 1u));
+                                                                        phi_2135_ = _e2478;
+                                                                        phi_2732_ = _e2480;
                                                                     }
-                                                                    let _e2490 = phi_2118_;
-                                                                    let _e2492 = phi_2121_;
-                                                                    let _e2494 = phi_2718_;
+                                                                    let _e2482 = phi_2132_;
+                                                                    let _e2484 = phi_2135_;
+                                                                    let _e2486 = phi_2732_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2117_ = _e2490;
-                                                                        phi_2120_ = _e2492;
-                                                                        break if !(_e2494);
+                                                                        phi_2131_ = _e2482;
+                                                                        phi_2134_ = _e2484;
+                                                                        break if !(_e2486);
                                                                     }
                                                                 }
-                                                                let _e2497 = local_9;
-                                                                if _e2497 {
-                                                                    let _e2499 = local.group_mask;
-                                                                    if ((_e2499 & 4278190080u) == 0u) {
-                                                                        let _e2503 = local.len;
-                                                                        if (_e2503 == 0u) {
-                                                                            phi_2760_ = false;
+                                                                let _e2489 = local_9;
+                                                                if _e2489 {
+                                                                    let _e2491 = local.group_mask;
+                                                                    if ((_e2491 & 4278190080u) == 0u) {
+                                                                        let _e2495 = local.len;
+                                                                        if (_e2495 == 0u) {
+                                                                            phi_2774_ = false;
                                                                         } else {
-                                                                            let _e2507 = local.len;
-                                                                            local.len = (_e2507 - 1u);
+                                                                            let _e2499 = local.len;
+                                                                            local.len = (_e2499 - 1u);
+                                                                            let _e2502 = local.len;
+                                                                            if (_e2502 < 32u) {
+                                                                            } else {
+                                                                                return;
+                                                                            }
+                                                                            let _e2507 = local.first[(0u + _e2502)];
+                                                                            local.group = _e2507;
                                                                             let _e2510 = local.len;
                                                                             if (_e2510 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2515 = local.first[(0u + _e2510)];
-                                                                            local.group = _e2515;
-                                                                            let _e2518 = local.len;
-                                                                            if (_e2518 < 32u) {
-                                                                            } else {
-                                                                                return;
-                                                                            }
-                                                                            let _e2523 = local.mask[(0u + _e2518)];
-                                                                            local.group_mask = _e2523;
-                                                                            phi_2760_ = true;
+                                                                            let _e2515 = local.mask[(0u + _e2510)];
+                                                                            local.group_mask = _e2515;
+                                                                            phi_2774_ = true;
                                                                         }
-                                                                        let _e2526 = phi_2760_;
-                                                                        phi_2761_ = _e2526;
+                                                                        let _e2518 = phi_2774_;
+                                                                        phi_2775_ = _e2518;
                                                                     } else {
-                                                                        phi_2761_ = true;
+                                                                        phi_2775_ = true;
                                                                     }
-                                                                    let _e2528 = phi_2761_;
-                                                                    if _e2528 {
-                                                                        let _e2530 = local.group_mask;
-                                                                        let _e2536 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2530)), 32u, (_e2530 == 0u)));
-                                                                        let _e2540 = local.group_mask;
-                                                                        let _e2554 = local.group_mask;
-                                                                        local.group_mask = (_e2554 & ~((1u << bitcast<u32>((_e2536 & 31u)))));
-                                                                        let _e2557 = local.group;
-                                                                        phi_2792_ = (_e2557 + countOneBits(((_e2540 & ~((4294967295u << bitcast<u32>((((_e2536 - 24u) ^ _e1432) & 31u))))) & 255u)));
+                                                                    let _e2520 = phi_2775_;
+                                                                    if _e2520 {
+                                                                        let _e2522 = local.group_mask;
+                                                                        let _e2528 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2522)), 32u, (_e2522 == 0u)));
+                                                                        let _e2532 = local.group_mask;
+                                                                        let _e2546 = local.group_mask;
+                                                                        local.group_mask = (_e2546 & ~((1u << bitcast<u32>((_e2528 & 31u)))));
+                                                                        let _e2549 = local.group;
+                                                                        phi_2806_ = (_e2549 + countOneBits(((_e2532 & ~((4294967295u << bitcast<u32>((((_e2528 - 24u) ^ _e1424) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_2792_ = 4294967295u;
+                                                                        phi_2806_ = 4294967295u;
                                                                     }
-                                                                    let _e2560 = phi_2792_;
-                                                                    phi_2793_ = _e2560;
+                                                                    let _e2552 = phi_2806_;
+                                                                    phi_2807_ = _e2552;
                                                                 } else {
-                                                                    phi_2793_ = u32();
+                                                                    phi_2807_ = u32();
                                                                 }
-                                                                let _e2562 = phi_2793_;
-                                                                phi_1786_ = _e2562;
-                                                                let _e2952 = local_13;
-                                                                phi_1789_ = _e2952;
-                                                                let _e2955 = local_14;
-                                                                phi_2794_ = _e2955;
-                                                                phi_2795_ = false;
+                                                                let _e2554 = phi_2807_;
+                                                                phi_1800_ = _e2554;
+                                                                let _e2940 = local_13;
+                                                                phi_1803_ = _e2940;
+                                                                let _e2943 = local_14;
+                                                                phi_2808_ = _e2943;
+                                                                phi_2809_ = false;
                                                             } else {
-                                                                phi_1786_ = u32();
-                                                                phi_1789_ = bool();
-                                                                phi_2794_ = false;
-                                                                phi_2795_ = true;
+                                                                phi_1800_ = u32();
+                                                                phi_1803_ = bool();
+                                                                phi_2808_ = false;
+                                                                phi_2809_ = true;
                                                             }
-                                                            let _e2564 = phi_1786_;
-                                                            let _e2566 = phi_1789_;
-                                                            let _e2568 = phi_2794_;
-                                                            let _e2570 = phi_2795_;
-                                                            local_10 = _e2570;
+                                                            let _e2556 = phi_1800_;
+                                                            let _e2558 = phi_1803_;
+                                                            let _e2560 = phi_2808_;
+                                                            let _e2562 = phi_2809_;
+                                                            local_10 = _e2562;
                                                             continue;
                                                             continuing {
-                                                                phi_1785_ = _e2564;
-                                                                phi_1788_ = _e2566;
-                                                                break if !(_e2568);
+                                                                phi_1799_ = _e2556;
+                                                                phi_1802_ = _e2558;
+                                                                break if !(_e2560);
                                                             }
                                                         }
-                                                        let _e2573 = local_10;
-                                                        if _e2573 {
-                                                            phi_2799_ = false;
+                                                        let _e2565 = local_10;
+                                                        if _e2565 {
+                                                            phi_2813_ = false;
                                                         } else {
-                                                            phi_2799_ = true;
+                                                            phi_2813_ = true;
                                                         }
-                                                        let _e2575 = phi_2799_;
-                                                        if _e2575 {
-                                                            phi_2803_ = true;
+                                                        let _e2567 = phi_2813_;
+                                                        if _e2567 {
+                                                            phi_2817_ = true;
                                                         } else {
-                                                            let _e2961 = local_15;
-                                                            phi_2803_ = _e2961;
+                                                            let _e2949 = local_15;
+                                                            phi_2817_ = _e2949;
                                                         }
-                                                        let _e2577 = phi_2803_;
-                                                        phi_2804_ = _e2577;
+                                                        let _e2569 = phi_2817_;
+                                                        phi_2818_ = _e2569;
                                                     }
-                                                    let _e2579 = phi_2804_;
-                                                    phi_2805_ = _e2579;
-                                                    phi_2806_ = _e1258;
+                                                    let _e2571 = phi_2818_;
+                                                    phi_2819_ = _e2571;
+                                                    phi_2820_ = _e1246;
                                                 } else {
-                                                    phi_2805_ = bool();
-                                                    phi_2806_ = true;
+                                                    phi_2819_ = bool();
+                                                    phi_2820_ = true;
                                                 }
-                                                let _e2581 = phi_2805_;
-                                                let _e2583 = phi_2806_;
-                                                if _e2583 {
-                                                    phi_2810_ = _e1045;
+                                                let _e2573 = phi_2819_;
+                                                let _e2575 = phi_2820_;
+                                                if _e2575 {
+                                                    phi_2824_ = _e1041;
                                                 } else {
-                                                    phi_2810_ = _e2581;
+                                                    phi_2824_ = _e2573;
                                                 }
-                                                let _e2585 = phi_2810_;
-                                                if _e2585 {
-                                                    phi_2814_ = false;
+                                                let _e2577 = phi_2824_;
+                                                if _e2577 {
+                                                    phi_2828_ = false;
                                                 } else {
-                                                    phi_2814_ = true;
+                                                    phi_2828_ = true;
                                                 }
-                                                let _e2587 = phi_2814_;
-                                                phi_2815_ = _e2585;
-                                                phi_2816_ = _e2587;
+                                                let _e2579 = phi_2828_;
+                                                phi_2829_ = _e2577;
+                                                phi_2830_ = _e2579;
                                             } else {
-                                                phi_2815_ = _e1045;
-                                                phi_2816_ = true;
+                                                phi_2829_ = _e1041;
+                                                phi_2830_ = true;
                                             }
-                                            let _e2589 = phi_2815_;
-                                            let _e2591 = phi_2816_;
-                                            phi_2817_ = _e2589;
-                                            phi_2818_ = _e2591;
+                                            let _e2581 = phi_2829_;
+                                            let _e2583 = phi_2830_;
+                                            phi_2831_ = _e2581;
+                                            phi_2832_ = _e2583;
                                         } else {
-                                            phi_2817_ = _e1045;
-                                            phi_2818_ = true;
+                                            phi_2831_ = _e1041;
+                                            phi_2832_ = true;
                                         }
-                                        let _e2593 = phi_2817_;
-                                        let _e2595 = phi_2818_;
-                                        phi_2819_ = _e2593;
-                                        phi_2820_ = _e2595;
+                                        let _e2585 = phi_2831_;
+                                        let _e2587 = phi_2832_;
+                                        phi_2833_ = _e2585;
+                                        phi_2834_ = _e2587;
                                     } else {
-                                        phi_2819_ = _e1045;
-                                        phi_2820_ = true;
+                                        phi_2833_ = _e1041;
+                                        phi_2834_ = true;
                                     }
-                                    let _e2597 = phi_2819_;
-                                    let _e2599 = phi_2820_;
-                                    if _e2599 {
+                                    let _e2589 = phi_2833_;
+                                    let _e2591 = phi_2834_;
+                                    if _e2591 {
                                     }
-                                    phi_1178_ = (_e1043 & (_e1043 - 1u));
-                                    phi_1181_ = _e2597;
-                                    phi_2824_ = _e2599;
+                                    phi_1185_ = (_e1039 & (_e1039 - 1u));
+                                    phi_1188_ = _e2589;
+                                    phi_2838_ = _e2591;
                                 }
-                                let _e2601 = phi_1178_;
-                                let _e2603 = phi_1181_;
-                                let _e2605 = phi_2824_;
+                                let _e2593 = phi_1185_;
+                                let _e2595 = phi_1188_;
+                                let _e2597 = phi_2838_;
                                 continue;
                                 continuing {
-                                    phi_1177_ = _e2601;
-                                    phi_1180_ = _e2603;
-                                    break if !(_e2605);
+                                    phi_1184_ = _e2593;
+                                    phi_1187_ = _e2595;
+                                    break if !(_e2597);
                                 }
                             }
-                            let _e2608 = local_11;
-                            if _e2608 {
-                                let _e2610 = local_1.group_mask;
-                                if ((_e2610 & 4278190080u) == 0u) {
-                                    let _e2614 = local_1.len;
-                                    if (_e2614 == 0u) {
-                                        phi_2866_ = false;
+                            let _e2600 = local_11;
+                            if _e2600 {
+                                let _e2602 = local_1.group_mask;
+                                if ((_e2602 & 4278190080u) == 0u) {
+                                    let _e2606 = local_1.len;
+                                    if (_e2606 == 0u) {
+                                        phi_2880_ = false;
                                     } else {
-                                        let _e2618 = local_1.len;
-                                        local_1.len = (_e2618 - 1u);
+                                        let _e2610 = local_1.len;
+                                        local_1.len = (_e2610 - 1u);
+                                        let _e2613 = local_1.len;
+                                        if (_e2613 < 32u) {
+                                        } else {
+                                            return;
+                                        }
+                                        let _e2618 = local_1.first[(0u + _e2613)];
+                                        local_1.group = _e2618;
                                         let _e2621 = local_1.len;
                                         if (_e2621 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2626 = local_1.first[(0u + _e2621)];
-                                        local_1.group = _e2626;
-                                        let _e2629 = local_1.len;
-                                        if (_e2629 < 32u) {
-                                        } else {
-                                            return;
-                                        }
-                                        let _e2634 = local_1.mask[(0u + _e2629)];
-                                        local_1.group_mask = _e2634;
-                                        phi_2866_ = true;
+                                        let _e2626 = local_1.mask[(0u + _e2621)];
+                                        local_1.group_mask = _e2626;
+                                        phi_2880_ = true;
                                     }
-                                    let _e2637 = phi_2866_;
-                                    phi_2867_ = _e2637;
+                                    let _e2629 = phi_2880_;
+                                    phi_2881_ = _e2629;
                                 } else {
-                                    phi_2867_ = true;
+                                    phi_2881_ = true;
                                 }
-                                let _e2639 = phi_2867_;
-                                if _e2639 {
-                                    let _e2641 = local_1.group_mask;
-                                    let _e2647 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2641)), 32u, (_e2641 == 0u)));
-                                    let _e2651 = local_1.group_mask;
-                                    let _e2665 = local_1.group_mask;
-                                    local_1.group_mask = (_e2665 & ~((1u << bitcast<u32>((_e2647 & 31u)))));
-                                    let _e2668 = local_1.group;
-                                    phi_2898_ = (_e2668 + countOneBits(((_e2651 & ~((4294967295u << bitcast<u32>((((_e2647 - 24u) ^ _e467) & 31u))))) & 255u)));
+                                let _e2631 = phi_2881_;
+                                if _e2631 {
+                                    let _e2633 = local_1.group_mask;
+                                    let _e2639 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2633)), 32u, (_e2633 == 0u)));
+                                    let _e2643 = local_1.group_mask;
+                                    let _e2657 = local_1.group_mask;
+                                    local_1.group_mask = (_e2657 & ~((1u << bitcast<u32>((_e2639 & 31u)))));
+                                    let _e2660 = local_1.group;
+                                    phi_2912_ = (_e2660 + countOneBits(((_e2643 & ~((4294967295u << bitcast<u32>((((_e2639 - 24u) ^ _e463) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2898_ = 4294967295u;
+                                    phi_2912_ = 4294967295u;
                                 }
-                                let _e2671 = phi_2898_;
-                                phi_2899_ = _e2671;
+                                let _e2663 = phi_2912_;
+                                phi_2913_ = _e2663;
                             } else {
-                                phi_2899_ = u32();
+                                phi_2913_ = u32();
                             }
-                            let _e2673 = phi_2899_;
-                            phi_846_ = _e2673;
-                            let _e2984 = local_16;
-                            phi_849_ = _e2984;
-                            let _e2987 = local_17;
-                            phi_2900_ = _e2987;
-                            phi_2901_ = false;
+                            let _e2665 = phi_2913_;
+                            phi_853_ = _e2665;
+                            let _e2972 = local_16;
+                            phi_856_ = _e2972;
+                            let _e2975 = local_17;
+                            phi_2914_ = _e2975;
+                            phi_2915_ = false;
                         } else {
-                            phi_846_ = u32();
-                            phi_849_ = bool();
-                            phi_2900_ = false;
-                            phi_2901_ = true;
+                            phi_853_ = u32();
+                            phi_856_ = bool();
+                            phi_2914_ = false;
+                            phi_2915_ = true;
                         }
-                        let _e2675 = phi_846_;
-                        let _e2677 = phi_849_;
-                        let _e2679 = phi_2900_;
-                        let _e2681 = phi_2901_;
-                        local_12 = _e2681;
+                        let _e2667 = phi_853_;
+                        let _e2669 = phi_856_;
+                        let _e2671 = phi_2914_;
+                        let _e2673 = phi_2915_;
+                        local_12 = _e2673;
                         continue;
                         continuing {
-                            phi_845_ = _e2675;
-                            phi_848_ = _e2677;
-                            break if !(_e2679);
+                            phi_852_ = _e2667;
+                            phi_855_ = _e2669;
+                            break if !(_e2671);
                         }
                     }
-                    let _e2684 = local_12;
-                    if _e2684 {
-                        phi_2905_ = false;
+                    let _e2676 = local_12;
+                    if _e2676 {
+                        phi_2919_ = false;
                     } else {
-                        phi_2905_ = true;
+                        phi_2919_ = true;
                     }
-                    let _e2686 = phi_2905_;
-                    if _e2686 {
+                    let _e2678 = phi_2919_;
+                    if _e2678 {
                     }
-                    phi_2909_ = _e2686;
+                    phi_2923_ = _e2678;
                 }
-                let _e2688 = phi_2909_;
-                phi_2910_ = _e323;
-                phi_2911_ = _e2688;
+                let _e2680 = phi_2923_;
+                phi_2924_ = _e315;
+                phi_2925_ = _e2680;
             } else {
-                phi_2910_ = true;
-                phi_2911_ = false;
+                phi_2924_ = true;
+                phi_2925_ = false;
             }
-            let _e2690 = phi_2910_;
-            let _e2692 = phi_2911_;
+            let _e2682 = phi_2924_;
+            let _e2684 = phi_2925_;
+            if _e2682 {
+                phi_2929_ = false;
+                phi_2930_ = true;
+            } else {
+                phi_2929_ = true;
+                phi_2930_ = _e2684;
+            }
+            let _e2686 = phi_2929_;
+            let _e2688 = phi_2930_;
+            if _e2688 {
+                phi_2934_ = _e2686;
+            } else {
+                phi_2934_ = false;
+            }
+            let _e2690 = phi_2934_;
             if _e2690 {
-                phi_2915_ = false;
-                phi_2916_ = true;
+                phi_2938_ = 0f;
             } else {
-                phi_2915_ = true;
-                phi_2916_ = _e2692;
+                phi_2938_ = 1f;
             }
-            let _e2694 = phi_2915_;
-            let _e2696 = phi_2916_;
-            if _e2696 {
-                phi_2920_ = _e2694;
-            } else {
-                phi_2920_ = false;
-            }
-            let _e2698 = phi_2920_;
-            if _e2698 {
-                phi_2924_ = 0f;
-            } else {
-                phi_2924_ = 1f;
-            }
-            let _e2700 = phi_2924_;
-            phi_2925_ = _e2700;
+            let _e2692 = phi_2938_;
+            phi_2939_ = _e2692;
         }
-        let _e2702 = phi_2925_;
-        if (_e79.first_primitive < arrayLength((&visibility.member))) {
+        let _e2694 = phi_2939_;
+        if (_e79.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79.first_primitive)] = _e2702;
+        visibility.member[(0u + _e79.shift)] = _e2694;
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -61,7 +62,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_30 {
+struct type_31 {
     member: abi_ShadowParams,
 }
 
@@ -73,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -86,13 +87,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -108,1477 +109,1524 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_150_: bool;
-    var phi_154_: f32;
+    var phi_158_: bool;
+    var phi_162_: f32;
 
     if (param != param) {
-        phi_150_ = true;
+        phi_158_ = true;
     } else {
-        let _e54 = (param_1 >= param);
-        if _e54 {
+        let _e57 = (param_1 >= param);
+        if _e57 {
         }
-        phi_150_ = _e54;
+        phi_158_ = _e57;
     }
-    let _e56 = phi_150_;
-    if _e56 {
-        phi_154_ = param_1;
+    let _e59 = phi_158_;
+    if _e59 {
+        phi_162_ = param_1;
     } else {
-        phi_154_ = param;
+        phi_162_ = param;
     }
-    let _e58 = phi_154_;
-    return _e58;
+    let _e61 = phi_162_;
+    return _e61;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_166_: bool;
-    var phi_170_: f32;
+    var phi_174_: bool;
+    var phi_178_: f32;
 
     if (param_2 != param_2) {
-        phi_166_ = true;
+        phi_174_ = true;
     } else {
-        let _e54 = (param_3 <= param_2);
-        if _e54 {
+        let _e57 = (param_3 <= param_2);
+        if _e57 {
         }
-        phi_166_ = _e54;
+        phi_174_ = _e57;
     }
-    let _e56 = phi_166_;
-    if _e56 {
-        phi_170_ = param_3;
+    let _e59 = phi_174_;
+    if _e59 {
+        phi_178_ = param_3;
     } else {
-        phi_170_ = param_2;
+        phi_178_ = param_2;
     }
-    let _e58 = phi_170_;
-    return _e58;
+    let _e61 = phi_178_;
+    return _e61;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_247_: f32;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_304_: bool;
+    var phi_255_: f32;
+    var phi_286_: bool;
+    var phi_287_: bool;
+    var phi_288_: bool;
+    var phi_289_: bool;
+    var phi_293_: bool;
+    var phi_306_: bool;
+    var phi_307_: bool;
     var phi_308_: bool;
     var phi_309_: bool;
-    var phi_310_: bool;
-    var phi_311_: bool;
-    var phi_312_: bool;
     var phi_313_: bool;
-    var phi_314_: bool;
-    var phi_315_: bool;
-    var phi_316_: bool;
-    var phi_317_: bool;
-    var phi_318_: bool;
-    var phi_319_: bool;
-    var phi_320_: bool;
-    var phi_321_: bool;
-    var phi_322_: bool;
-    var phi_323_: bool;
-    var phi_324_: bool;
-    var phi_325_: bool;
-    var phi_329_: bool;
+    var phi_326_: bool;
+    var phi_327_: bool;
+    var phi_328_: bool;
+    var phi_332_: bool;
     var phi_333_: bool;
-    var phi_403_: f32;
+    var phi_334_: bool;
+    var phi_335_: bool;
+    var phi_336_: bool;
+    var phi_340_: bool;
     var phi_410_: f32;
     var phi_417_: f32;
     var phi_424_: f32;
     var phi_431_: f32;
     var phi_438_: f32;
-    var phi_455_: f32;
-    var phi_460_: f32;
-    var phi_465_: f32;
-    var phi_493_: bool;
-    var phi_494_: bool;
-    var phi_502_: u32;
-    var phi_503_: u32;
-    var phi_514_: vec3<f32>;
-    var phi_515_: vec3<f32>;
-    var phi_528_: u32;
-    var phi_533_: u32;
-    var phi_538_: u32;
-    var phi_652_: bool;
-    var phi_653_: bool;
-    var phi_684_: u32;
-    var phi_686_: u32;
-    var phi_689_: bool;
-    var phi_769_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_796_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_823_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_829_: u32;
-    var phi_832_: u32;
-    var phi_846_: u32;
-    var phi_856_: u32;
-    var phi_866_: u32;
-    var phi_884_: u32;
-    var phi_894_: u32;
-    var phi_904_: u32;
-    var phi_940_: u32;
-    var phi_953_: u32;
-    var phi_958_: u32;
-    var phi_959_: u32;
-    var phi_960_: u32;
-    var phi_830_: u32;
-    var phi_833_: u32;
+    var phi_445_: f32;
+    var phi_462_: f32;
+    var phi_467_: f32;
+    var phi_472_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_508_: bool;
+    var phi_509_: bool;
+    var phi_517_: u32;
+    var phi_518_: u32;
+    var phi_529_: vec3<f32>;
+    var phi_530_: vec3<f32>;
+    var phi_543_: u32;
+    var phi_548_: u32;
+    var phi_553_: u32;
+    var phi_667_: bool;
+    var phi_668_: bool;
+    var phi_699_: u32;
+    var phi_701_: u32;
+    var phi_704_: bool;
+    var phi_784_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_811_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_838_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_844_: u32;
+    var phi_847_: u32;
+    var phi_861_: u32;
+    var phi_871_: u32;
+    var phi_881_: u32;
+    var phi_899_: u32;
+    var phi_909_: u32;
+    var phi_919_: u32;
+    var phi_955_: u32;
+    var phi_968_: u32;
+    var phi_973_: u32;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_845_: u32;
+    var phi_848_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1018_: u32;
-    var phi_1021_: bool;
-    var phi_1065_: vec3<f32>;
-    var phi_1066_: vec3<f32>;
-    var phi_1095_: vec3<f32>;
-    var phi_1096_: vec3<f32>;
-    var phi_1125_: vec3<f32>;
-    var phi_1126_: vec3<f32>;
-    var phi_1144_: bool;
-    var phi_1145_: bool;
-    var phi_1149_: f32;
-    var phi_1150_: f32;
-    var phi_1151_: f32;
-    var phi_1152_: f32;
-    var phi_1160_: f32;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
+    var phi_1033_: u32;
+    var phi_1036_: bool;
+    var phi_1080_: vec3<f32>;
+    var phi_1081_: vec3<f32>;
+    var phi_1110_: vec3<f32>;
+    var phi_1111_: vec3<f32>;
+    var phi_1140_: vec3<f32>;
+    var phi_1141_: vec3<f32>;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1164_: f32;
+    var phi_1165_: f32;
+    var phi_1166_: f32;
+    var phi_1167_: f32;
     var phi_1175_: f32;
-    var phi_1176_: f32;
-    var phi_1177_: f32;
-    var phi_1178_: f32;
-    var phi_1186_: f32;
-    var phi_1196_: bool;
-    var phi_1197_: bool;
+    var phi_1185_: bool;
+    var phi_1186_: bool;
+    var phi_1190_: f32;
+    var phi_1191_: f32;
+    var phi_1192_: f32;
+    var phi_1193_: f32;
     var phi_1201_: f32;
-    var phi_1202_: f32;
-    var phi_1203_: f32;
-    var phi_1204_: f32;
-    var phi_1212_: f32;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1216_: f32;
+    var phi_1217_: f32;
+    var phi_1218_: f32;
+    var phi_1219_: f32;
     var phi_1227_: f32;
-    var phi_1228_: bool;
-    var phi_1229_: f32;
-    var phi_1230_: bool;
-    var phi_1231_: f32;
-    var phi_1232_: bool;
-    var phi_1250_: f32;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: f32;
-    var phi_1254_: bool;
-    var phi_1255_: bool;
-    var phi_1259_: bool;
-    var phi_1260_: f32;
-    var phi_1261_: bool;
-    var phi_1289_: vec3<f32>;
-    var phi_1290_: vec3<f32>;
-    var phi_1315_: vec3<f32>;
-    var phi_1316_: vec3<f32>;
-    var phi_1341_: vec3<f32>;
-    var phi_1342_: vec3<f32>;
-    var phi_1398_: f32;
-    var phi_1407_: f32;
-    var phi_1416_: f32;
-    var phi_1425_: f32;
-    var phi_1432_: f32;
-    var phi_1439_: f32;
-    var phi_1452_: f32;
-    var phi_1461_: f32;
-    var phi_1470_: f32;
-    var phi_1479_: f32;
-    var phi_1486_: f32;
-    var phi_1493_: f32;
-    var phi_1510_: f32;
-    var phi_1515_: f32;
-    var phi_1520_: f32;
-    var phi_1528_: f32;
-    var phi_1533_: f32;
-    var phi_1538_: f32;
-    var phi_1550_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: f32;
+    var phi_1242_: f32;
+    var phi_1243_: bool;
+    var phi_1244_: f32;
+    var phi_1245_: bool;
+    var phi_1246_: f32;
+    var phi_1247_: bool;
+    var phi_1265_: f32;
+    var phi_1266_: bool;
+    var phi_1267_: bool;
+    var phi_1268_: f32;
+    var phi_1269_: bool;
+    var phi_1270_: bool;
+    var phi_1274_: bool;
+    var phi_1275_: f32;
+    var phi_1276_: bool;
+    var phi_1304_: vec3<f32>;
+    var phi_1305_: vec3<f32>;
+    var phi_1330_: vec3<f32>;
+    var phi_1331_: vec3<f32>;
+    var phi_1356_: vec3<f32>;
+    var phi_1357_: vec3<f32>;
+    var phi_1413_: f32;
+    var phi_1422_: f32;
+    var phi_1431_: f32;
+    var phi_1440_: f32;
+    var phi_1447_: f32;
+    var phi_1454_: f32;
+    var phi_1467_: f32;
+    var phi_1476_: f32;
+    var phi_1485_: f32;
+    var phi_1494_: f32;
+    var phi_1501_: f32;
+    var phi_1508_: f32;
+    var phi_1525_: f32;
+    var phi_1530_: f32;
+    var phi_1535_: f32;
+    var phi_1543_: f32;
+    var phi_1548_: f32;
+    var phi_1553_: f32;
     var phi_1565_: f32;
-    var phi_1570_: lt_bvh_triangle_Intersection;
-    var phi_1571_: bool;
-    var phi_1572_: lt_bvh_triangle_Intersection;
-    var phi_1573_: bool;
-    var phi_1577_: lt_bvh_triangle_Intersection;
-    var phi_1578_: bool;
-    var phi_1579_: lt_bvh_triangle_Intersection;
-    var phi_1580_: bool;
-    var phi_1581_: bool;
-    var phi_1585_: bool;
-    var phi_1589_: lt_bvh_triangle_Intersection;
-    var phi_1609_: bool;
-    var phi_1610_: bool;
-    var phi_1611_: bool;
-    var phi_1612_: bool;
-    var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1615_: bool;
-    var phi_1019_: u32;
-    var phi_1022_: bool;
-    var phi_1619_: bool;
+    var phi_1570_: f32;
+    var phi_1575_: f32;
+    var phi_1580_: f32;
+    var phi_1585_: lt_bvh_triangle_Intersection;
+    var phi_1586_: bool;
+    var phi_1587_: lt_bvh_triangle_Intersection;
+    var phi_1588_: bool;
+    var phi_1592_: lt_bvh_triangle_Intersection;
+    var phi_1593_: bool;
+    var phi_1594_: lt_bvh_triangle_Intersection;
+    var phi_1595_: bool;
+    var phi_1596_: bool;
+    var phi_1600_: bool;
+    var phi_1604_: lt_bvh_triangle_Intersection;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
+    var phi_1626_: bool;
+    var phi_1627_: bool;
+    var phi_1628_: bool;
+    var phi_1629_: bool;
+    var phi_1630_: bool;
+    var phi_1034_: u32;
+    var phi_1037_: bool;
+    var phi_1634_: bool;
     var local_4: bool;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
-    var phi_1693_: u32;
-    var phi_1694_: u32;
-    var phi_687_: u32;
-    var phi_690_: bool;
-    var phi_1695_: bool;
-    var phi_1696_: bool;
-    var local_5: bool;
-    var phi_1700_: bool;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
+    var phi_1676_: bool;
+    var phi_1677_: bool;
+    var phi_1708_: u32;
+    var phi_1709_: u32;
+    var phi_702_: u32;
+    var phi_705_: bool;
+    var phi_1710_: bool;
     var phi_1711_: bool;
-    var phi_1715_: f32;
-    var phi_1736_: u32;
-    var phi_1751_: u32;
-    var phi_1756_: u32;
+    var local_5: bool;
+    var phi_1715_: bool;
+    var phi_1719_: bool;
+    var phi_1720_: bool;
+    var phi_1721_: bool;
+    var phi_1722_: bool;
+    var phi_1726_: bool;
+    var phi_1730_: f32;
+    var phi_1771_: u32;
+    var phi_1790_: u32;
+    var phi_1798_: u32;
+    var phi_1806_: u32;
+    var phi_1811_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
 
-    let _e52 = id_1;
-    let _e59 = arrayLength((&nodes.member));
-    let _e65 = arrayLength((&visibility.member));
-    let _e68 = arrayLength((&list.member));
-    let _e71 = arrayLength((&bits.member));
-    let _e75 = ((_e52.y * 2097152u) + _e52.x);
-    if (3u < _e68) {
+    let _e55 = id_1;
+    let _e62 = arrayLength((&nodes.member));
+    let _e68 = arrayLength((&visibility.member));
+    let _e71 = arrayLength((&list.member));
+    let _e74 = arrayLength((&bits.member));
+    let _e78 = ((_e55.y * 2097152u) + _e55.x);
+    if (3u < _e71) {
     } else {
         return;
     }
-    let _e78 = list.member[3u];
-    if (_e75 < _e78) {
-        let _e80 = (_e75 + 4u);
-        if (_e80 < _e68) {
+    let _e81 = list.member[3u];
+    if (_e78 < _e81) {
+        let _e83 = (_e78 + 4u);
+        if (_e83 < _e71) {
         } else {
             return;
         }
-        let _e84 = list.member[(0u + _e80)];
-        if (_e84 < arrayLength((&samples.member))) {
+        let _e87 = list.member[(0u + _e83)];
+        if (_e87 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e90 = samples.member[(0u + _e84)].position;
-        let _e92 = samples.member[(0u + _e84)].normal;
-        let _e94 = samples.member[(0u + _e84)].magnitude;
-        let _e96 = ((8f / 8388608f) * _e94);
-        let _e104 = (_e90.x + (_e92.x * _e96));
-        let _e106 = (_e90.y + (_e92.y * _e96));
-        let _e108 = (_e90.z + (_e92.z * _e96));
-        let _e110 = p.member.light.place;
-        if (_e110.w == 0f) {
-            phi_247_ = 300000000000000000000000000000000000000f;
+        let _e93 = samples.member[(0u + _e87)].position;
+        let _e95 = samples.member[(0u + _e87)].normal;
+        let _e97 = samples.member[(0u + _e87)].magnitude;
+        let _e99 = ((8f / 8388608f) * _e97);
+        let _e107 = (_e93.x + (_e95.x * _e99));
+        let _e109 = (_e93.y + (_e95.y * _e99));
+        let _e111 = (_e93.z + (_e95.z * _e99));
+        let _e113 = p.member.light.place;
+        if (_e113.w == 0f) {
+            phi_255_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_247_ = 1f;
+            phi_255_ = 1f;
         }
-        let _e114 = phi_247_;
-        let _e122 = (_e110.x - (_e104 * _e110.w));
-        let _e123 = (_e110.y - (_e106 * _e110.w));
-        let _e124 = (_e110.z - (_e108 * _e110.w));
-        let _e129 = abs(_e122);
-        let _e130 = abs(_e123);
-        let _e131 = abs(_e124);
-        if (abs(_e104) < 1000000000000000f) {
-            if (abs(_e106) < 1000000000000000f) {
-                if (abs(_e108) < 1000000000000000f) {
-                    if (_e129 < 1000000000000000f) {
-                        if (_e130 < 1000000000000000f) {
-                            if (_e131 < 1000000000000000f) {
-                                if (_e129 > 0f) {
-                                    phi_303_ = bool();
-                                    phi_304_ = true;
-                                } else {
-                                    let _e139 = (_e130 > 0f);
-                                    if _e139 {
-                                        phi_302_ = bool();
-                                    } else {
-                                        phi_302_ = (_e131 > 0f);
-                                    }
-                                    let _e142 = phi_302_;
-                                    phi_303_ = _e142;
-                                    phi_304_ = _e139;
-                                }
-                                let _e144 = phi_303_;
-                                let _e146 = phi_304_;
-                                if _e146 {
-                                    phi_308_ = true;
-                                } else {
-                                    phi_308_ = _e144;
-                                }
-                                let _e148 = phi_308_;
-                                phi_309_ = _e148;
-                                phi_310_ = false;
-                            } else {
-                                phi_309_ = bool();
-                                phi_310_ = true;
-                            }
-                            let _e150 = phi_309_;
-                            let _e152 = phi_310_;
-                            phi_311_ = _e150;
-                            phi_312_ = false;
-                            phi_313_ = _e152;
-                        } else {
-                            phi_311_ = bool();
-                            phi_312_ = true;
-                            phi_313_ = false;
-                        }
-                        let _e154 = phi_311_;
-                        let _e156 = phi_312_;
-                        let _e158 = phi_313_;
-                        phi_314_ = _e154;
-                        phi_315_ = _e156;
-                        phi_316_ = _e158;
-                    } else {
-                        phi_314_ = bool();
-                        phi_315_ = true;
-                        phi_316_ = false;
-                    }
-                    let _e160 = phi_314_;
-                    let _e162 = phi_315_;
-                    let _e164 = phi_316_;
-                    phi_317_ = _e160;
-                    phi_318_ = _e162;
-                    phi_319_ = _e164;
-                } else {
-                    phi_317_ = bool();
-                    phi_318_ = true;
-                    phi_319_ = false;
-                }
-                let _e166 = phi_317_;
-                let _e168 = phi_318_;
-                let _e170 = phi_319_;
-                phi_320_ = _e166;
-                phi_321_ = _e168;
-                phi_322_ = _e170;
+        let _e117 = phi_255_;
+        let _e125 = (_e113.x - (_e107 * _e113.w));
+        let _e126 = (_e113.y - (_e109 * _e113.w));
+        let _e127 = (_e113.z - (_e111 * _e113.w));
+        let _e129 = abs(_e125);
+        let _e130 = abs(_e126);
+        let _e131 = abs(_e127);
+        if (abs(_e107) < 1000000000000000f) {
+            if (abs(_e109) < 1000000000000000f) {
+                phi_286_ = (abs(_e111) < 1000000000000000f);
+                phi_287_ = false;
             } else {
-                phi_320_ = bool();
-                phi_321_ = true;
-                phi_322_ = false;
+                phi_286_ = bool();
+                phi_287_ = true;
             }
-            let _e172 = phi_320_;
-            let _e174 = phi_321_;
-            let _e176 = phi_322_;
-            phi_323_ = _e172;
-            phi_324_ = _e174;
-            phi_325_ = _e176;
+            let _e139 = phi_286_;
+            let _e141 = phi_287_;
+            phi_288_ = _e139;
+            phi_289_ = _e141;
         } else {
-            phi_323_ = bool();
-            phi_324_ = true;
-            phi_325_ = false;
+            phi_288_ = bool();
+            phi_289_ = true;
         }
-        let _e178 = phi_323_;
-        let _e180 = phi_324_;
-        let _e182 = phi_325_;
-        if _e180 {
-            phi_329_ = true;
+        let _e143 = phi_288_;
+        let _e145 = phi_289_;
+        if _e145 {
+            phi_293_ = false;
         } else {
-            phi_329_ = _e182;
+            phi_293_ = _e143;
         }
-        let _e184 = phi_329_;
-        if _e184 {
-            phi_333_ = false;
-        } else {
-            phi_333_ = _e178;
-        }
-        let _e186 = phi_333_;
-        if _e186 {
-            let _e187 = (0u >= _e59);
-            if _e187 {
-                phi_1705_ = bool();
+        let _e147 = phi_293_;
+        if _e147 {
+            if (_e129 < 1000000000000000f) {
+                if (_e130 < 1000000000000000f) {
+                    phi_306_ = (_e131 < 1000000000000000f);
+                    phi_307_ = false;
+                } else {
+                    phi_306_ = bool();
+                    phi_307_ = true;
+                }
+                let _e152 = phi_306_;
+                let _e154 = phi_307_;
+                phi_308_ = _e152;
+                phi_309_ = _e154;
             } else {
-                if (0u < _e59) {
+                phi_308_ = bool();
+                phi_309_ = true;
+            }
+            let _e156 = phi_308_;
+            let _e158 = phi_309_;
+            if _e158 {
+                phi_313_ = false;
+            } else {
+                phi_313_ = _e156;
+            }
+            let _e160 = phi_313_;
+            if _e160 {
+                if (_e129 > 0f) {
+                    phi_327_ = bool();
+                    phi_328_ = true;
+                } else {
+                    let _e162 = (_e130 > 0f);
+                    if _e162 {
+                        phi_326_ = bool();
+                    } else {
+                        phi_326_ = (_e131 > 0f);
+                    }
+                    let _e165 = phi_326_;
+                    phi_327_ = _e165;
+                    phi_328_ = _e162;
+                }
+                let _e167 = phi_327_;
+                let _e169 = phi_328_;
+                if _e169 {
+                    phi_332_ = true;
+                } else {
+                    phi_332_ = _e167;
+                }
+                let _e171 = phi_332_;
+                phi_333_ = _e171;
+                phi_334_ = false;
+            } else {
+                phi_333_ = bool();
+                phi_334_ = true;
+            }
+            let _e173 = phi_333_;
+            let _e175 = phi_334_;
+            phi_335_ = _e173;
+            phi_336_ = _e175;
+        } else {
+            phi_335_ = bool();
+            phi_336_ = true;
+        }
+        let _e177 = phi_335_;
+        let _e179 = phi_336_;
+        if _e179 {
+            phi_340_ = false;
+        } else {
+            phi_340_ = _e177;
+        }
+        let _e181 = phi_340_;
+        if _e181 {
+            let _e182 = (0u >= _e62);
+            if _e182 {
+                phi_1720_ = bool();
+            } else {
+                if (0u < _e62) {
                 } else {
                     return;
                 }
-                let _e193 = nodes.member[(0u + 0u)].frame[0u];
-                let _e197 = nodes.member[(0u + 0u)].frame[1u];
-                let _e201 = nodes.member[(0u + 0u)].frame[2u];
-                let _e205 = nodes.member[(0u + 0u)].frame[0u];
-                let _e209 = nodes.member[(0u + 0u)].frame[1u];
-                let _e213 = nodes.member[(0u + 0u)].frame[2u];
-                let _e217 = nodes.member[(0u + 0u)].frame[3u];
-                let _e251 = core_intrinsics_maximum_number_nsz_f32_(abs(_e122), abs(_e123));
-                let _e252 = core_intrinsics_maximum_number_nsz_f32_(_e251, abs(_e124));
-                let _e253 = (_e252 * 0.0000000000009094947f);
-                if (abs(_e122) < _e253) {
-                    phi_403_ = _e253;
+                let _e188 = nodes.member[(0u + 0u)].frame[0u];
+                let _e192 = nodes.member[(0u + 0u)].frame[1u];
+                let _e196 = nodes.member[(0u + 0u)].frame[2u];
+                let _e200 = nodes.member[(0u + 0u)].frame[0u];
+                let _e204 = nodes.member[(0u + 0u)].frame[1u];
+                let _e208 = nodes.member[(0u + 0u)].frame[2u];
+                let _e212 = nodes.member[(0u + 0u)].frame[3u];
+                let _e246 = core_intrinsics_maximum_number_nsz_f32_(abs(_e125), abs(_e126));
+                let _e247 = core_intrinsics_maximum_number_nsz_f32_(_e246, abs(_e127));
+                let _e248 = (_e247 * 0.0000000000009094947f);
+                if (abs(_e125) < _e248) {
+                    phi_410_ = _e248;
                 } else {
-                    phi_403_ = abs(_e122);
+                    phi_410_ = abs(_e125);
                 }
-                let _e258 = phi_403_;
-                if (_e122 < 0f) {
-                    phi_410_ = (-1f / _e258);
+                let _e253 = phi_410_;
+                if (_e125 < 0f) {
+                    phi_417_ = (-1f / _e253);
                 } else {
-                    phi_410_ = (1f / _e258);
+                    phi_417_ = (1f / _e253);
                 }
-                let _e263 = phi_410_;
-                if (abs(_e123) < _e253) {
-                    phi_417_ = _e253;
+                let _e258 = phi_417_;
+                if (abs(_e126) < _e248) {
+                    phi_424_ = _e248;
                 } else {
-                    phi_417_ = abs(_e123);
+                    phi_424_ = abs(_e126);
                 }
-                let _e268 = phi_417_;
-                if (_e123 < 0f) {
-                    phi_424_ = (-1f / _e268);
+                let _e263 = phi_424_;
+                if (_e126 < 0f) {
+                    phi_431_ = (-1f / _e263);
                 } else {
-                    phi_424_ = (1f / _e268);
+                    phi_431_ = (1f / _e263);
                 }
-                let _e273 = phi_424_;
-                if (abs(_e124) < _e253) {
-                    phi_431_ = _e253;
+                let _e268 = phi_431_;
+                if (abs(_e127) < _e248) {
+                    phi_438_ = _e248;
                 } else {
-                    phi_431_ = abs(_e124);
+                    phi_438_ = abs(_e127);
                 }
-                let _e278 = phi_431_;
-                if (_e124 < 0f) {
-                    phi_438_ = (-1f / _e278);
+                let _e273 = phi_438_;
+                if (_e127 < 0f) {
+                    phi_445_ = (-1f / _e273);
                 } else {
-                    phi_438_ = (1f / _e278);
+                    phi_445_ = (1f / _e273);
                 }
-                let _e283 = phi_438_;
-                let _e287 = abs((bitcast<f32>(_e193) - _e104));
-                let _e288 = abs((bitcast<f32>(_e197) - _e106));
-                let _e289 = abs((bitcast<f32>(_e201) - _e108));
-                let _e293 = abs(((bitcast<f32>(_e205) + (bitcast<f32>((((_e217 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e104));
-                let _e294 = abs(((bitcast<f32>(_e209) + (bitcast<f32>((((_e217 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e106));
-                let _e295 = abs(((bitcast<f32>(_e213) + (bitcast<f32>((((_e217 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e108));
-                if (_e287 > _e293) {
-                    phi_455_ = _e287;
+                let _e278 = phi_445_;
+                let _e282 = abs((bitcast<f32>(_e188) - _e107));
+                let _e283 = abs((bitcast<f32>(_e192) - _e109));
+                let _e284 = abs((bitcast<f32>(_e196) - _e111));
+                let _e288 = abs(((bitcast<f32>(_e200) + (bitcast<f32>((((_e212 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
+                let _e289 = abs(((bitcast<f32>(_e204) + (bitcast<f32>((((_e212 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
+                let _e290 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e212 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e111));
+                if (_e282 > _e288) {
+                    phi_462_ = _e282;
                 } else {
-                    phi_455_ = _e293;
+                    phi_462_ = _e288;
                 }
-                let _e298 = phi_455_;
-                if (_e288 > _e294) {
-                    phi_460_ = _e288;
+                let _e293 = phi_462_;
+                if (_e283 > _e289) {
+                    phi_467_ = _e283;
                 } else {
-                    phi_460_ = _e294;
+                    phi_467_ = _e289;
                 }
-                let _e301 = phi_460_;
-                if (_e289 > _e295) {
-                    phi_465_ = _e289;
+                let _e296 = phi_467_;
+                if (_e284 > _e290) {
+                    phi_472_ = _e284;
                 } else {
-                    phi_465_ = _e295;
+                    phi_472_ = _e290;
                 }
-                let _e304 = phi_465_;
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e298, _e301);
-                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, _e304);
-                let _e310 = (_e306 * 0.0000019073486f);
-                let _e311 = (abs(_e263) * _e310);
-                let _e312 = (abs(_e273) * _e310);
-                let _e313 = (abs(_e283) * _e310);
-                let _e317 = (_e306 * 0.0000009536743f);
-                let _e318 = (abs(_e263) * _e317);
-                let _e319 = (abs(_e273) * _e317);
-                let _e320 = (abs(_e283) * _e317);
-                let _e321 = abs(_e122);
-                let _e322 = abs(_e123);
-                let _e323 = abs(_e124);
-                if (_e321 >= _e322) {
-                    if (_e321 >= _e323) {
-                        phi_493_ = false;
+                let _e299 = phi_472_;
+                if (_e293 > _e296) {
+                    phi_477_ = _e293;
+                } else {
+                    phi_477_ = _e296;
+                }
+                let _e302 = phi_477_;
+                if (_e302 > _e299) {
+                    phi_482_ = _e302;
+                } else {
+                    phi_482_ = _e299;
+                }
+                let _e305 = phi_482_;
+                let _e309 = (_e305 * 0.0000019073486f);
+                let _e310 = (abs(_e258) * _e309);
+                let _e311 = (abs(_e268) * _e309);
+                let _e312 = (abs(_e278) * _e309);
+                let _e316 = (_e305 * 0.0000009536743f);
+                let _e317 = (abs(_e258) * _e316);
+                let _e318 = (abs(_e268) * _e316);
+                let _e319 = (abs(_e278) * _e316);
+                let _e320 = abs(_e125);
+                let _e321 = abs(_e126);
+                let _e322 = abs(_e127);
+                if (_e320 >= _e321) {
+                    if (_e320 >= _e322) {
+                        phi_508_ = false;
                     } else {
-                        phi_493_ = true;
+                        phi_508_ = true;
                     }
-                    let _e327 = phi_493_;
-                    phi_494_ = _e327;
+                    let _e326 = phi_508_;
+                    phi_509_ = _e326;
                 } else {
-                    phi_494_ = true;
+                    phi_509_ = true;
                 }
-                let _e329 = phi_494_;
-                if _e329 {
-                    if (_e322 >= _e323) {
-                        phi_502_ = 1u;
+                let _e328 = phi_509_;
+                if _e328 {
+                    if (_e321 >= _e322) {
+                        phi_517_ = 1u;
                     } else {
-                        phi_502_ = 2u;
+                        phi_517_ = 2u;
                     }
-                    let _e332 = phi_502_;
-                    phi_503_ = _e332;
+                    let _e331 = phi_517_;
+                    phi_518_ = _e331;
                 } else {
-                    phi_503_ = 0u;
+                    phi_518_ = 0u;
                 }
-                let _e334 = phi_503_;
-                if (_e334 == 0u) {
-                    phi_515_ = vec3<f32>(_e123, _e124, _e122);
+                let _e333 = phi_518_;
+                if (_e333 == 0u) {
+                    phi_530_ = vec3<f32>(_e126, _e127, _e125);
                 } else {
-                    if (_e334 == 1u) {
-                        phi_514_ = vec3<f32>(_e124, _e122, _e123);
+                    if (_e333 == 1u) {
+                        phi_529_ = vec3<f32>(_e127, _e125, _e126);
                     } else {
-                        phi_514_ = vec3<f32>(_e122, _e123, _e124);
+                        phi_529_ = vec3<f32>(_e125, _e126, _e127);
                     }
-                    let _e340 = phi_514_;
-                    phi_515_ = _e340;
+                    let _e339 = phi_529_;
+                    phi_530_ = _e339;
                 }
-                let _e342 = phi_515_;
-                let _e345 = (_e342.x / _e342.z);
-                let _e348 = (_e342.y / _e342.z);
-                if (_e263 < 0f) {
-                    phi_528_ = 0u;
+                let _e341 = phi_530_;
+                let _e344 = (_e341.x / _e341.z);
+                let _e347 = (_e341.y / _e341.z);
+                if (_e258 < 0f) {
+                    phi_543_ = 0u;
                 } else {
-                    phi_528_ = 1u;
+                    phi_543_ = 1u;
                 }
-                let _e353 = phi_528_;
-                if (_e273 < 0f) {
-                    phi_533_ = 0u;
+                let _e352 = phi_543_;
+                if (_e268 < 0f) {
+                    phi_548_ = 0u;
                 } else {
-                    phi_533_ = 2u;
+                    phi_548_ = 2u;
                 }
-                let _e356 = phi_533_;
-                if (_e283 < 0f) {
-                    phi_538_ = 0u;
+                let _e355 = phi_548_;
+                if (_e278 < 0f) {
+                    phi_553_ = 0u;
                 } else {
-                    phi_538_ = 4u;
+                    phi_553_ = 4u;
                 }
-                let _e359 = phi_538_;
-                let _e361 = ((_e353 | _e356) | _e359);
-                let _e362 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e362.first[0], _e362.first[1], _e362.first[2], _e362.first[3], _e362.first[4], _e362.first[5], _e362.first[6], _e362.first[7], _e362.first[8], _e362.first[9], _e362.first[10], _e362.first[11], _e362.first[12], _e362.first[13], _e362.first[14], _e362.first[15], _e362.first[16], _e362.first[17], _e362.first[18], _e362.first[19], _e362.first[20], _e362.first[21], _e362.first[22], _e362.first[23], _e362.first[24], _e362.first[25], _e362.first[26], _e362.first[27], _e362.first[28], _e362.first[29], _e362.first[30], _e362.first[31]), array<u32, 32>(_e362.mask[0], _e362.mask[1], _e362.mask[2], _e362.mask[3], _e362.mask[4], _e362.mask[5], _e362.mask[6], _e362.mask[7], _e362.mask[8], _e362.mask[9], _e362.mask[10], _e362.mask[11], _e362.mask[12], _e362.mask[13], _e362.mask[14], _e362.mask[15], _e362.mask[16], _e362.mask[17], _e362.mask[18], _e362.mask[19], _e362.mask[20], _e362.mask[21], _e362.mask[22], _e362.mask[23], _e362.mask[24], _e362.mask[25], _e362.mask[26], _e362.mask[27], _e362.mask[28], _e362.mask[29], _e362.mask[30], _e362.mask[31]), _e362.len, _e362.group, _e362.group_mask);
-                let _e436 = local.group_mask;
-                if ((_e436 & 4278190080u) == 0u) {
-                    let _e440 = local.len;
-                    if (_e440 == 0u) {
-                        phi_652_ = false;
+                let _e358 = phi_553_;
+                let _e360 = ((_e352 | _e355) | _e358);
+                let _e361 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e361.first[0], _e361.first[1], _e361.first[2], _e361.first[3], _e361.first[4], _e361.first[5], _e361.first[6], _e361.first[7], _e361.first[8], _e361.first[9], _e361.first[10], _e361.first[11], _e361.first[12], _e361.first[13], _e361.first[14], _e361.first[15], _e361.first[16], _e361.first[17], _e361.first[18], _e361.first[19], _e361.first[20], _e361.first[21], _e361.first[22], _e361.first[23], _e361.first[24], _e361.first[25], _e361.first[26], _e361.first[27], _e361.first[28], _e361.first[29], _e361.first[30], _e361.first[31]), array<u32, 32>(_e361.mask[0], _e361.mask[1], _e361.mask[2], _e361.mask[3], _e361.mask[4], _e361.mask[5], _e361.mask[6], _e361.mask[7], _e361.mask[8], _e361.mask[9], _e361.mask[10], _e361.mask[11], _e361.mask[12], _e361.mask[13], _e361.mask[14], _e361.mask[15], _e361.mask[16], _e361.mask[17], _e361.mask[18], _e361.mask[19], _e361.mask[20], _e361.mask[21], _e361.mask[22], _e361.mask[23], _e361.mask[24], _e361.mask[25], _e361.mask[26], _e361.mask[27], _e361.mask[28], _e361.mask[29], _e361.mask[30], _e361.mask[31]), _e361.len, _e361.group, _e361.group_mask);
+                let _e435 = local.group_mask;
+                if ((_e435 & 4278190080u) == 0u) {
+                    let _e439 = local.len;
+                    if (_e439 == 0u) {
+                        phi_667_ = false;
                     } else {
-                        let _e444 = local.len;
-                        local.len = (_e444 - 1u);
-                        let _e447 = local.len;
-                        if (_e447 < 32u) {
+                        let _e443 = local.len;
+                        local.len = (_e443 - 1u);
+                        let _e446 = local.len;
+                        if (_e446 < 32u) {
                         } else {
                             return;
                         }
-                        let _e452 = local.first[(0u + _e447)];
-                        local.group = _e452;
-                        let _e455 = local.len;
-                        if (_e455 < 32u) {
+                        let _e451 = local.first[(0u + _e446)];
+                        local.group = _e451;
+                        let _e454 = local.len;
+                        if (_e454 < 32u) {
                         } else {
                             return;
                         }
-                        let _e460 = local.mask[(0u + _e455)];
-                        local.group_mask = _e460;
-                        phi_652_ = true;
+                        let _e459 = local.mask[(0u + _e454)];
+                        local.group_mask = _e459;
+                        phi_667_ = true;
                     }
-                    let _e463 = phi_652_;
-                    phi_653_ = _e463;
+                    let _e462 = phi_667_;
+                    phi_668_ = _e462;
                 } else {
-                    phi_653_ = true;
+                    phi_668_ = true;
                 }
-                let _e465 = phi_653_;
-                if _e465 {
-                    let _e467 = local.group_mask;
-                    let _e473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u)));
-                    let _e477 = local.group_mask;
-                    let _e491 = local.group_mask;
-                    local.group_mask = (_e491 & ~((1u << bitcast<u32>((_e473 & 31u)))));
-                    let _e494 = local.group;
-                    phi_684_ = (_e494 + countOneBits(((_e477 & ~((4294967295u << bitcast<u32>((((_e473 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e464 = phi_668_;
+                if _e464 {
+                    let _e466 = local.group_mask;
+                    let _e472 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, (_e466 == 0u)));
+                    let _e476 = local.group_mask;
+                    let _e490 = local.group_mask;
+                    local.group_mask = (_e490 & ~((1u << bitcast<u32>((_e472 & 31u)))));
+                    let _e493 = local.group;
+                    phi_699_ = (_e493 + countOneBits(((_e476 & ~((4294967295u << bitcast<u32>((((_e472 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_684_ = 4294967295u;
+                    phi_699_ = 4294967295u;
                 }
-                let _e497 = phi_684_;
-                phi_686_ = _e497;
-                phi_689_ = false;
+                let _e496 = phi_699_;
+                phi_701_ = _e496;
+                phi_704_ = false;
                 loop {
-                    let _e499 = phi_686_;
-                    let _e501 = phi_689_;
-                    local_8 = _e501;
-                    if (_e499 != 4294967295u) {
-                        if (_e499 < _e59) {
+                    let _e498 = phi_701_;
+                    let _e500 = phi_704_;
+                    local_8 = _e500;
+                    if (_e498 != 4294967295u) {
+                        if (_e498 < _e62) {
                         } else {
                             return;
                         }
-                        let _e508 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e533 = (bitcast<f32>((((_e508 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
-                        let _e534 = (bitcast<f32>((((_e508 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
-                        let _e535 = (bitcast<f32>((((_e508 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
-                        let _e538 = nodes.member[(0u + _e499)].frame[0u];
-                        let _e542 = nodes.member[(0u + _e499)].frame[1u];
-                        let _e546 = nodes.member[(0u + _e499)].frame[2u];
-                        let _e551 = ((bitcast<f32>(_e538) - _e104) * _e263);
-                        let _e552 = ((bitcast<f32>(_e542) - _e106) * _e273);
-                        let _e553 = ((bitcast<f32>(_e546) - _e108) * _e283);
-                        let _e561 = nodes.member[(0u + _e499)].x;
-                        if (_e263 < 0f) {
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e561.w), _e572.unnamed_1);
-                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e561.x, _e578.unnamed_1.first_primitive));
-                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e561.y));
+                        let _e507 = nodes.member[(0u + _e498)].frame[3u];
+                        let _e532 = (bitcast<f32>((((_e507 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e258);
+                        let _e533 = (bitcast<f32>((((_e507 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e268);
+                        let _e534 = (bitcast<f32>((((_e507 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
+                        let _e537 = nodes.member[(0u + _e498)].frame[0u];
+                        let _e541 = nodes.member[(0u + _e498)].frame[1u];
+                        let _e545 = nodes.member[(0u + _e498)].frame[2u];
+                        let _e550 = ((bitcast<f32>(_e537) - _e107) * _e258);
+                        let _e551 = ((bitcast<f32>(_e541) - _e109) * _e268);
+                        let _e552 = ((bitcast<f32>(_e545) - _e111) * _e278);
+                        let _e560 = nodes.member[(0u + _e498)].x;
+                        if (_e258 < 0f) {
+                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e571.unnamed.word, _e560.w), _e571.unnamed_1);
+                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_mask_LightPlace(_e560.x, _e577.unnamed_1.shift));
+                            phi_784_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_mask_LightPlace(_e583.unnamed_1.word, _e560.y));
                         } else {
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e561.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e600.unnamed.root, _e561.y), _e600.unnamed_1);
-                            let _e612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e561.z, _e606.unnamed_1.first_primitive));
-                            phi_769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e612.unnamed, lt_bvh_traverse_Tree(_e612.unnamed_1.root, _e561.w));
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.unnamed.word, _e560.y), _e599.unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e560.z, _e605.unnamed_1.shift));
+                            phi_784_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e611.unnamed_1.word, _e560.w));
                         }
-                        let _e620 = phi_769_;
-                        let _e630 = nodes.member[(0u + _e499)].y;
-                        if (_e273 < 0f) {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e630.w), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e630.x, _e647.unnamed_1.first_primitive));
-                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e630.y));
+                        let _e619 = phi_784_;
+                        let _e629 = nodes.member[(0u + _e498)].y;
+                        if (_e268 < 0f) {
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.unnamed.word, _e629.w), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e629.x, _e646.unnamed_1.shift));
+                            phi_811_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e652.unnamed_1.word, _e629.y));
                         } else {
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e669.unnamed.root, _e630.y), _e669.unnamed_1);
-                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e630.z, _e675.unnamed_1.first_primitive));
-                            phi_796_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_bvh_traverse_Tree(_e681.unnamed_1.root, _e630.w));
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.unnamed.word, _e629.y), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e629.z, _e674.unnamed_1.shift));
+                            phi_811_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e680.unnamed_1.word, _e629.w));
                         }
-                        let _e689 = phi_796_;
-                        let _e699 = nodes.member[(0u + _e499)].z;
-                        if (_e283 < 0f) {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e699.w), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e699.x, _e716.unnamed_1.first_primitive));
-                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e699.y));
+                        let _e688 = phi_811_;
+                        let _e698 = nodes.member[(0u + _e498)].z;
+                        if (_e278 < 0f) {
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.unnamed.word, _e698.w), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e698.x, _e715.unnamed_1.shift));
+                            phi_838_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e721.unnamed_1.word, _e698.y));
                         } else {
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e738.unnamed.root, _e699.y), _e738.unnamed_1);
-                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e699.z, _e744.unnamed_1.first_primitive));
-                            phi_823_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_bvh_traverse_Tree(_e750.unnamed_1.root, _e699.w));
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.unnamed.word, _e698.y), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e698.z, _e743.unnamed_1.shift));
+                            phi_838_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e749.unnamed_1.word, _e698.w));
                         }
-                        let _e758 = phi_823_;
-                        phi_829_ = 0u;
-                        phi_832_ = 0u;
+                        let _e757 = phi_838_;
+                        phi_844_ = 0u;
+                        phi_847_ = 0u;
                         loop {
-                            let _e768 = phi_829_;
-                            let _e770 = phi_832_;
-                            local_1 = _e770;
-                            local_2 = _e770;
-                            local_3 = _e770;
-                            let _e771 = (_e768 < 8u);
-                            if _e771 {
-                                let _e773 = (_e768 >> bitcast<u32>(2i));
-                                let _e774 = (_e768 & 3u);
-                                if (_e773 == 0u) {
-                                    phi_846_ = _e620.unnamed.root;
+                            let _e767 = phi_844_;
+                            let _e769 = phi_847_;
+                            local_1 = _e769;
+                            local_2 = _e769;
+                            local_3 = _e769;
+                            let _e770 = (_e767 < 8u);
+                            if _e770 {
+                                let _e772 = (_e767 >> bitcast<u32>(2i));
+                                let _e773 = (_e767 & 3u);
+                                if (_e772 == 0u) {
+                                    phi_861_ = _e619.unnamed.word;
                                 } else {
-                                    phi_846_ = _e620.unnamed.first_primitive;
+                                    phi_861_ = _e619.unnamed.shift;
                                 }
-                                let _e777 = phi_846_;
-                                if (_e773 == 0u) {
-                                    phi_856_ = _e689.unnamed.root;
+                                let _e776 = phi_861_;
+                                if (_e772 == 0u) {
+                                    phi_871_ = _e688.unnamed.word;
                                 } else {
-                                    phi_856_ = _e689.unnamed.first_primitive;
+                                    phi_871_ = _e688.unnamed.shift;
                                 }
-                                let _e786 = phi_856_;
-                                if (_e773 == 0u) {
-                                    phi_866_ = _e758.unnamed.root;
+                                let _e785 = phi_871_;
+                                if (_e772 == 0u) {
+                                    phi_881_ = _e757.unnamed.word;
                                 } else {
-                                    phi_866_ = _e758.unnamed.first_primitive;
+                                    phi_881_ = _e757.unnamed.shift;
                                 }
-                                let _e795 = phi_866_;
-                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e777 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)), ((f32(((_e786 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
-                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(_e808, ((f32(((_e795 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e313)));
-                                if (_e773 == 0u) {
-                                    phi_884_ = _e620.unnamed_1.root;
+                                let _e794 = phi_881_;
+                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e310)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)));
+                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
+                                if (_e772 == 0u) {
+                                    phi_899_ = _e619.unnamed_1.word;
                                 } else {
-                                    phi_884_ = _e620.unnamed_1.first_primitive;
+                                    phi_899_ = _e619.unnamed_1.shift;
                                 }
-                                let _e812 = phi_884_;
-                                if (_e773 == 0u) {
-                                    phi_894_ = _e689.unnamed_1.root;
+                                let _e811 = phi_899_;
+                                if (_e772 == 0u) {
+                                    phi_909_ = _e688.unnamed_1.word;
                                 } else {
-                                    phi_894_ = _e689.unnamed_1.first_primitive;
+                                    phi_909_ = _e688.unnamed_1.shift;
                                 }
-                                let _e821 = phi_894_;
-                                if (_e773 == 0u) {
-                                    phi_904_ = _e758.unnamed_1.root;
+                                let _e820 = phi_909_;
+                                if (_e772 == 0u) {
+                                    phi_919_ = _e757.unnamed_1.word;
                                 } else {
-                                    phi_904_ = _e758.unnamed_1.first_primitive;
+                                    phi_919_ = _e757.unnamed_1.shift;
                                 }
-                                let _e830 = phi_904_;
-                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e812 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)), ((f32(((_e821 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
-                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(_e843, ((f32(((_e830 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e313)));
-                                if (_e809 <= _e844) {
-                                    if (_e809 <= _e114) {
-                                        if (_e844 >= 0f) {
-                                            if (_e773 == 0u) {
-                                                let _e851 = nodes.member[(0u + _e499)].links[2u];
-                                                phi_940_ = _e851;
+                                let _e829 = phi_919_;
+                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e310)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)));
+                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
+                                if (_e808 <= _e843) {
+                                    if (_e808 <= _e117) {
+                                        if (_e843 >= 0f) {
+                                            if (_e772 == 0u) {
+                                                let _e850 = nodes.member[(0u + _e498)].links[2u];
+                                                phi_955_ = _e850;
                                             } else {
-                                                let _e854 = nodes.member[(0u + _e499)].links[3u];
-                                                phi_940_ = _e854;
+                                                let _e853 = nodes.member[(0u + _e498)].links[3u];
+                                                phi_955_ = _e853;
                                             }
-                                            let _e856 = phi_940_;
-                                            let _e861 = ((_e856 >> bitcast<u32>(((_e774 * 8u) & 31u))) & 255u);
-                                            let _e862 = (_e861 & 31u);
-                                            if (_e862 >= 24u) {
-                                                phi_953_ = (24u + ((_e862 - 24u) ^ _e361));
+                                            let _e855 = phi_955_;
+                                            let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
+                                            let _e861 = (_e860 & 31u);
+                                            if (_e861 >= 24u) {
+                                                phi_968_ = (24u + ((_e861 - 24u) ^ _e360));
                                             } else {
-                                                phi_953_ = _e862;
+                                                phi_968_ = _e861;
                                             }
-                                            let _e868 = phi_953_;
-                                            phi_958_ = (_e770 | ((_e861 >> bitcast<u32>(5i)) << bitcast<u32>((_e868 & 31u))));
+                                            let _e867 = phi_968_;
+                                            phi_973_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
                                         } else {
-                                            phi_958_ = _e770;
+                                            phi_973_ = _e769;
                                         }
-                                        let _e876 = phi_958_;
-                                        phi_959_ = _e876;
+                                        let _e875 = phi_973_;
+                                        phi_974_ = _e875;
                                     } else {
-                                        phi_959_ = _e770;
+                                        phi_974_ = _e769;
                                     }
-                                    let _e878 = phi_959_;
-                                    phi_960_ = _e878;
+                                    let _e877 = phi_974_;
+                                    phi_975_ = _e877;
                                 } else {
-                                    phi_960_ = _e770;
+                                    phi_975_ = _e769;
                                 }
-                                let _e880 = phi_960_;
-                                phi_830_ = (_e768 + 1u);
-                                phi_833_ = _e880;
+                                let _e879 = phi_975_;
+                                phi_845_ = (_e767 + 1u);
+                                phi_848_ = _e879;
                             } else {
-                                phi_830_ = u32();
-                                phi_833_ = u32();
+                                phi_845_ = u32();
+                                phi_848_ = u32();
                             }
-                            let _e883 = phi_830_;
-                            let _e885 = phi_833_;
+                            let _e882 = phi_845_;
+                            let _e884 = phi_848_;
                             continue;
                             continuing {
-                                phi_829_ = _e883;
-                                phi_832_ = _e885;
-                                break if !(_e771);
+                                phi_844_ = _e882;
+                                phi_847_ = _e884;
+                                break if !(_e770);
                             }
                         }
-                        let _e889 = nodes.member[(0u + _e499)].links[0u];
-                        let _e893 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e897 = local_1;
-                        if ((_e897 & 4278190080u) == 0u) {
+                        let _e888 = nodes.member[(0u + _e498)].links[0u];
+                        let _e892 = nodes.member[(0u + _e498)].frame[3u];
+                        let _e896 = local_1;
+                        if ((_e896 & 4278190080u) == 0u) {
                         } else {
-                            let _e901 = local.group_mask;
-                            if ((_e901 & 4278190080u) == 0u) {
+                            let _e900 = local.group_mask;
+                            if ((_e900 & 4278190080u) == 0u) {
                             } else {
-                                let _e905 = local.len;
-                                if (_e905 < 32u) {
-                                    let _e908 = local.group;
-                                    let _e910 = local.len;
-                                    if (_e910 < 32u) {
+                                let _e904 = local.len;
+                                if (_e904 < 32u) {
+                                    let _e907 = local.group;
+                                    let _e909 = local.len;
+                                    if (_e909 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e910)] = _e908;
-                                    let _e916 = local.group_mask;
-                                    let _e918 = local.len;
-                                    if (_e918 < 32u) {
+                                    local.first[(0u + _e909)] = _e907;
+                                    let _e915 = local.group_mask;
+                                    let _e917 = local.len;
+                                    if (_e917 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e918)] = _e916;
-                                    let _e925 = local.len;
-                                    local.len = (_e925 + 1u);
+                                    local.mask[(0u + _e917)] = _e915;
+                                    let _e924 = local.len;
+                                    local.len = (_e924 + 1u);
                                 }
                             }
-                            local.group = (0u + _e889);
-                            let _e929 = local_2;
-                            local.group_mask = ((_e929 & 4278190080u) | (_e893 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e888);
+                            let _e928 = local_2;
+                            local.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
                         }
-                        let _e934 = local_3;
-                        phi_1018_ = (_e934 & 16777215u);
-                        phi_1021_ = _e501;
+                        let _e933 = local_3;
+                        phi_1033_ = (_e933 & 16777215u);
+                        phi_1036_ = _e500;
                         loop {
-                            let _e937 = phi_1018_;
-                            let _e939 = phi_1021_;
-                            local_6 = _e939;
-                            let _e940 = (_e937 == 0u);
-                            local_4 = _e940;
-                            local_7 = _e940;
-                            if _e940 {
-                                phi_1019_ = u32();
-                                phi_1022_ = bool();
-                                phi_1619_ = false;
+                            let _e936 = phi_1033_;
+                            let _e938 = phi_1036_;
+                            local_6 = _e938;
+                            let _e939 = (_e936 == 0u);
+                            local_4 = _e939;
+                            local_7 = _e939;
+                            if _e939 {
+                                phi_1034_ = u32();
+                                phi_1037_ = bool();
+                                phi_1634_ = false;
                             } else {
-                                let _e943 = nodes.member[(0u + _e499)].links[1u];
-                                let _e948 = ((0u + _e943) + select(firstTrailingBit(_e937), 32u, (_e937 == 0u)));
-                                if (_e948 < arrayLength((&triangles.member))) {
+                                let _e942 = nodes.member[(0u + _e498)].links[1u];
+                                let _e947 = ((0u + _e942) + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
+                                if (_e947 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e955 = triangles.member[(0u + _e948)].v0_;
-                                let _e957 = (_e955.x - _e104);
-                                let _e959 = (_e955.y - _e106);
-                                let _e961 = (_e955.z - _e108);
-                                if (_e334 == 0u) {
-                                    phi_1066_ = vec3<f32>(_e959, _e961, _e957);
+                                let _e954 = triangles.member[(0u + _e947)].v0_;
+                                let _e956 = (_e954.x - _e107);
+                                let _e958 = (_e954.y - _e109);
+                                let _e960 = (_e954.z - _e111);
+                                if (_e333 == 0u) {
+                                    phi_1081_ = vec3<f32>(_e958, _e960, _e956);
                                 } else {
-                                    if (_e334 == 1u) {
-                                        phi_1065_ = vec3<f32>(_e961, _e957, _e959);
+                                    if (_e333 == 1u) {
+                                        phi_1080_ = vec3<f32>(_e960, _e956, _e958);
                                     } else {
-                                        phi_1065_ = (_e955 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1080_ = (_e954 - vec3<f32>(_e107, _e109, _e111));
                                     }
-                                    let _e969 = phi_1065_;
-                                    phi_1066_ = _e969;
+                                    let _e968 = phi_1080_;
+                                    phi_1081_ = _e968;
                                 }
-                                let _e971 = phi_1066_;
-                                let _e975 = (_e971.x - (_e345 * _e971.z));
-                                let _e979 = (_e971.y - (_e348 * _e971.z));
-                                let _e981 = triangles.member[(0u + _e948)].v1_;
-                                let _e983 = (_e981.x - _e104);
-                                let _e985 = (_e981.y - _e106);
-                                let _e987 = (_e981.z - _e108);
-                                if (_e334 == 0u) {
-                                    phi_1096_ = vec3<f32>(_e985, _e987, _e983);
+                                let _e970 = phi_1081_;
+                                let _e974 = (_e970.x - (_e344 * _e970.z));
+                                let _e978 = (_e970.y - (_e347 * _e970.z));
+                                let _e980 = triangles.member[(0u + _e947)].v1_;
+                                let _e982 = (_e980.x - _e107);
+                                let _e984 = (_e980.y - _e109);
+                                let _e986 = (_e980.z - _e111);
+                                if (_e333 == 0u) {
+                                    phi_1111_ = vec3<f32>(_e984, _e986, _e982);
                                 } else {
-                                    if (_e334 == 1u) {
-                                        phi_1095_ = vec3<f32>(_e987, _e983, _e985);
+                                    if (_e333 == 1u) {
+                                        phi_1110_ = vec3<f32>(_e986, _e982, _e984);
                                     } else {
-                                        phi_1095_ = (_e981 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1110_ = (_e980 - vec3<f32>(_e107, _e109, _e111));
                                     }
-                                    let _e995 = phi_1095_;
-                                    phi_1096_ = _e995;
+                                    let _e994 = phi_1110_;
+                                    phi_1111_ = _e994;
                                 }
-                                let _e997 = phi_1096_;
-                                let _e1001 = (_e997.x - (_e345 * _e997.z));
-                                let _e1005 = (_e997.y - (_e348 * _e997.z));
-                                let _e1007 = triangles.member[(0u + _e948)].v2_;
-                                let _e1009 = (_e1007.x - _e104);
-                                let _e1011 = (_e1007.y - _e106);
-                                let _e1013 = (_e1007.z - _e108);
-                                if (_e334 == 0u) {
-                                    phi_1126_ = vec3<f32>(_e1011, _e1013, _e1009);
+                                let _e996 = phi_1111_;
+                                let _e1000 = (_e996.x - (_e344 * _e996.z));
+                                let _e1004 = (_e996.y - (_e347 * _e996.z));
+                                let _e1006 = triangles.member[(0u + _e947)].v2_;
+                                let _e1008 = (_e1006.x - _e107);
+                                let _e1010 = (_e1006.y - _e109);
+                                let _e1012 = (_e1006.z - _e111);
+                                if (_e333 == 0u) {
+                                    phi_1141_ = vec3<f32>(_e1010, _e1012, _e1008);
                                 } else {
-                                    if (_e334 == 1u) {
-                                        phi_1125_ = vec3<f32>(_e1013, _e1009, _e1011);
+                                    if (_e333 == 1u) {
+                                        phi_1140_ = vec3<f32>(_e1012, _e1008, _e1010);
                                     } else {
-                                        phi_1125_ = (_e1007 - vec3<f32>(_e104, _e106, _e108));
+                                        phi_1140_ = (_e1006 - vec3<f32>(_e107, _e109, _e111));
                                     }
-                                    let _e1021 = phi_1125_;
-                                    phi_1126_ = _e1021;
+                                    let _e1020 = phi_1140_;
+                                    phi_1141_ = _e1020;
                                 }
-                                let _e1023 = phi_1126_;
-                                let _e1027 = (_e1023.x - (_e345 * _e1023.z));
-                                let _e1031 = (_e1023.y - (_e348 * _e1023.z));
-                                if (_e1001 < _e1027) {
-                                    phi_1145_ = true;
+                                let _e1022 = phi_1141_;
+                                let _e1026 = (_e1022.x - (_e344 * _e1022.z));
+                                let _e1030 = (_e1022.y - (_e347 * _e1022.z));
+                                if (_e1000 < _e1026) {
+                                    phi_1160_ = true;
                                 } else {
-                                    if (_e1001 == _e1027) {
-                                        phi_1144_ = (_e1005 < _e1031);
+                                    if (_e1000 == _e1026) {
+                                        phi_1159_ = (_e1004 < _e1030);
                                     } else {
-                                        phi_1144_ = false;
+                                        phi_1159_ = false;
                                     }
-                                    let _e1036 = phi_1144_;
-                                    phi_1145_ = _e1036;
+                                    let _e1035 = phi_1159_;
+                                    phi_1160_ = _e1035;
                                 }
-                                let _e1038 = phi_1145_;
-                                if _e1038 {
-                                    phi_1149_ = _e1031;
-                                    phi_1150_ = _e1027;
-                                    phi_1151_ = _e1005;
-                                    phi_1152_ = _e1001;
+                                let _e1037 = phi_1160_;
+                                if _e1037 {
+                                    phi_1164_ = _e1030;
+                                    phi_1165_ = _e1026;
+                                    phi_1166_ = _e1004;
+                                    phi_1167_ = _e1000;
                                 } else {
-                                    phi_1149_ = _e1005;
-                                    phi_1150_ = _e1001;
-                                    phi_1151_ = _e1031;
-                                    phi_1152_ = _e1027;
+                                    phi_1164_ = _e1004;
+                                    phi_1165_ = _e1000;
+                                    phi_1166_ = _e1030;
+                                    phi_1167_ = _e1026;
                                 }
-                                let _e1040 = phi_1149_;
-                                let _e1042 = phi_1150_;
-                                let _e1044 = phi_1151_;
-                                let _e1046 = phi_1152_;
-                                let _e1049 = ((_e1046 * _e1040) - (_e1044 * _e1042));
-                                if _e1038 {
-                                    phi_1160_ = -(_e1049);
+                                let _e1039 = phi_1164_;
+                                let _e1041 = phi_1165_;
+                                let _e1043 = phi_1166_;
+                                let _e1045 = phi_1167_;
+                                let _e1048 = ((_e1045 * _e1039) - (_e1043 * _e1041));
+                                if _e1037 {
+                                    phi_1175_ = -(_e1048);
                                 } else {
-                                    phi_1160_ = _e1049;
+                                    phi_1175_ = _e1048;
                                 }
-                                let _e1052 = phi_1160_;
-                                if (_e1027 < _e975) {
-                                    phi_1171_ = true;
+                                let _e1051 = phi_1175_;
+                                if (_e1026 < _e974) {
+                                    phi_1186_ = true;
                                 } else {
-                                    if (_e1027 == _e975) {
-                                        phi_1170_ = (_e1031 < _e979);
+                                    if (_e1026 == _e974) {
+                                        phi_1185_ = (_e1030 < _e978);
                                     } else {
-                                        phi_1170_ = false;
+                                        phi_1185_ = false;
                                     }
-                                    let _e1057 = phi_1170_;
-                                    phi_1171_ = _e1057;
+                                    let _e1056 = phi_1185_;
+                                    phi_1186_ = _e1056;
                                 }
-                                let _e1059 = phi_1171_;
-                                if _e1059 {
-                                    phi_1175_ = _e979;
-                                    phi_1176_ = _e975;
-                                    phi_1177_ = _e1031;
-                                    phi_1178_ = _e1027;
+                                let _e1058 = phi_1186_;
+                                if _e1058 {
+                                    phi_1190_ = _e978;
+                                    phi_1191_ = _e974;
+                                    phi_1192_ = _e1030;
+                                    phi_1193_ = _e1026;
                                 } else {
-                                    phi_1175_ = _e1031;
-                                    phi_1176_ = _e1027;
-                                    phi_1177_ = _e979;
-                                    phi_1178_ = _e975;
+                                    phi_1190_ = _e1030;
+                                    phi_1191_ = _e1026;
+                                    phi_1192_ = _e978;
+                                    phi_1193_ = _e974;
                                 }
-                                let _e1061 = phi_1175_;
-                                let _e1063 = phi_1176_;
-                                let _e1065 = phi_1177_;
-                                let _e1067 = phi_1178_;
-                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
-                                if _e1059 {
-                                    phi_1186_ = -(_e1070);
+                                let _e1060 = phi_1190_;
+                                let _e1062 = phi_1191_;
+                                let _e1064 = phi_1192_;
+                                let _e1066 = phi_1193_;
+                                let _e1069 = ((_e1066 * _e1060) - (_e1064 * _e1062));
+                                if _e1058 {
+                                    phi_1201_ = -(_e1069);
                                 } else {
-                                    phi_1186_ = _e1070;
+                                    phi_1201_ = _e1069;
                                 }
-                                let _e1073 = phi_1186_;
-                                if (_e975 < _e1001) {
-                                    phi_1197_ = true;
+                                let _e1072 = phi_1201_;
+                                if (_e974 < _e1000) {
+                                    phi_1212_ = true;
                                 } else {
-                                    if (_e975 == _e1001) {
-                                        phi_1196_ = (_e979 < _e1005);
+                                    if (_e974 == _e1000) {
+                                        phi_1211_ = (_e978 < _e1004);
                                     } else {
-                                        phi_1196_ = false;
+                                        phi_1211_ = false;
                                     }
-                                    let _e1078 = phi_1196_;
-                                    phi_1197_ = _e1078;
+                                    let _e1077 = phi_1211_;
+                                    phi_1212_ = _e1077;
                                 }
-                                let _e1080 = phi_1197_;
-                                if _e1080 {
-                                    phi_1201_ = _e1005;
-                                    phi_1202_ = _e1001;
-                                    phi_1203_ = _e979;
-                                    phi_1204_ = _e975;
+                                let _e1079 = phi_1212_;
+                                if _e1079 {
+                                    phi_1216_ = _e1004;
+                                    phi_1217_ = _e1000;
+                                    phi_1218_ = _e978;
+                                    phi_1219_ = _e974;
                                 } else {
-                                    phi_1201_ = _e979;
-                                    phi_1202_ = _e975;
-                                    phi_1203_ = _e1005;
-                                    phi_1204_ = _e1001;
+                                    phi_1216_ = _e978;
+                                    phi_1217_ = _e974;
+                                    phi_1218_ = _e1004;
+                                    phi_1219_ = _e1000;
                                 }
-                                let _e1082 = phi_1201_;
-                                let _e1084 = phi_1202_;
-                                let _e1086 = phi_1203_;
-                                let _e1088 = phi_1204_;
-                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
-                                if _e1080 {
-                                    phi_1212_ = -(_e1091);
+                                let _e1081 = phi_1216_;
+                                let _e1083 = phi_1217_;
+                                let _e1085 = phi_1218_;
+                                let _e1087 = phi_1219_;
+                                let _e1090 = ((_e1087 * _e1081) - (_e1085 * _e1083));
+                                if _e1079 {
+                                    phi_1227_ = -(_e1090);
                                 } else {
-                                    phi_1212_ = _e1091;
+                                    phi_1227_ = _e1090;
                                 }
-                                let _e1094 = phi_1212_;
-                                if (_e1052 >= 0f) {
-                                    if (_e1073 >= 0f) {
-                                        if (_e1094 >= 0f) {
-                                            phi_1227_ = ((_e1052 + _e1073) + _e1094);
-                                            phi_1228_ = false;
+                                let _e1093 = phi_1227_;
+                                if (_e1051 >= 0f) {
+                                    if (_e1072 >= 0f) {
+                                        if (_e1093 >= 0f) {
+                                            phi_1242_ = ((_e1051 + _e1072) + _e1093);
+                                            phi_1243_ = false;
                                         } else {
-                                            phi_1227_ = f32();
-                                            phi_1228_ = true;
+                                            phi_1242_ = f32();
+                                            phi_1243_ = true;
                                         }
-                                        let _e1101 = phi_1227_;
-                                        let _e1103 = phi_1228_;
-                                        phi_1229_ = _e1101;
-                                        phi_1230_ = _e1103;
+                                        let _e1100 = phi_1242_;
+                                        let _e1102 = phi_1243_;
+                                        phi_1244_ = _e1100;
+                                        phi_1245_ = _e1102;
                                     } else {
-                                        phi_1229_ = f32();
-                                        phi_1230_ = true;
+                                        phi_1244_ = f32();
+                                        phi_1245_ = true;
                                     }
-                                    let _e1105 = phi_1229_;
-                                    let _e1107 = phi_1230_;
-                                    phi_1231_ = _e1105;
-                                    phi_1232_ = _e1107;
+                                    let _e1104 = phi_1244_;
+                                    let _e1106 = phi_1245_;
+                                    phi_1246_ = _e1104;
+                                    phi_1247_ = _e1106;
                                 } else {
-                                    phi_1231_ = f32();
-                                    phi_1232_ = true;
+                                    phi_1246_ = f32();
+                                    phi_1247_ = true;
                                 }
-                                let _e1109 = phi_1231_;
-                                let _e1111 = phi_1232_;
-                                if _e1111 {
-                                    if (_e1052 <= 0f) {
-                                        if (_e1073 <= 0f) {
-                                            let _e1114 = (_e1094 <= 0f);
-                                            if _e1114 {
+                                let _e1108 = phi_1246_;
+                                let _e1110 = phi_1247_;
+                                if _e1110 {
+                                    if (_e1051 <= 0f) {
+                                        if (_e1072 <= 0f) {
+                                            let _e1113 = (_e1093 <= 0f);
+                                            if _e1113 {
                                             }
-                                            phi_1250_ = ((_e1052 + _e1073) + _e1094);
-                                            phi_1251_ = false;
-                                            phi_1252_ = _e1114;
+                                            phi_1265_ = ((_e1051 + _e1072) + _e1093);
+                                            phi_1266_ = false;
+                                            phi_1267_ = _e1113;
                                         } else {
-                                            phi_1250_ = f32();
-                                            phi_1251_ = true;
-                                            phi_1252_ = false;
+                                            phi_1265_ = f32();
+                                            phi_1266_ = true;
+                                            phi_1267_ = false;
                                         }
-                                        let _e1118 = phi_1250_;
-                                        let _e1120 = phi_1251_;
-                                        let _e1122 = phi_1252_;
-                                        phi_1253_ = _e1118;
-                                        phi_1254_ = _e1120;
-                                        phi_1255_ = _e1122;
+                                        let _e1117 = phi_1265_;
+                                        let _e1119 = phi_1266_;
+                                        let _e1121 = phi_1267_;
+                                        phi_1268_ = _e1117;
+                                        phi_1269_ = _e1119;
+                                        phi_1270_ = _e1121;
                                     } else {
-                                        phi_1253_ = f32();
-                                        phi_1254_ = true;
-                                        phi_1255_ = false;
+                                        phi_1268_ = f32();
+                                        phi_1269_ = true;
+                                        phi_1270_ = false;
                                     }
-                                    let _e1124 = phi_1253_;
-                                    let _e1126 = phi_1254_;
-                                    let _e1128 = phi_1255_;
-                                    if _e1126 {
-                                        phi_1259_ = false;
+                                    let _e1123 = phi_1268_;
+                                    let _e1125 = phi_1269_;
+                                    let _e1127 = phi_1270_;
+                                    if _e1125 {
+                                        phi_1274_ = false;
                                     } else {
-                                        phi_1259_ = _e1128;
+                                        phi_1274_ = _e1127;
                                     }
-                                    let _e1130 = phi_1259_;
-                                    phi_1260_ = _e1124;
-                                    phi_1261_ = _e1130;
+                                    let _e1129 = phi_1274_;
+                                    phi_1275_ = _e1123;
+                                    phi_1276_ = _e1129;
                                 } else {
-                                    phi_1260_ = _e1109;
-                                    phi_1261_ = true;
+                                    phi_1275_ = _e1108;
+                                    phi_1276_ = true;
                                 }
-                                let _e1132 = phi_1260_;
-                                let _e1134 = phi_1261_;
-                                if _e1134 {
-                                    let _e1135 = (_e1132 == 0f);
-                                    if _e1135 {
-                                        phi_1577_ = lt_bvh_triangle_Intersection();
-                                        phi_1578_ = false;
+                                let _e1131 = phi_1275_;
+                                let _e1133 = phi_1276_;
+                                if _e1133 {
+                                    let _e1134 = (_e1131 == 0f);
+                                    if _e1134 {
+                                        phi_1592_ = lt_bvh_triangle_Intersection();
+                                        phi_1593_ = false;
                                     } else {
-                                        let _e1137 = triangles.member[(0u + _e948)].v0_;
-                                        let _e1139 = (_e1137.x - _e104);
-                                        let _e1141 = (_e1137.y - _e106);
-                                        let _e1143 = (_e1137.z - _e108);
-                                        if (_e334 == 0u) {
-                                            phi_1290_ = vec3<f32>(_e1141, _e1143, _e1139);
+                                        let _e1136 = triangles.member[(0u + _e947)].v0_;
+                                        let _e1138 = (_e1136.x - _e107);
+                                        let _e1140 = (_e1136.y - _e109);
+                                        let _e1142 = (_e1136.z - _e111);
+                                        if (_e333 == 0u) {
+                                            phi_1305_ = vec3<f32>(_e1140, _e1142, _e1138);
                                         } else {
-                                            if (_e334 == 1u) {
-                                                phi_1289_ = vec3<f32>(_e1143, _e1139, _e1141);
+                                            if (_e333 == 1u) {
+                                                phi_1304_ = vec3<f32>(_e1142, _e1138, _e1140);
                                             } else {
-                                                phi_1289_ = (_e1137 - vec3<f32>(_e104, _e106, _e108));
+                                                phi_1304_ = (_e1136 - vec3<f32>(_e107, _e109, _e111));
                                             }
-                                            let _e1151 = phi_1289_;
-                                            phi_1290_ = _e1151;
+                                            let _e1150 = phi_1304_;
+                                            phi_1305_ = _e1150;
                                         }
-                                        let _e1153 = phi_1290_;
-                                        let _e1155 = triangles.member[(0u + _e948)].v1_;
-                                        let _e1157 = triangles.member[(0u + _e948)].v0_;
-                                        let _e1160 = (_e1155.x - _e1157.x);
-                                        let _e1163 = (_e1155.y - _e1157.y);
-                                        let _e1166 = (_e1155.z - _e1157.z);
-                                        if (_e334 == 0u) {
-                                            phi_1316_ = vec3<f32>(_e1163, _e1166, _e1160);
+                                        let _e1152 = phi_1305_;
+                                        let _e1154 = triangles.member[(0u + _e947)].v1_;
+                                        let _e1156 = triangles.member[(0u + _e947)].v0_;
+                                        let _e1159 = (_e1154.x - _e1156.x);
+                                        let _e1162 = (_e1154.y - _e1156.y);
+                                        let _e1165 = (_e1154.z - _e1156.z);
+                                        if (_e333 == 0u) {
+                                            phi_1331_ = vec3<f32>(_e1162, _e1165, _e1159);
                                         } else {
-                                            if (_e334 == 1u) {
-                                                phi_1315_ = vec3<f32>(_e1166, _e1160, _e1163);
+                                            if (_e333 == 1u) {
+                                                phi_1330_ = vec3<f32>(_e1165, _e1159, _e1162);
                                             } else {
-                                                phi_1315_ = (_e1155 - _e1157);
+                                                phi_1330_ = (_e1154 - _e1156);
                                             }
-                                            let _e1173 = phi_1315_;
-                                            phi_1316_ = _e1173;
+                                            let _e1172 = phi_1330_;
+                                            phi_1331_ = _e1172;
                                         }
-                                        let _e1175 = phi_1316_;
-                                        let _e1177 = triangles.member[(0u + _e948)].v2_;
-                                        let _e1179 = triangles.member[(0u + _e948)].v0_;
-                                        let _e1182 = (_e1177.x - _e1179.x);
-                                        let _e1185 = (_e1177.y - _e1179.y);
-                                        let _e1188 = (_e1177.z - _e1179.z);
-                                        if (_e334 == 0u) {
-                                            phi_1342_ = vec3<f32>(_e1185, _e1188, _e1182);
+                                        let _e1174 = phi_1331_;
+                                        let _e1176 = triangles.member[(0u + _e947)].v2_;
+                                        let _e1178 = triangles.member[(0u + _e947)].v0_;
+                                        let _e1181 = (_e1176.x - _e1178.x);
+                                        let _e1184 = (_e1176.y - _e1178.y);
+                                        let _e1187 = (_e1176.z - _e1178.z);
+                                        if (_e333 == 0u) {
+                                            phi_1357_ = vec3<f32>(_e1184, _e1187, _e1181);
                                         } else {
-                                            if (_e334 == 1u) {
-                                                phi_1341_ = vec3<f32>(_e1188, _e1182, _e1185);
+                                            if (_e333 == 1u) {
+                                                phi_1356_ = vec3<f32>(_e1187, _e1181, _e1184);
                                             } else {
-                                                phi_1341_ = (_e1177 - _e1179);
+                                                phi_1356_ = (_e1176 - _e1178);
                                             }
-                                            let _e1195 = phi_1341_;
-                                            phi_1342_ = _e1195;
+                                            let _e1194 = phi_1356_;
+                                            phi_1357_ = _e1194;
                                         }
-                                        let _e1197 = phi_1342_;
-                                        let _e1204 = ((_e1175.y * _e1197.z) - (_e1175.z * _e1197.y));
-                                        let _e1211 = ((_e1175.z * _e1197.x) - (_e1175.x * _e1197.z));
-                                        let _e1218 = ((_e1175.x * _e1197.y) - (_e1175.y * _e1197.x));
-                                        let _e1232 = (((1f / _e342.z) * (((_e1204 * _e1153.x) + (_e1211 * _e1153.y)) + (_e1218 * _e1153.z))) / (((_e1204 * _e345) + (_e1211 * _e348)) + _e1218));
-                                        if (_e1232 > 0f) {
-                                            if (_e1232 < _e114) {
-                                                let _e1236 = triangles.member[(0u + _e948)].v0_;
-                                                let _e1238 = triangles.member[(0u + _e948)].v1_;
-                                                if (_e1236.x < _e1238.x) {
-                                                    phi_1398_ = _e1236.x;
+                                        let _e1196 = phi_1357_;
+                                        let _e1203 = ((_e1174.y * _e1196.z) - (_e1174.z * _e1196.y));
+                                        let _e1210 = ((_e1174.z * _e1196.x) - (_e1174.x * _e1196.z));
+                                        let _e1217 = ((_e1174.x * _e1196.y) - (_e1174.y * _e1196.x));
+                                        let _e1231 = (((1f / _e341.z) * (((_e1203 * _e1152.x) + (_e1210 * _e1152.y)) + (_e1217 * _e1152.z))) / (((_e1203 * _e344) + (_e1210 * _e347)) + _e1217));
+                                        if (_e1231 > 0f) {
+                                            if (_e1231 < _e117) {
+                                                let _e1235 = triangles.member[(0u + _e947)].v0_;
+                                                let _e1237 = triangles.member[(0u + _e947)].v1_;
+                                                if (_e1235.x < _e1237.x) {
+                                                    phi_1413_ = _e1235.x;
                                                 } else {
-                                                    phi_1398_ = _e1238.x;
+                                                    phi_1413_ = _e1237.x;
                                                 }
-                                                let _e1245 = phi_1398_;
-                                                if (_e1236.y < _e1238.y) {
-                                                    phi_1407_ = _e1236.y;
+                                                let _e1244 = phi_1413_;
+                                                if (_e1235.y < _e1237.y) {
+                                                    phi_1422_ = _e1235.y;
                                                 } else {
-                                                    phi_1407_ = _e1238.y;
+                                                    phi_1422_ = _e1237.y;
                                                 }
-                                                let _e1252 = phi_1407_;
-                                                if (_e1236.z < _e1238.z) {
-                                                    phi_1416_ = _e1236.z;
+                                                let _e1251 = phi_1422_;
+                                                if (_e1235.z < _e1237.z) {
+                                                    phi_1431_ = _e1235.z;
                                                 } else {
-                                                    phi_1416_ = _e1238.z;
+                                                    phi_1431_ = _e1237.z;
                                                 }
-                                                let _e1259 = phi_1416_;
-                                                let _e1261 = triangles.member[(0u + _e948)].v2_;
-                                                if (_e1245 < _e1261.x) {
-                                                    phi_1425_ = _e1245;
+                                                let _e1258 = phi_1431_;
+                                                let _e1260 = triangles.member[(0u + _e947)].v2_;
+                                                if (_e1244 < _e1260.x) {
+                                                    phi_1440_ = _e1244;
                                                 } else {
-                                                    phi_1425_ = _e1261.x;
+                                                    phi_1440_ = _e1260.x;
                                                 }
-                                                let _e1266 = phi_1425_;
-                                                if (_e1252 < _e1261.y) {
-                                                    phi_1432_ = _e1252;
+                                                let _e1265 = phi_1440_;
+                                                if (_e1251 < _e1260.y) {
+                                                    phi_1447_ = _e1251;
                                                 } else {
-                                                    phi_1432_ = _e1261.y;
+                                                    phi_1447_ = _e1260.y;
                                                 }
-                                                let _e1271 = phi_1432_;
-                                                if (_e1259 < _e1261.z) {
-                                                    phi_1439_ = _e1259;
+                                                let _e1270 = phi_1447_;
+                                                if (_e1258 < _e1260.z) {
+                                                    phi_1454_ = _e1258;
                                                 } else {
-                                                    phi_1439_ = _e1261.z;
+                                                    phi_1454_ = _e1260.z;
                                                 }
-                                                let _e1276 = phi_1439_;
-                                                let _e1278 = triangles.member[(0u + _e948)].v0_;
-                                                let _e1280 = triangles.member[(0u + _e948)].v1_;
-                                                if (_e1278.x > _e1280.x) {
-                                                    phi_1452_ = _e1278.x;
+                                                let _e1275 = phi_1454_;
+                                                let _e1277 = triangles.member[(0u + _e947)].v0_;
+                                                let _e1279 = triangles.member[(0u + _e947)].v1_;
+                                                if (_e1277.x > _e1279.x) {
+                                                    phi_1467_ = _e1277.x;
                                                 } else {
-                                                    phi_1452_ = _e1280.x;
+                                                    phi_1467_ = _e1279.x;
                                                 }
-                                                let _e1287 = phi_1452_;
-                                                if (_e1278.y > _e1280.y) {
-                                                    phi_1461_ = _e1278.y;
+                                                let _e1286 = phi_1467_;
+                                                if (_e1277.y > _e1279.y) {
+                                                    phi_1476_ = _e1277.y;
                                                 } else {
-                                                    phi_1461_ = _e1280.y;
+                                                    phi_1476_ = _e1279.y;
                                                 }
-                                                let _e1294 = phi_1461_;
-                                                if (_e1278.z > _e1280.z) {
-                                                    phi_1470_ = _e1278.z;
+                                                let _e1293 = phi_1476_;
+                                                if (_e1277.z > _e1279.z) {
+                                                    phi_1485_ = _e1277.z;
                                                 } else {
-                                                    phi_1470_ = _e1280.z;
+                                                    phi_1485_ = _e1279.z;
                                                 }
-                                                let _e1301 = phi_1470_;
-                                                let _e1303 = triangles.member[(0u + _e948)].v2_;
-                                                if (_e1287 > _e1303.x) {
-                                                    phi_1479_ = _e1287;
+                                                let _e1300 = phi_1485_;
+                                                let _e1302 = triangles.member[(0u + _e947)].v2_;
+                                                if (_e1286 > _e1302.x) {
+                                                    phi_1494_ = _e1286;
                                                 } else {
-                                                    phi_1479_ = _e1303.x;
+                                                    phi_1494_ = _e1302.x;
                                                 }
-                                                let _e1308 = phi_1479_;
-                                                if (_e1294 > _e1303.y) {
-                                                    phi_1486_ = _e1294;
+                                                let _e1307 = phi_1494_;
+                                                if (_e1293 > _e1302.y) {
+                                                    phi_1501_ = _e1293;
                                                 } else {
-                                                    phi_1486_ = _e1303.y;
+                                                    phi_1501_ = _e1302.y;
                                                 }
-                                                let _e1313 = phi_1486_;
-                                                if (_e1301 > _e1303.z) {
-                                                    phi_1493_ = _e1301;
+                                                let _e1312 = phi_1501_;
+                                                if (_e1300 > _e1302.z) {
+                                                    phi_1508_ = _e1300;
                                                 } else {
-                                                    phi_1493_ = _e1303.z;
+                                                    phi_1508_ = _e1302.z;
                                                 }
-                                                let _e1318 = phi_1493_;
-                                                let _e1322 = ((_e1266 - _e104) * _e263);
-                                                let _e1323 = ((_e1271 - _e106) * _e273);
-                                                let _e1324 = ((_e1276 - _e108) * _e283);
-                                                let _e1328 = ((_e1308 - _e104) * _e263);
-                                                let _e1329 = ((_e1313 - _e106) * _e273);
-                                                let _e1330 = ((_e1318 - _e108) * _e283);
+                                                let _e1317 = phi_1508_;
+                                                let _e1321 = ((_e1265 - _e107) * _e258);
+                                                let _e1322 = ((_e1270 - _e109) * _e268);
+                                                let _e1323 = ((_e1275 - _e111) * _e278);
+                                                let _e1327 = ((_e1307 - _e107) * _e258);
+                                                let _e1328 = ((_e1312 - _e109) * _e268);
+                                                let _e1329 = ((_e1317 - _e111) * _e278);
+                                                if (_e1321 < _e1327) {
+                                                    phi_1525_ = _e1321;
+                                                } else {
+                                                    phi_1525_ = _e1327;
+                                                }
+                                                let _e1332 = phi_1525_;
                                                 if (_e1322 < _e1328) {
-                                                    phi_1510_ = _e1322;
+                                                    phi_1530_ = _e1322;
                                                 } else {
-                                                    phi_1510_ = _e1328;
+                                                    phi_1530_ = _e1328;
                                                 }
-                                                let _e1333 = phi_1510_;
+                                                let _e1335 = phi_1530_;
                                                 if (_e1323 < _e1329) {
-                                                    phi_1515_ = _e1323;
+                                                    phi_1535_ = _e1323;
                                                 } else {
-                                                    phi_1515_ = _e1329;
+                                                    phi_1535_ = _e1329;
                                                 }
-                                                let _e1336 = phi_1515_;
-                                                if (_e1324 < _e1330) {
-                                                    phi_1520_ = _e1324;
+                                                let _e1338 = phi_1535_;
+                                                if (_e1321 > _e1327) {
+                                                    phi_1543_ = _e1321;
                                                 } else {
-                                                    phi_1520_ = _e1330;
+                                                    phi_1543_ = _e1327;
                                                 }
-                                                let _e1339 = phi_1520_;
+                                                let _e1344 = phi_1543_;
                                                 if (_e1322 > _e1328) {
-                                                    phi_1528_ = _e1322;
+                                                    phi_1548_ = _e1322;
                                                 } else {
-                                                    phi_1528_ = _e1328;
+                                                    phi_1548_ = _e1328;
                                                 }
-                                                let _e1345 = phi_1528_;
+                                                let _e1347 = phi_1548_;
                                                 if (_e1323 > _e1329) {
-                                                    phi_1533_ = _e1323;
+                                                    phi_1553_ = _e1323;
                                                 } else {
-                                                    phi_1533_ = _e1329;
+                                                    phi_1553_ = _e1329;
                                                 }
-                                                let _e1348 = phi_1533_;
-                                                if (_e1324 > _e1330) {
-                                                    phi_1538_ = _e1324;
+                                                let _e1350 = phi_1553_;
+                                                let _e1354 = core_intrinsics_maximum_number_nsz_f32_((_e1332 - _e317), (_e1335 - _e318));
+                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_(_e1354, (_e1338 - _e319));
+                                                let _e1356 = core_intrinsics_minimum_number_nsz_f32_((_e1344 + _e317), (_e1347 + _e318));
+                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_(_e1356, (_e1350 + _e319));
+                                                if (_e1355 > -300000000000000000000000000000000000000f) {
+                                                    phi_1565_ = _e1355;
                                                 } else {
-                                                    phi_1538_ = _e1330;
+                                                    phi_1565_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1351 = phi_1538_;
-                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_((_e1333 - _e318), (_e1336 - _e319));
-                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_(_e1355, (_e1339 - _e320));
-                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_((_e1345 + _e318), (_e1348 + _e319));
-                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_(_e1357, (_e1351 + _e320));
-                                                if (_e1356 > -300000000000000000000000000000000000000f) {
-                                                    phi_1550_ = _e1356;
+                                                let _e1360 = phi_1565_;
+                                                if (_e1357 < 300000000000000000000000000000000000000f) {
+                                                    phi_1570_ = _e1357;
                                                 } else {
-                                                    phi_1550_ = -300000000000000000000000000000000000000f;
+                                                    phi_1570_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1361 = phi_1550_;
-                                                if (_e1358 < 300000000000000000000000000000000000000f) {
-                                                    phi_1555_ = _e1358;
+                                                let _e1363 = phi_1570_;
+                                                if (_e1231 < _e1360) {
+                                                    phi_1575_ = _e1360;
                                                 } else {
-                                                    phi_1555_ = 300000000000000000000000000000000000000f;
+                                                    phi_1575_ = _e1231;
                                                 }
-                                                let _e1364 = phi_1555_;
-                                                if (_e1232 < _e1361) {
-                                                    phi_1560_ = _e1361;
+                                                let _e1366 = phi_1575_;
+                                                if (_e1366 > _e1363) {
+                                                    phi_1580_ = _e1363;
                                                 } else {
-                                                    phi_1560_ = _e1232;
+                                                    phi_1580_ = _e1366;
                                                 }
-                                                let _e1367 = phi_1560_;
-                                                if (_e1367 > _e1364) {
-                                                    phi_1565_ = _e1364;
-                                                } else {
-                                                    phi_1565_ = _e1367;
-                                                }
-                                                let _e1370 = phi_1565_;
-                                                phi_1570_ = lt_bvh_triangle_Intersection(_e1370, (_e1073 / _e1132), (_e1094 / _e1132), (_e1361 <= _e1364));
-                                                phi_1571_ = false;
+                                                let _e1369 = phi_1580_;
+                                                phi_1585_ = lt_bvh_triangle_Intersection(_e1369, (_e1072 / _e1131), (_e1093 / _e1131), (_e1360 <= _e1363));
+                                                phi_1586_ = false;
                                             } else {
-                                                phi_1570_ = lt_bvh_triangle_Intersection();
-                                                phi_1571_ = true;
+                                                phi_1585_ = lt_bvh_triangle_Intersection();
+                                                phi_1586_ = true;
                                             }
-                                            let _e1376 = phi_1570_;
-                                            let _e1378 = phi_1571_;
-                                            phi_1572_ = _e1376;
-                                            phi_1573_ = _e1378;
+                                            let _e1375 = phi_1585_;
+                                            let _e1377 = phi_1586_;
+                                            phi_1587_ = _e1375;
+                                            phi_1588_ = _e1377;
                                         } else {
-                                            phi_1572_ = lt_bvh_triangle_Intersection();
-                                            phi_1573_ = true;
+                                            phi_1587_ = lt_bvh_triangle_Intersection();
+                                            phi_1588_ = true;
                                         }
-                                        let _e1380 = phi_1572_;
-                                        let _e1382 = phi_1573_;
-                                        if _e1382 {
+                                        let _e1379 = phi_1587_;
+                                        let _e1381 = phi_1588_;
+                                        if _e1381 {
                                         }
-                                        phi_1577_ = _e1380;
-                                        phi_1578_ = _e1382;
+                                        phi_1592_ = _e1379;
+                                        phi_1593_ = _e1381;
                                     }
-                                    let _e1384 = phi_1577_;
-                                    let _e1386 = phi_1578_;
-                                    phi_1579_ = _e1384;
-                                    phi_1580_ = _e1135;
-                                    phi_1581_ = _e1386;
+                                    let _e1383 = phi_1592_;
+                                    let _e1385 = phi_1593_;
+                                    phi_1594_ = _e1383;
+                                    phi_1595_ = _e1134;
+                                    phi_1596_ = _e1385;
                                 } else {
-                                    phi_1579_ = lt_bvh_triangle_Intersection();
-                                    phi_1580_ = true;
-                                    phi_1581_ = false;
+                                    phi_1594_ = lt_bvh_triangle_Intersection();
+                                    phi_1595_ = true;
+                                    phi_1596_ = false;
                                 }
-                                let _e1388 = phi_1579_;
-                                let _e1390 = phi_1580_;
-                                let _e1392 = phi_1581_;
-                                if _e1390 {
-                                    phi_1585_ = true;
+                                let _e1387 = phi_1594_;
+                                let _e1389 = phi_1595_;
+                                let _e1391 = phi_1596_;
+                                if _e1389 {
+                                    phi_1600_ = true;
                                 } else {
-                                    phi_1585_ = _e1392;
+                                    phi_1600_ = _e1391;
                                 }
-                                let _e1394 = phi_1585_;
-                                if _e1394 {
-                                    phi_1589_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1393 = phi_1600_;
+                                if _e1393 {
+                                    phi_1604_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1589_ = _e1388;
+                                    phi_1604_ = _e1387;
                                 }
-                                let _e1396 = phi_1589_;
-                                if _e1396.is_hit {
-                                    if (_e1396.t > 0f) {
-                                        if (_e1396.t < _e114) {
+                                let _e1395 = phi_1604_;
+                                if _e1395.is_hit {
+                                    if (_e1395.t > 0f) {
+                                        if (_e1395.t < _e117) {
                                             if true {
-                                                phi_1609_ = false;
+                                                phi_1624_ = false;
                                             } else {
-                                                phi_1609_ = true;
+                                                phi_1624_ = true;
                                             }
-                                            let _e1405 = phi_1609_;
-                                            phi_1610_ = true;
-                                            phi_1611_ = _e1405;
+                                            let _e1404 = phi_1624_;
+                                            phi_1625_ = true;
+                                            phi_1626_ = _e1404;
                                         } else {
-                                            phi_1610_ = _e939;
-                                            phi_1611_ = true;
+                                            phi_1625_ = _e938;
+                                            phi_1626_ = true;
                                         }
-                                        let _e1407 = phi_1610_;
-                                        let _e1409 = phi_1611_;
-                                        phi_1612_ = _e1407;
-                                        phi_1613_ = _e1409;
+                                        let _e1406 = phi_1625_;
+                                        let _e1408 = phi_1626_;
+                                        phi_1627_ = _e1406;
+                                        phi_1628_ = _e1408;
                                     } else {
-                                        phi_1612_ = _e939;
-                                        phi_1613_ = true;
+                                        phi_1627_ = _e938;
+                                        phi_1628_ = true;
                                     }
-                                    let _e1411 = phi_1612_;
-                                    let _e1413 = phi_1613_;
-                                    phi_1614_ = _e1411;
-                                    phi_1615_ = _e1413;
+                                    let _e1410 = phi_1627_;
+                                    let _e1412 = phi_1628_;
+                                    phi_1629_ = _e1410;
+                                    phi_1630_ = _e1412;
                                 } else {
-                                    phi_1614_ = _e939;
-                                    phi_1615_ = true;
+                                    phi_1629_ = _e938;
+                                    phi_1630_ = true;
                                 }
-                                let _e1415 = phi_1614_;
-                                let _e1417 = phi_1615_;
-                                if _e1417 {
+                                let _e1414 = phi_1629_;
+                                let _e1416 = phi_1630_;
+                                if _e1416 {
                                 }
-                                phi_1019_ = (_e937 & (_e937 - 1u));
-                                phi_1022_ = _e1415;
-                                phi_1619_ = _e1417;
+                                phi_1034_ = (_e936 & (_e936 - 1u));
+                                phi_1037_ = _e1414;
+                                phi_1634_ = _e1416;
                             }
-                            let _e1419 = phi_1019_;
-                            let _e1421 = phi_1022_;
-                            let _e1423 = phi_1619_;
+                            let _e1418 = phi_1034_;
+                            let _e1420 = phi_1037_;
+                            let _e1422 = phi_1634_;
                             continue;
                             continuing {
-                                phi_1018_ = _e1419;
-                                phi_1021_ = _e1421;
-                                break if !(_e1423);
+                                phi_1033_ = _e1418;
+                                phi_1036_ = _e1420;
+                                break if !(_e1422);
                             }
                         }
-                        let _e1426 = local_4;
-                        if _e1426 {
-                            let _e1428 = local.group_mask;
-                            if ((_e1428 & 4278190080u) == 0u) {
-                                let _e1432 = local.len;
-                                if (_e1432 == 0u) {
-                                    phi_1661_ = false;
+                        let _e1425 = local_4;
+                        if _e1425 {
+                            let _e1427 = local.group_mask;
+                            if ((_e1427 & 4278190080u) == 0u) {
+                                let _e1431 = local.len;
+                                if (_e1431 == 0u) {
+                                    phi_1676_ = false;
                                 } else {
-                                    let _e1436 = local.len;
-                                    local.len = (_e1436 - 1u);
-                                    let _e1439 = local.len;
-                                    if (_e1439 < 32u) {
+                                    let _e1435 = local.len;
+                                    local.len = (_e1435 - 1u);
+                                    let _e1438 = local.len;
+                                    if (_e1438 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1444 = local.first[(0u + _e1439)];
-                                    local.group = _e1444;
-                                    let _e1447 = local.len;
-                                    if (_e1447 < 32u) {
+                                    let _e1443 = local.first[(0u + _e1438)];
+                                    local.group = _e1443;
+                                    let _e1446 = local.len;
+                                    if (_e1446 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1452 = local.mask[(0u + _e1447)];
-                                    local.group_mask = _e1452;
-                                    phi_1661_ = true;
+                                    let _e1451 = local.mask[(0u + _e1446)];
+                                    local.group_mask = _e1451;
+                                    phi_1676_ = true;
                                 }
-                                let _e1455 = phi_1661_;
-                                phi_1662_ = _e1455;
+                                let _e1454 = phi_1676_;
+                                phi_1677_ = _e1454;
                             } else {
-                                phi_1662_ = true;
+                                phi_1677_ = true;
                             }
-                            let _e1457 = phi_1662_;
-                            if _e1457 {
-                                let _e1459 = local.group_mask;
-                                let _e1465 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1459)), 32u, (_e1459 == 0u)));
-                                let _e1469 = local.group_mask;
-                                let _e1483 = local.group_mask;
-                                local.group_mask = (_e1483 & ~((1u << bitcast<u32>((_e1465 & 31u)))));
-                                let _e1486 = local.group;
-                                phi_1693_ = (_e1486 + countOneBits(((_e1469 & ~((4294967295u << bitcast<u32>((((_e1465 - 24u) ^ _e361) & 31u))))) & 255u)));
+                            let _e1456 = phi_1677_;
+                            if _e1456 {
+                                let _e1458 = local.group_mask;
+                                let _e1464 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1458)), 32u, (_e1458 == 0u)));
+                                let _e1468 = local.group_mask;
+                                let _e1482 = local.group_mask;
+                                local.group_mask = (_e1482 & ~((1u << bitcast<u32>((_e1464 & 31u)))));
+                                let _e1485 = local.group;
+                                phi_1708_ = (_e1485 + countOneBits(((_e1468 & ~((4294967295u << bitcast<u32>((((_e1464 - 24u) ^ _e360) & 31u))))) & 255u)));
                             } else {
-                                phi_1693_ = 4294967295u;
+                                phi_1708_ = 4294967295u;
                             }
-                            let _e1489 = phi_1693_;
-                            phi_1694_ = _e1489;
+                            let _e1488 = phi_1708_;
+                            phi_1709_ = _e1488;
                         } else {
-                            phi_1694_ = u32();
+                            phi_1709_ = u32();
                         }
-                        let _e1491 = phi_1694_;
-                        phi_687_ = _e1491;
-                        let _e1715 = local_6;
-                        phi_690_ = _e1715;
-                        let _e1718 = local_7;
-                        phi_1695_ = _e1718;
-                        phi_1696_ = false;
+                        let _e1490 = phi_1709_;
+                        phi_702_ = _e1490;
+                        let _e1776 = local_6;
+                        phi_705_ = _e1776;
+                        let _e1779 = local_7;
+                        phi_1710_ = _e1779;
+                        phi_1711_ = false;
                     } else {
-                        phi_687_ = u32();
-                        phi_690_ = bool();
-                        phi_1695_ = false;
-                        phi_1696_ = true;
+                        phi_702_ = u32();
+                        phi_705_ = bool();
+                        phi_1710_ = false;
+                        phi_1711_ = true;
                     }
-                    let _e1493 = phi_687_;
-                    let _e1495 = phi_690_;
-                    let _e1497 = phi_1695_;
-                    let _e1499 = phi_1696_;
-                    local_5 = _e1499;
+                    let _e1492 = phi_702_;
+                    let _e1494 = phi_705_;
+                    let _e1496 = phi_1710_;
+                    let _e1498 = phi_1711_;
+                    local_5 = _e1498;
                     continue;
                     continuing {
-                        phi_686_ = _e1493;
-                        phi_689_ = _e1495;
-                        break if !(_e1497);
+                        phi_701_ = _e1492;
+                        phi_704_ = _e1494;
+                        break if !(_e1496);
                     }
                 }
-                let _e1502 = local_5;
-                if _e1502 {
-                    phi_1700_ = false;
+                let _e1501 = local_5;
+                if _e1501 {
+                    phi_1715_ = false;
                 } else {
-                    phi_1700_ = true;
+                    phi_1715_ = true;
                 }
-                let _e1504 = phi_1700_;
-                if _e1504 {
-                    phi_1704_ = true;
+                let _e1503 = phi_1715_;
+                if _e1503 {
+                    phi_1719_ = true;
                 } else {
-                    let _e1724 = local_8;
-                    phi_1704_ = _e1724;
+                    let _e1785 = local_8;
+                    phi_1719_ = _e1785;
                 }
-                let _e1506 = phi_1704_;
-                phi_1705_ = _e1506;
+                let _e1505 = phi_1719_;
+                phi_1720_ = _e1505;
             }
-            let _e1508 = phi_1705_;
-            phi_1706_ = _e1508;
-            phi_1707_ = _e187;
+            let _e1507 = phi_1720_;
+            phi_1721_ = _e1507;
+            phi_1722_ = _e182;
         } else {
-            phi_1706_ = bool();
-            phi_1707_ = true;
+            phi_1721_ = bool();
+            phi_1722_ = true;
         }
-        let _e1510 = phi_1706_;
-        let _e1512 = phi_1707_;
-        if _e1512 {
-            phi_1711_ = false;
+        let _e1509 = phi_1721_;
+        let _e1511 = phi_1722_;
+        if _e1511 {
+            phi_1726_ = false;
         } else {
-            phi_1711_ = _e1510;
+            phi_1726_ = _e1509;
         }
-        let _e1514 = phi_1711_;
-        if _e1514 {
-            phi_1715_ = 0f;
+        let _e1513 = phi_1726_;
+        if _e1513 {
+            phi_1730_ = 0f;
         } else {
-            phi_1715_ = 1f;
+            phi_1730_ = 1f;
         }
-        let _e1516 = phi_1715_;
-        if (_e84 < _e65) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e84)] = _e1516;
-        if (_e84 < _e71) {
+        let _e1515 = phi_1730_;
+        if (_e87 < _e68) {
         } else {
             return;
         }
-        let _e1523 = bits.member[(0u + _e84)];
-        if ((_e1523 & 2u) == 0u) {
-            phi_1736_ = (_e1523 & 1u);
-        } else {
-            phi_1736_ = (_e1523 & 7u);
-        }
-        let _e1529 = phi_1736_;
-        if (_e84 < _e65) {
-        } else {
-            return;
-        }
-        let _e1533 = visibility.member[(0u + _e84)];
-        if ((_e1529 & 1u) != 0u) {
-            phi_1751_ = (2u | 1u);
-        } else {
-            phi_1751_ = 2u;
-        }
-        let _e1539 = phi_1751_;
-        if (_e1533 < 0.5f) {
-            phi_1756_ = (_e1539 | 4u);
-        } else {
-            phi_1756_ = _e1539;
-        }
-        let _e1542 = phi_1756_;
-        if (_e84 < _e71) {
+        visibility.member[(0u + _e87)] = _e1515;
+        let _e1521 = p.member.light.number;
+        let _e1522 = (_e1521 * 3u);
+        let _e1523 = (_e1522 / 32u);
+        let _e1524 = (_e1522 % 32u);
+        let _e1526 = p.member.light.mask_words;
+        if (_e87 < _e68) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1542;
+        let _e1530 = visibility.member[(0u + _e87)];
+        let _e1532 = ((_e87 * _e1526) + _e1523);
+        if (_e1524 > 29u) {
+            let _e1534 = (_e1532 + 1u);
+            if (_e1534 < _e74) {
+            } else {
+                return;
+            }
+            let _e1538 = bits.member[(0u + _e1534)];
+            phi_1771_ = _e1538;
+        } else {
+            phi_1771_ = 0u;
+        }
+        let _e1540 = phi_1771_;
+        if (_e1532 < _e74) {
+        } else {
+            return;
+        }
+        let _e1544 = bits.member[(0u + _e1532)];
+        let _e1547 = (_e1544 >> bitcast<u32>((_e1524 & 31u)));
+        if (_e1524 > 29u) {
+            phi_1790_ = (_e1547 | (_e1540 << bitcast<u32>(((32u - _e1524) & 31u))));
+        } else {
+            phi_1790_ = _e1547;
+        }
+        let _e1555 = phi_1790_;
+        if ((_e1555 & 2u) == 0u) {
+            phi_1798_ = (_e1555 & 1u);
+        } else {
+            phi_1798_ = (_e1555 & 7u);
+        }
+        let _e1561 = phi_1798_;
+        if ((_e1561 & 1u) != 0u) {
+            phi_1806_ = (2u | 1u);
+        } else {
+            phi_1806_ = 2u;
+        }
+        let _e1567 = phi_1806_;
+        if (_e1530 < 0.5f) {
+            phi_1811_ = (_e1567 | 4u);
+        } else {
+            phi_1811_ = _e1567;
+        }
+        let _e1570 = phi_1811_;
+        let _e1572 = ((_e87 * _e1526) + _e1523);
+        if (_e1572 < _e74) {
+        } else {
+            return;
+        }
+        let _e1576 = bits.member[(0u + _e1572)];
+        if (_e1572 < _e74) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e1572)] = ((_e1576 & ~((7u << bitcast<u32>((_e1524 & 31u))))) | (_e1570 << bitcast<u32>((_e1524 & 31u))));
+        if (_e1524 > 29u) {
+            let _e1590 = (_e1572 + 1u);
+            if (_e1590 < _e74) {
+            } else {
+                return;
+            }
+            let _e1594 = bits.member[(0u + _e1590)];
+            let _e1595 = (32u - _e1524);
+            let _e1605 = (_e1572 + 1u);
+            if (_e1605 < _e74) {
+            } else {
+                return;
+            }
+            bits.member[(0u + _e1605)] = ((_e1594 & ~((7u >> bitcast<u32>((_e1595 & 31u))))) | (_e1570 >> bitcast<u32>((_e1595 & 31u))));
+        }
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -125,8 +126,8 @@ struct type_50 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -187,688 +188,686 @@ var<storage> materials: type_50;
 var<storage> alpha_texels: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_209_: bool;
-    var phi_213_: f32;
+    var phi_214_: bool;
+    var phi_218_: f32;
 
     if (param != param) {
-        phi_209_ = true;
+        phi_214_ = true;
     } else {
-        let _e70 = (param_1 >= param);
-        if _e70 {
+        let _e71 = (param_1 >= param);
+        if _e71 {
         }
-        phi_209_ = _e70;
+        phi_214_ = _e71;
     }
-    let _e72 = phi_209_;
-    if _e72 {
-        phi_213_ = param_1;
+    let _e73 = phi_214_;
+    if _e73 {
+        phi_218_ = param_1;
     } else {
-        phi_213_ = param;
+        phi_218_ = param;
     }
-    let _e74 = phi_213_;
-    return _e74;
+    let _e75 = phi_218_;
+    return _e75;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_225_: bool;
-    var phi_229_: f32;
+    var phi_230_: bool;
+    var phi_234_: f32;
 
     if (param_2 != param_2) {
-        phi_225_ = true;
+        phi_230_ = true;
     } else {
-        let _e70 = (param_3 <= param_2);
-        if _e70 {
+        let _e71 = (param_3 <= param_2);
+        if _e71 {
         }
-        phi_225_ = _e70;
+        phi_230_ = _e71;
     }
-    let _e72 = phi_225_;
-    if _e72 {
-        phi_229_ = param_3;
+    let _e73 = phi_230_;
+    if _e73 {
+        phi_234_ = param_3;
     } else {
-        phi_229_ = param_2;
+        phi_234_ = param_2;
     }
-    let _e74 = phi_229_;
-    return _e74;
+    let _e75 = phi_234_;
+    return _e75;
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
-    var phi_271_: f32;
     var phi_276_: f32;
-    var phi_277_: bool;
-    var phi_278_: f32;
-    var phi_279_: bool;
+    var phi_281_: f32;
+    var phi_282_: bool;
     var phi_283_: f32;
-    var phi_309_: f32;
+    var phi_284_: bool;
+    var phi_288_: f32;
     var phi_314_: f32;
-    var phi_315_: bool;
-    var phi_316_: f32;
-    var phi_317_: bool;
+    var phi_319_: f32;
+    var phi_320_: bool;
     var phi_321_: f32;
-    var phi_329_: f32;
-    var phi_330_: f32;
-    var phi_331_: f32;
-    var phi_340_: f32;
-    var phi_341_: f32;
-    var phi_359_: u32;
-    var phi_373_: u32;
-    var phi_380_: u32;
+    var phi_322_: bool;
+    var phi_326_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
+    var phi_336_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
+    var phi_364_: u32;
+    var phi_378_: u32;
     var phi_385_: u32;
-    var phi_391_: u32;
+    var phi_390_: u32;
     var phi_396_: u32;
-    var phi_398_: texture_Axis;
-    var phi_426_: f32;
+    var phi_401_: u32;
+    var phi_403_: texture_Axis;
     var phi_431_: f32;
-    var phi_432_: bool;
-    var phi_433_: f32;
-    var phi_434_: bool;
+    var phi_436_: f32;
+    var phi_437_: bool;
     var phi_438_: f32;
-    var phi_464_: f32;
+    var phi_439_: bool;
+    var phi_443_: f32;
     var phi_469_: f32;
-    var phi_470_: bool;
-    var phi_471_: f32;
-    var phi_472_: bool;
+    var phi_474_: f32;
+    var phi_475_: bool;
     var phi_476_: f32;
-    var phi_484_: f32;
-    var phi_485_: f32;
-    var phi_486_: f32;
-    var phi_495_: f32;
-    var phi_496_: f32;
-    var phi_514_: u32;
-    var phi_528_: u32;
-    var phi_535_: u32;
+    var phi_477_: bool;
+    var phi_481_: f32;
+    var phi_489_: f32;
+    var phi_490_: f32;
+    var phi_491_: f32;
+    var phi_500_: f32;
+    var phi_501_: f32;
+    var phi_519_: u32;
+    var phi_533_: u32;
     var phi_540_: u32;
-    var phi_546_: u32;
+    var phi_545_: u32;
     var phi_551_: u32;
-    var phi_553_: texture_Axis;
+    var phi_556_: u32;
+    var phi_558_: texture_Axis;
 
-    let _e71 = (*param_4).size;
-    let _e72 = (_e71 & 65535u);
-    let _e74 = (*param_4).size;
-    let _e76 = (_e74 >> bitcast<u32>(16i));
-    let _e78 = (*param_4).flags;
-    let _e80 = ((_e78 & 4u) != 0u);
-    let _e82 = (*param_4).flags;
-    let _e85 = ((_e82 >> bitcast<u32>(4u)) & 3u);
-    if (_e85 == 0u) {
+    let _e72 = (*param_4).size;
+    let _e73 = (_e72 & 65535u);
+    let _e75 = (*param_4).size;
+    let _e77 = (_e75 >> bitcast<u32>(16i));
+    let _e79 = (*param_4).flags;
+    let _e81 = ((_e79 & 4u) != 0u);
+    let _e83 = (*param_4).flags;
+    let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
+    if (_e86 == 0u) {
         if (param_5 > -8388608f) {
-            let _e98 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e98 > param_5) {
-                phi_271_ = 1f;
+            let _e99 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e99 > param_5) {
+                phi_276_ = 1f;
             } else {
-                phi_271_ = 0f;
+                phi_276_ = 0f;
             }
-            let _e101 = phi_271_;
+            let _e102 = phi_276_;
             if (param_5 < 8388608f) {
-                phi_276_ = (_e98 - _e101);
-                phi_277_ = false;
+                phi_281_ = (_e99 - _e102);
+                phi_282_ = false;
             } else {
-                phi_276_ = f32();
-                phi_277_ = true;
+                phi_281_ = f32();
+                phi_282_ = true;
             }
-            let _e104 = phi_276_;
-            let _e106 = phi_277_;
-            phi_278_ = _e104;
-            phi_279_ = _e106;
+            let _e105 = phi_281_;
+            let _e107 = phi_282_;
+            phi_283_ = _e105;
+            phi_284_ = _e107;
         } else {
-            phi_278_ = f32();
-            phi_279_ = true;
+            phi_283_ = f32();
+            phi_284_ = true;
         }
-        let _e108 = phi_278_;
-        let _e110 = phi_279_;
-        if _e110 {
-            phi_283_ = param_5;
+        let _e109 = phi_283_;
+        let _e111 = phi_284_;
+        if _e111 {
+            phi_288_ = param_5;
         } else {
-            phi_283_ = _e108;
+            phi_288_ = _e109;
         }
-        let _e112 = phi_283_;
-        phi_331_ = (param_5 - _e112);
+        let _e113 = phi_288_;
+        phi_336_ = (param_5 - _e113);
     } else {
-        if (_e85 == 1u) {
-            let _e115 = (param_5 * 0.5f);
-            if (_e115 > -8388608f) {
-                let _e127 = f32(select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < bitcast<f32>(3472883712u))), 2147483647i, (_e115 > bitcast<f32>(1325400063u))), (_e115 == _e115)));
-                if (_e127 > _e115) {
-                    phi_309_ = 1f;
+        if (_e86 == 1u) {
+            let _e116 = (param_5 * 0.5f);
+            if (_e116 > -8388608f) {
+                let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
+                if (_e128 > _e116) {
+                    phi_314_ = 1f;
                 } else {
-                    phi_309_ = 0f;
+                    phi_314_ = 0f;
                 }
-                let _e130 = phi_309_;
-                if (_e115 < 8388608f) {
-                    phi_314_ = (_e127 - _e130);
-                    phi_315_ = false;
+                let _e131 = phi_314_;
+                if (_e116 < 8388608f) {
+                    phi_319_ = (_e128 - _e131);
+                    phi_320_ = false;
                 } else {
-                    phi_314_ = f32();
-                    phi_315_ = true;
+                    phi_319_ = f32();
+                    phi_320_ = true;
                 }
-                let _e133 = phi_314_;
-                let _e135 = phi_315_;
-                phi_316_ = _e133;
-                phi_317_ = _e135;
+                let _e134 = phi_319_;
+                let _e136 = phi_320_;
+                phi_321_ = _e134;
+                phi_322_ = _e136;
             } else {
-                phi_316_ = f32();
-                phi_317_ = true;
+                phi_321_ = f32();
+                phi_322_ = true;
             }
-            let _e137 = phi_316_;
-            let _e139 = phi_317_;
-            if _e139 {
-                phi_321_ = _e115;
+            let _e138 = phi_321_;
+            let _e140 = phi_322_;
+            if _e140 {
+                phi_326_ = _e116;
             } else {
-                phi_321_ = _e137;
+                phi_326_ = _e138;
             }
-            let _e141 = phi_321_;
-            let _e143 = (param_5 - (2f * _e141));
-            if (_e143 > 1f) {
-                phi_329_ = (2f - _e143);
+            let _e142 = phi_326_;
+            let _e144 = (param_5 - (2f * _e142));
+            if (_e144 > 1f) {
+                phi_334_ = (2f - _e144);
             } else {
-                phi_329_ = _e143;
+                phi_334_ = _e144;
             }
-            let _e147 = phi_329_;
-            phi_330_ = _e147;
+            let _e148 = phi_334_;
+            phi_335_ = _e148;
         } else {
-            phi_330_ = param_5;
+            phi_335_ = param_5;
         }
-        let _e149 = phi_330_;
-        phi_331_ = _e149;
+        let _e150 = phi_335_;
+        phi_336_ = _e150;
     }
-    let _e151 = phi_331_;
-    if (_e151 > 0f) {
-        if (_e151 < 1f) {
-            phi_340_ = _e151;
+    let _e152 = phi_336_;
+    if (_e152 > 0f) {
+        if (_e152 < 1f) {
+            phi_345_ = _e152;
         } else {
-            phi_340_ = 1f;
+            phi_345_ = 1f;
         }
-        let _e155 = phi_340_;
-        phi_341_ = _e155;
+        let _e156 = phi_345_;
+        phi_346_ = _e156;
     } else {
-        phi_341_ = 0f;
+        phi_346_ = 0f;
     }
-    let _e157 = phi_341_;
-    let _e158 = (_e72 - 1u);
-    let _e160 = (_e157 * f32(_e72));
-    if _e80 {
-        let _e167 = select(select(u32(_e160), 0u, (_e160 < bitcast<f32>(0u))), 4294967295u, (_e160 > bitcast<f32>(1333788671u)));
-        if (_e158 < _e167) {
-            phi_359_ = _e158;
+    let _e158 = phi_346_;
+    let _e159 = (_e73 - 1u);
+    let _e161 = (_e158 * f32(_e73));
+    if _e81 {
+        let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
+        if (_e159 < _e168) {
+            phi_364_ = _e159;
         } else {
-            phi_359_ = _e167;
+            phi_364_ = _e168;
         }
-        let _e170 = phi_359_;
-        phi_398_ = texture_Axis(_e170, _e170, 0f);
+        let _e171 = phi_364_;
+        phi_403_ = texture_Axis(_e171, _e171, 0f);
     } else {
-        let _e172 = (_e160 + 0.5f);
-        let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
-        if (_e72 < _e179) {
-            phi_373_ = _e72;
+        let _e173 = (_e161 + 0.5f);
+        let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
+        if (_e73 < _e180) {
+            phi_378_ = _e73;
         } else {
-            phi_373_ = _e179;
+            phi_378_ = _e180;
         }
-        let _e182 = phi_373_;
-        if (_e85 == 0u) {
-            phi_380_ = _e158;
+        let _e183 = phi_378_;
+        if (_e86 == 0u) {
+            phi_385_ = _e159;
         } else {
-            phi_380_ = 0u;
-        }
-        let _e187 = phi_380_;
-        if (_e85 == 0u) {
             phi_385_ = 0u;
-        } else {
-            phi_385_ = _e158;
         }
-        let _e190 = phi_385_;
-        if (_e182 == 0u) {
-            phi_391_ = _e187;
+        let _e188 = phi_385_;
+        if (_e86 == 0u) {
+            phi_390_ = 0u;
         } else {
-            phi_391_ = (_e182 - 1u);
+            phi_390_ = _e159;
         }
-        let _e194 = phi_391_;
-        if (_e182 > _e158) {
-            phi_396_ = _e190;
+        let _e191 = phi_390_;
+        if (_e183 == 0u) {
+            phi_396_ = _e188;
         } else {
-            phi_396_ = _e182;
+            phi_396_ = (_e183 - 1u);
         }
-        let _e197 = phi_396_;
-        phi_398_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
+        let _e195 = phi_396_;
+        if (_e183 > _e159) {
+            phi_401_ = _e191;
+        } else {
+            phi_401_ = _e183;
+        }
+        let _e198 = phi_401_;
+        phi_403_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e200 = phi_398_;
-    let _e202 = (*param_4).flags;
-    let _e205 = ((_e202 >> bitcast<u32>(6u)) & 3u);
-    if (_e205 == 0u) {
+    let _e201 = phi_403_;
+    let _e203 = (*param_4).flags;
+    let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
+    if (_e206 == 0u) {
         if (param_6 > -8388608f) {
-            let _e218 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
-            if (_e218 > param_6) {
-                phi_426_ = 1f;
+            let _e219 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e219 > param_6) {
+                phi_431_ = 1f;
             } else {
-                phi_426_ = 0f;
+                phi_431_ = 0f;
             }
-            let _e221 = phi_426_;
+            let _e222 = phi_431_;
             if (param_6 < 8388608f) {
-                phi_431_ = (_e218 - _e221);
-                phi_432_ = false;
+                phi_436_ = (_e219 - _e222);
+                phi_437_ = false;
             } else {
-                phi_431_ = f32();
-                phi_432_ = true;
+                phi_436_ = f32();
+                phi_437_ = true;
             }
-            let _e224 = phi_431_;
-            let _e226 = phi_432_;
-            phi_433_ = _e224;
-            phi_434_ = _e226;
+            let _e225 = phi_436_;
+            let _e227 = phi_437_;
+            phi_438_ = _e225;
+            phi_439_ = _e227;
         } else {
-            phi_433_ = f32();
-            phi_434_ = true;
+            phi_438_ = f32();
+            phi_439_ = true;
         }
-        let _e228 = phi_433_;
-        let _e230 = phi_434_;
-        if _e230 {
-            phi_438_ = param_6;
+        let _e229 = phi_438_;
+        let _e231 = phi_439_;
+        if _e231 {
+            phi_443_ = param_6;
         } else {
-            phi_438_ = _e228;
+            phi_443_ = _e229;
         }
-        let _e232 = phi_438_;
-        phi_486_ = (param_6 - _e232);
+        let _e233 = phi_443_;
+        phi_491_ = (param_6 - _e233);
     } else {
-        if (_e205 == 1u) {
-            let _e235 = (param_6 * 0.5f);
-            if (_e235 > -8388608f) {
-                let _e247 = f32(select(0i, select(select(i32(_e235), i32(-2147483648), (_e235 < bitcast<f32>(3472883712u))), 2147483647i, (_e235 > bitcast<f32>(1325400063u))), (_e235 == _e235)));
-                if (_e247 > _e235) {
-                    phi_464_ = 1f;
+        if (_e206 == 1u) {
+            let _e236 = (param_6 * 0.5f);
+            if (_e236 > -8388608f) {
+                let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
+                if (_e248 > _e236) {
+                    phi_469_ = 1f;
                 } else {
-                    phi_464_ = 0f;
+                    phi_469_ = 0f;
                 }
-                let _e250 = phi_464_;
-                if (_e235 < 8388608f) {
-                    phi_469_ = (_e247 - _e250);
-                    phi_470_ = false;
+                let _e251 = phi_469_;
+                if (_e236 < 8388608f) {
+                    phi_474_ = (_e248 - _e251);
+                    phi_475_ = false;
                 } else {
-                    phi_469_ = f32();
-                    phi_470_ = true;
+                    phi_474_ = f32();
+                    phi_475_ = true;
                 }
-                let _e253 = phi_469_;
-                let _e255 = phi_470_;
-                phi_471_ = _e253;
-                phi_472_ = _e255;
+                let _e254 = phi_474_;
+                let _e256 = phi_475_;
+                phi_476_ = _e254;
+                phi_477_ = _e256;
             } else {
-                phi_471_ = f32();
-                phi_472_ = true;
+                phi_476_ = f32();
+                phi_477_ = true;
             }
-            let _e257 = phi_471_;
-            let _e259 = phi_472_;
-            if _e259 {
-                phi_476_ = _e235;
+            let _e258 = phi_476_;
+            let _e260 = phi_477_;
+            if _e260 {
+                phi_481_ = _e236;
             } else {
-                phi_476_ = _e257;
+                phi_481_ = _e258;
             }
-            let _e261 = phi_476_;
-            let _e263 = (param_6 - (2f * _e261));
-            if (_e263 > 1f) {
-                phi_484_ = (2f - _e263);
+            let _e262 = phi_481_;
+            let _e264 = (param_6 - (2f * _e262));
+            if (_e264 > 1f) {
+                phi_489_ = (2f - _e264);
             } else {
-                phi_484_ = _e263;
+                phi_489_ = _e264;
             }
-            let _e267 = phi_484_;
-            phi_485_ = _e267;
+            let _e268 = phi_489_;
+            phi_490_ = _e268;
         } else {
-            phi_485_ = param_6;
+            phi_490_ = param_6;
         }
-        let _e269 = phi_485_;
-        phi_486_ = _e269;
+        let _e270 = phi_490_;
+        phi_491_ = _e270;
     }
-    let _e271 = phi_486_;
-    if (_e271 > 0f) {
-        if (_e271 < 1f) {
-            phi_495_ = _e271;
+    let _e272 = phi_491_;
+    if (_e272 > 0f) {
+        if (_e272 < 1f) {
+            phi_500_ = _e272;
         } else {
-            phi_495_ = 1f;
+            phi_500_ = 1f;
         }
-        let _e275 = phi_495_;
-        phi_496_ = _e275;
+        let _e276 = phi_500_;
+        phi_501_ = _e276;
     } else {
-        phi_496_ = 0f;
+        phi_501_ = 0f;
     }
-    let _e277 = phi_496_;
-    let _e278 = (_e76 - 1u);
-    let _e280 = (_e277 * f32(_e76));
-    if _e80 {
-        let _e287 = select(select(u32(_e280), 0u, (_e280 < bitcast<f32>(0u))), 4294967295u, (_e280 > bitcast<f32>(1333788671u)));
-        if (_e278 < _e287) {
-            phi_514_ = _e278;
+    let _e278 = phi_501_;
+    let _e279 = (_e77 - 1u);
+    let _e281 = (_e278 * f32(_e77));
+    if _e81 {
+        let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
+        if (_e279 < _e288) {
+            phi_519_ = _e279;
         } else {
-            phi_514_ = _e287;
+            phi_519_ = _e288;
         }
-        let _e290 = phi_514_;
-        phi_553_ = texture_Axis(_e290, _e290, 0f);
+        let _e291 = phi_519_;
+        phi_558_ = texture_Axis(_e291, _e291, 0f);
     } else {
-        let _e292 = (_e280 + 0.5f);
-        let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
-        if (_e76 < _e299) {
-            phi_528_ = _e76;
+        let _e293 = (_e281 + 0.5f);
+        let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
+        if (_e77 < _e300) {
+            phi_533_ = _e77;
         } else {
-            phi_528_ = _e299;
+            phi_533_ = _e300;
         }
-        let _e302 = phi_528_;
-        if (_e205 == 0u) {
-            phi_535_ = _e278;
+        let _e303 = phi_533_;
+        if (_e206 == 0u) {
+            phi_540_ = _e279;
         } else {
-            phi_535_ = 0u;
-        }
-        let _e307 = phi_535_;
-        if (_e205 == 0u) {
             phi_540_ = 0u;
-        } else {
-            phi_540_ = _e278;
         }
-        let _e310 = phi_540_;
-        if (_e302 == 0u) {
-            phi_546_ = _e307;
+        let _e308 = phi_540_;
+        if (_e206 == 0u) {
+            phi_545_ = 0u;
         } else {
-            phi_546_ = (_e302 - 1u);
+            phi_545_ = _e279;
         }
-        let _e314 = phi_546_;
-        if (_e302 > _e278) {
-            phi_551_ = _e310;
+        let _e311 = phi_545_;
+        if (_e303 == 0u) {
+            phi_551_ = _e308;
         } else {
-            phi_551_ = _e302;
+            phi_551_ = (_e303 - 1u);
         }
-        let _e317 = phi_551_;
-        phi_553_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
+        let _e315 = phi_551_;
+        if (_e303 > _e279) {
+            phi_556_ = _e311;
+        } else {
+            phi_556_ = _e303;
+        }
+        let _e318 = phi_556_;
+        phi_558_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e320 = phi_553_;
-    let _e324 = (*param_4).offset;
-    let _e331 = (*param_4).offset;
-    let _e338 = (*param_4).offset;
-    let _e345 = (*param_4).offset;
-    return texture_TexelQuad(array<u32, 4>(((_e324 + (_e320.low * _e72)) + _e200.low), ((_e331 + (_e320.low * _e72)) + _e200.high), ((_e338 + (_e320.high * _e72)) + _e200.low), ((_e345 + (_e320.high * _e72)) + _e200.high)), vec4<f32>(((1f - _e200.fraction) * (1f - _e320.fraction)), (_e200.fraction * (1f - _e320.fraction)), ((1f - _e200.fraction) * _e320.fraction), (_e200.fraction * _e320.fraction)));
+    let _e321 = phi_558_;
+    let _e325 = (*param_4).offset;
+    let _e332 = (*param_4).offset;
+    let _e339 = (*param_4).offset;
+    let _e346 = (*param_4).offset;
+    return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
 }
 
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_701_: f32;
-    var phi_757_: bool;
+    var phi_706_: f32;
+    var phi_738_: bool;
+    var phi_739_: bool;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_745_: bool;
     var phi_758_: bool;
     var phi_759_: bool;
-    var phi_763_: bool;
-    var phi_764_: bool;
+    var phi_760_: bool;
+    var phi_761_: bool;
     var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
     var phi_778_: bool;
     var phi_779_: bool;
     var phi_780_: bool;
     var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
     var phi_788_: bool;
-    var phi_858_: f32;
-    var phi_865_: f32;
-    var phi_872_: f32;
-    var phi_879_: f32;
-    var phi_886_: f32;
-    var phi_893_: f32;
-    var phi_910_: f32;
-    var phi_915_: f32;
-    var phi_920_: f32;
-    var phi_941_: u32;
-    var phi_946_: u32;
-    var phi_951_: u32;
-    var phi_1065_: bool;
-    var phi_1066_: bool;
-    var phi_1097_: u32;
-    var phi_1099_: u32;
-    var phi_1102_: bool;
-    var phi_1182_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1209_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1236_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1242_: u32;
-    var phi_1245_: u32;
-    var phi_1259_: u32;
-    var phi_1269_: u32;
-    var phi_1279_: u32;
-    var phi_1297_: u32;
-    var phi_1307_: u32;
-    var phi_1317_: u32;
-    var phi_1353_: u32;
-    var phi_1366_: u32;
-    var phi_1371_: u32;
-    var phi_1372_: u32;
-    var phi_1373_: u32;
-    var phi_1243_: u32;
-    var phi_1246_: u32;
+    var phi_792_: bool;
+    var phi_862_: f32;
+    var phi_869_: f32;
+    var phi_876_: f32;
+    var phi_883_: f32;
+    var phi_890_: f32;
+    var phi_897_: f32;
+    var phi_914_: f32;
+    var phi_919_: f32;
+    var phi_924_: f32;
+    var phi_929_: f32;
+    var phi_934_: f32;
+    var phi_953_: u32;
+    var phi_958_: u32;
+    var phi_963_: u32;
+    var phi_1077_: bool;
+    var phi_1078_: bool;
+    var phi_1109_: u32;
+    var phi_1111_: u32;
+    var phi_1114_: bool;
+    var phi_1194_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1221_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1248_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1254_: u32;
+    var phi_1257_: u32;
+    var phi_1271_: u32;
+    var phi_1281_: u32;
+    var phi_1291_: u32;
+    var phi_1309_: u32;
+    var phi_1319_: u32;
+    var phi_1329_: u32;
+    var phi_1365_: u32;
+    var phi_1378_: u32;
+    var phi_1383_: u32;
+    var phi_1384_: u32;
+    var phi_1385_: u32;
+    var phi_1255_: u32;
+    var phi_1258_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1431_: u32;
-    var phi_1434_: bool;
-    var phi_1483_: f32;
-    var phi_1488_: f32;
-    var phi_1493_: f32;
-    var phi_1501_: f32;
-    var phi_1506_: f32;
-    var phi_1511_: f32;
-    var phi_1655_: bool;
-    var phi_1656_: bool;
-    var phi_1657_: bool;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
+    var phi_1443_: u32;
+    var phi_1446_: bool;
+    var phi_1495_: f32;
+    var phi_1500_: f32;
+    var phi_1505_: f32;
+    var phi_1513_: f32;
+    var phi_1518_: f32;
+    var phi_1523_: f32;
+    var phi_1643_: bool;
+    var phi_1644_: bool;
+    var phi_1645_: bool;
+    var phi_1646_: bool;
+    var phi_1650_: bool;
     var phi_1663_: bool;
     var phi_1664_: bool;
     var phi_1665_: bool;
     var phi_1666_: bool;
-    var phi_1667_: bool;
-    var phi_1668_: bool;
-    var phi_1669_: bool;
     var phi_1670_: bool;
-    var phi_1671_: bool;
-    var phi_1672_: bool;
-    var phi_1673_: bool;
-    var phi_1674_: bool;
-    var phi_1675_: bool;
-    var phi_1676_: bool;
-    var phi_1677_: bool;
-    var phi_1678_: bool;
-    var phi_1682_: bool;
-    var phi_1686_: bool;
-    var phi_1756_: f32;
-    var phi_1763_: f32;
-    var phi_1770_: f32;
-    var phi_1777_: f32;
-    var phi_1784_: f32;
-    var phi_1791_: f32;
-    var phi_1808_: f32;
-    var phi_1813_: f32;
-    var phi_1818_: f32;
-    var phi_1846_: bool;
-    var phi_1847_: bool;
-    var phi_1855_: u32;
-    var phi_1856_: u32;
-    var phi_1867_: vec3<f32>;
-    var phi_1868_: vec3<f32>;
-    var phi_1881_: u32;
-    var phi_1886_: u32;
-    var phi_1891_: u32;
-    var phi_2005_: bool;
-    var phi_2006_: bool;
-    var phi_2037_: u32;
-    var phi_2039_: u32;
-    var phi_2042_: bool;
-    var phi_2122_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2149_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2176_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2182_: u32;
-    var phi_2185_: u32;
-    var phi_2199_: u32;
-    var phi_2209_: u32;
-    var phi_2219_: u32;
-    var phi_2237_: u32;
-    var phi_2247_: u32;
-    var phi_2257_: u32;
-    var phi_2293_: u32;
-    var phi_2306_: u32;
-    var phi_2311_: u32;
+    var phi_1683_: bool;
+    var phi_1684_: bool;
+    var phi_1685_: bool;
+    var phi_1689_: bool;
+    var phi_1690_: bool;
+    var phi_1691_: bool;
+    var phi_1692_: bool;
+    var phi_1693_: bool;
+    var phi_1697_: bool;
+    var phi_1767_: f32;
+    var phi_1774_: f32;
+    var phi_1781_: f32;
+    var phi_1788_: f32;
+    var phi_1795_: f32;
+    var phi_1802_: f32;
+    var phi_1819_: f32;
+    var phi_1824_: f32;
+    var phi_1829_: f32;
+    var phi_1834_: f32;
+    var phi_1839_: f32;
+    var phi_1865_: bool;
+    var phi_1866_: bool;
+    var phi_1874_: u32;
+    var phi_1875_: u32;
+    var phi_1886_: vec3<f32>;
+    var phi_1887_: vec3<f32>;
+    var phi_1900_: u32;
+    var phi_1905_: u32;
+    var phi_1910_: u32;
+    var phi_2024_: bool;
+    var phi_2025_: bool;
+    var phi_2056_: u32;
+    var phi_2058_: u32;
+    var phi_2061_: bool;
+    var phi_2141_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2168_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2195_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2201_: u32;
+    var phi_2204_: u32;
+    var phi_2218_: u32;
+    var phi_2228_: u32;
+    var phi_2238_: u32;
+    var phi_2256_: u32;
+    var phi_2266_: u32;
+    var phi_2276_: u32;
     var phi_2312_: u32;
-    var phi_2313_: u32;
-    var phi_2183_: u32;
-    var phi_2186_: u32;
+    var phi_2325_: u32;
+    var phi_2330_: u32;
+    var phi_2331_: u32;
+    var phi_2332_: u32;
+    var phi_2202_: u32;
+    var phi_2205_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2371_: u32;
-    var phi_2374_: bool;
-    var phi_2418_: vec3<f32>;
-    var phi_2419_: vec3<f32>;
-    var phi_2448_: vec3<f32>;
-    var phi_2449_: vec3<f32>;
-    var phi_2478_: vec3<f32>;
-    var phi_2479_: vec3<f32>;
-    var phi_2497_: bool;
-    var phi_2498_: bool;
-    var phi_2502_: f32;
-    var phi_2503_: f32;
-    var phi_2504_: f32;
-    var phi_2505_: f32;
-    var phi_2513_: f32;
-    var phi_2523_: bool;
-    var phi_2524_: bool;
-    var phi_2528_: f32;
-    var phi_2529_: f32;
-    var phi_2530_: f32;
-    var phi_2531_: f32;
-    var phi_2539_: f32;
-    var phi_2549_: bool;
-    var phi_2550_: bool;
-    var phi_2554_: f32;
-    var phi_2555_: f32;
-    var phi_2556_: f32;
-    var phi_2557_: f32;
-    var phi_2565_: f32;
-    var phi_2580_: f32;
-    var phi_2581_: bool;
-    var phi_2582_: f32;
-    var phi_2583_: bool;
+    var phi_2390_: u32;
+    var phi_2393_: bool;
+    var phi_2437_: vec3<f32>;
+    var phi_2438_: vec3<f32>;
+    var phi_2467_: vec3<f32>;
+    var phi_2468_: vec3<f32>;
+    var phi_2497_: vec3<f32>;
+    var phi_2498_: vec3<f32>;
+    var phi_2516_: bool;
+    var phi_2517_: bool;
+    var phi_2521_: f32;
+    var phi_2522_: f32;
+    var phi_2523_: f32;
+    var phi_2524_: f32;
+    var phi_2532_: f32;
+    var phi_2542_: bool;
+    var phi_2543_: bool;
+    var phi_2547_: f32;
+    var phi_2548_: f32;
+    var phi_2549_: f32;
+    var phi_2550_: f32;
+    var phi_2558_: f32;
+    var phi_2568_: bool;
+    var phi_2569_: bool;
+    var phi_2573_: f32;
+    var phi_2574_: f32;
+    var phi_2575_: f32;
+    var phi_2576_: f32;
     var phi_2584_: f32;
-    var phi_2585_: bool;
+    var phi_2599_: f32;
+    var phi_2600_: bool;
+    var phi_2601_: f32;
+    var phi_2602_: bool;
     var phi_2603_: f32;
     var phi_2604_: bool;
-    var phi_2605_: bool;
-    var phi_2606_: f32;
-    var phi_2607_: bool;
-    var phi_2608_: bool;
-    var phi_2612_: bool;
-    var phi_2613_: f32;
-    var phi_2614_: bool;
-    var phi_2642_: vec3<f32>;
-    var phi_2643_: vec3<f32>;
-    var phi_2668_: vec3<f32>;
-    var phi_2669_: vec3<f32>;
-    var phi_2694_: vec3<f32>;
-    var phi_2695_: vec3<f32>;
-    var phi_2751_: f32;
-    var phi_2760_: f32;
-    var phi_2769_: f32;
-    var phi_2778_: f32;
-    var phi_2785_: f32;
-    var phi_2792_: f32;
-    var phi_2805_: f32;
-    var phi_2814_: f32;
-    var phi_2823_: f32;
-    var phi_2832_: f32;
-    var phi_2839_: f32;
-    var phi_2846_: f32;
-    var phi_2863_: f32;
-    var phi_2868_: f32;
-    var phi_2873_: f32;
-    var phi_2881_: f32;
-    var phi_2886_: f32;
-    var phi_2891_: f32;
-    var phi_2903_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: f32;
-    var phi_2923_: lt_bvh_triangle_Intersection;
-    var phi_2924_: bool;
-    var phi_2925_: lt_bvh_triangle_Intersection;
-    var phi_2926_: bool;
-    var phi_2930_: lt_bvh_triangle_Intersection;
-    var phi_2931_: bool;
-    var phi_2932_: lt_bvh_triangle_Intersection;
-    var phi_2933_: bool;
-    var phi_2934_: bool;
-    var phi_2938_: bool;
+    var phi_2622_: f32;
+    var phi_2623_: bool;
+    var phi_2624_: bool;
+    var phi_2625_: f32;
+    var phi_2626_: bool;
+    var phi_2627_: bool;
+    var phi_2631_: bool;
+    var phi_2632_: f32;
+    var phi_2633_: bool;
+    var phi_2661_: vec3<f32>;
+    var phi_2662_: vec3<f32>;
+    var phi_2687_: vec3<f32>;
+    var phi_2688_: vec3<f32>;
+    var phi_2713_: vec3<f32>;
+    var phi_2714_: vec3<f32>;
+    var phi_2770_: f32;
+    var phi_2779_: f32;
+    var phi_2788_: f32;
+    var phi_2797_: f32;
+    var phi_2804_: f32;
+    var phi_2811_: f32;
+    var phi_2824_: f32;
+    var phi_2833_: f32;
+    var phi_2842_: f32;
+    var phi_2851_: f32;
+    var phi_2858_: f32;
+    var phi_2865_: f32;
+    var phi_2882_: f32;
+    var phi_2887_: f32;
+    var phi_2892_: f32;
+    var phi_2900_: f32;
+    var phi_2905_: f32;
+    var phi_2910_: f32;
+    var phi_2922_: f32;
+    var phi_2927_: f32;
+    var phi_2932_: f32;
+    var phi_2937_: f32;
     var phi_2942_: lt_bvh_triangle_Intersection;
-    var phi_3156_: f32;
-    var phi_3159_: bool;
-    var phi_3160_: bool;
-    var phi_3161_: bool;
-    var phi_3165_: bool;
-    var phi_3166_: bool;
-    var phi_3167_: bool;
-    var phi_3168_: bool;
-    var phi_3169_: bool;
-    var phi_3170_: bool;
-    var phi_3171_: bool;
-    var phi_3172_: bool;
-    var phi_3173_: bool;
-    var phi_3174_: bool;
-    var phi_2372_: u32;
-    var phi_2375_: bool;
+    var phi_2943_: bool;
+    var phi_2944_: lt_bvh_triangle_Intersection;
+    var phi_2945_: bool;
+    var phi_2949_: lt_bvh_triangle_Intersection;
+    var phi_2950_: bool;
+    var phi_2951_: lt_bvh_triangle_Intersection;
+    var phi_2952_: bool;
+    var phi_2953_: bool;
+    var phi_2957_: bool;
+    var phi_2961_: lt_bvh_triangle_Intersection;
+    var phi_3175_: f32;
     var phi_3178_: bool;
     var phi_3179_: bool;
+    var phi_3180_: bool;
+    var phi_3184_: bool;
+    var phi_3185_: bool;
+    var phi_3186_: bool;
+    var phi_3187_: bool;
+    var phi_3188_: bool;
+    var phi_3189_: bool;
+    var phi_3190_: bool;
+    var phi_3191_: bool;
+    var phi_3192_: bool;
+    var phi_3193_: bool;
+    var phi_2391_: u32;
+    var phi_2394_: bool;
+    var phi_3197_: bool;
+    var phi_3198_: bool;
     var local_9: bool;
-    var phi_3221_: bool;
-    var phi_3222_: bool;
-    var phi_3253_: u32;
-    var phi_3254_: u32;
-    var phi_2040_: u32;
-    var phi_2043_: bool;
-    var phi_3255_: bool;
-    var phi_3256_: bool;
-    var phi_3257_: bool;
-    var local_10: bool;
-    var phi_3261_: bool;
-    var phi_3265_: bool;
-    var phi_3266_: bool;
-    var phi_3267_: bool;
-    var phi_3268_: bool;
-    var phi_3272_: bool;
+    var phi_3240_: bool;
+    var phi_3241_: bool;
+    var phi_3272_: u32;
+    var phi_3273_: u32;
+    var phi_2059_: u32;
+    var phi_2062_: bool;
+    var phi_3274_: bool;
+    var phi_3275_: bool;
     var phi_3276_: bool;
-    var phi_3277_: bool;
-    var phi_3278_: bool;
-    var phi_3279_: bool;
+    var local_10: bool;
     var phi_3280_: bool;
-    var phi_3281_: bool;
-    var phi_3282_: bool;
-    var phi_1432_: u32;
-    var phi_1435_: bool;
+    var phi_3284_: bool;
+    var phi_3285_: bool;
     var phi_3286_: bool;
+    var phi_3287_: bool;
+    var phi_3291_: bool;
+    var phi_3295_: bool;
+    var phi_3296_: bool;
+    var phi_3297_: bool;
+    var phi_3298_: bool;
+    var phi_3299_: bool;
+    var phi_3300_: bool;
+    var phi_3301_: bool;
+    var phi_1444_: u32;
+    var phi_1447_: bool;
+    var phi_3305_: bool;
     var local_11: bool;
-    var phi_3328_: bool;
-    var phi_3329_: bool;
-    var phi_3360_: u32;
-    var phi_3361_: u32;
-    var phi_1100_: u32;
-    var phi_1103_: bool;
-    var phi_3362_: bool;
-    var phi_3363_: bool;
-    var local_12: bool;
-    var phi_3367_: bool;
-    var phi_3371_: bool;
-    var phi_3372_: bool;
-    var phi_3373_: bool;
-    var phi_3377_: bool;
-    var phi_3378_: bool;
+    var phi_3347_: bool;
+    var phi_3348_: bool;
+    var phi_3379_: u32;
+    var phi_3380_: u32;
+    var phi_1112_: u32;
+    var phi_1115_: bool;
+    var phi_3381_: bool;
     var phi_3382_: bool;
-    var phi_3386_: f32;
-    var phi_3407_: u32;
-    var phi_3422_: u32;
-    var phi_3427_: u32;
+    var local_12: bool;
+    var phi_3386_: bool;
+    var phi_3390_: bool;
+    var phi_3391_: bool;
+    var phi_3392_: bool;
+    var phi_3396_: bool;
+    var phi_3397_: bool;
+    var phi_3401_: bool;
+    var phi_3405_: f32;
+    var phi_3446_: u32;
+    var phi_3465_: u32;
+    var phi_3473_: u32;
+    var phi_3481_: u32;
+    var phi_3486_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -877,2033 +876,2081 @@ fn function_() {
     var local_18: bool;
     var local_19: bool;
 
-    let _e70 = id_1;
-    let _e77 = arrayLength((&nodes.member));
-    let _e80 = arrayLength((&triangles.member));
-    let _e83 = arrayLength((&visibility.member));
-    let _e86 = arrayLength((&list.member));
-    let _e89 = arrayLength((&bits.member));
-    let _e95 = arrayLength((&vertices.member));
-    let _e101 = arrayLength((&alpha_texels.member));
-    let _e105 = ((_e70.y * 2097152u) + _e70.x);
-    if (3u < _e86) {
+    let _e71 = id_1;
+    let _e78 = arrayLength((&nodes.member));
+    let _e81 = arrayLength((&triangles.member));
+    let _e84 = arrayLength((&visibility.member));
+    let _e87 = arrayLength((&list.member));
+    let _e90 = arrayLength((&bits.member));
+    let _e96 = arrayLength((&vertices.member));
+    let _e102 = arrayLength((&alpha_texels.member));
+    let _e106 = ((_e71.y * 2097152u) + _e71.x);
+    if (3u < _e87) {
     } else {
         return;
     }
-    let _e108 = list.member[3u];
-    if (_e105 < _e108) {
-        let _e110 = (_e105 + 4u);
-        if (_e110 < _e86) {
+    let _e109 = list.member[3u];
+    if (_e106 < _e109) {
+        let _e111 = (_e106 + 4u);
+        if (_e111 < _e87) {
         } else {
             return;
         }
-        let _e114 = list.member[(0u + _e110)];
-        let _e116 = p.member.root;
-        if (_e114 < arrayLength((&samples.member))) {
+        let _e115 = list.member[(0u + _e111)];
+        let _e117 = p.member.root;
+        if (_e115 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e122 = samples.member[(0u + _e114)].position;
-        let _e124 = samples.member[(0u + _e114)].normal;
-        let _e126 = samples.member[(0u + _e114)].magnitude;
-        let _e128 = ((8f / 8388608f) * _e126);
-        let _e136 = (_e122.x + (_e124.x * _e128));
-        let _e138 = (_e122.y + (_e124.y * _e128));
-        let _e140 = (_e122.z + (_e124.z * _e128));
-        let _e142 = p.member.light.place;
-        if (_e142.w == 0f) {
-            phi_701_ = 300000000000000000000000000000000000000f;
+        let _e123 = samples.member[(0u + _e115)].position;
+        let _e125 = samples.member[(0u + _e115)].normal;
+        let _e127 = samples.member[(0u + _e115)].magnitude;
+        let _e129 = ((8f / 8388608f) * _e127);
+        let _e137 = (_e123.x + (_e125.x * _e129));
+        let _e139 = (_e123.y + (_e125.y * _e129));
+        let _e141 = (_e123.z + (_e125.z * _e129));
+        let _e143 = p.member.light.place;
+        if (_e143.w == 0f) {
+            phi_706_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_701_ = 1f;
+            phi_706_ = 1f;
         }
-        let _e146 = phi_701_;
-        let _e154 = (_e142.x - (_e136 * _e142.w));
-        let _e155 = (_e142.y - (_e138 * _e142.w));
-        let _e156 = (_e142.z - (_e140 * _e142.w));
-        let _e160 = abs(_e154);
-        let _e161 = abs(_e155);
-        let _e162 = abs(_e156);
-        if (abs(_e136) < 1000000000000000f) {
-            if (abs(_e138) < 1000000000000000f) {
-                if (abs(_e140) < 1000000000000000f) {
-                    if (_e160 < 1000000000000000f) {
-                        if (_e161 < 1000000000000000f) {
-                            if (_e162 < 1000000000000000f) {
-                                if (_e160 > 0f) {
-                                    phi_758_ = bool();
-                                    phi_759_ = true;
-                                } else {
-                                    let _e170 = (_e161 > 0f);
-                                    if _e170 {
-                                        phi_757_ = bool();
-                                    } else {
-                                        phi_757_ = (_e162 > 0f);
-                                    }
-                                    let _e173 = phi_757_;
-                                    phi_758_ = _e173;
-                                    phi_759_ = _e170;
-                                }
-                                let _e175 = phi_758_;
-                                let _e177 = phi_759_;
-                                if _e177 {
-                                    phi_763_ = true;
-                                } else {
-                                    phi_763_ = _e175;
-                                }
-                                let _e179 = phi_763_;
-                                phi_764_ = _e179;
-                                phi_765_ = false;
-                            } else {
-                                phi_764_ = bool();
-                                phi_765_ = true;
-                            }
-                            let _e181 = phi_764_;
-                            let _e183 = phi_765_;
-                            phi_766_ = _e181;
-                            phi_767_ = false;
-                            phi_768_ = _e183;
-                        } else {
-                            phi_766_ = bool();
-                            phi_767_ = true;
-                            phi_768_ = false;
-                        }
-                        let _e185 = phi_766_;
-                        let _e187 = phi_767_;
-                        let _e189 = phi_768_;
-                        phi_769_ = _e185;
-                        phi_770_ = _e187;
-                        phi_771_ = _e189;
-                    } else {
-                        phi_769_ = bool();
-                        phi_770_ = true;
-                        phi_771_ = false;
-                    }
-                    let _e191 = phi_769_;
-                    let _e193 = phi_770_;
-                    let _e195 = phi_771_;
-                    phi_772_ = _e191;
-                    phi_773_ = _e193;
-                    phi_774_ = _e195;
-                } else {
-                    phi_772_ = bool();
-                    phi_773_ = true;
-                    phi_774_ = false;
-                }
-                let _e197 = phi_772_;
-                let _e199 = phi_773_;
-                let _e201 = phi_774_;
-                phi_775_ = _e197;
-                phi_776_ = _e199;
-                phi_777_ = _e201;
+        let _e147 = phi_706_;
+        let _e155 = (_e143.x - (_e137 * _e143.w));
+        let _e156 = (_e143.y - (_e139 * _e143.w));
+        let _e157 = (_e143.z - (_e141 * _e143.w));
+        let _e158 = abs(_e155);
+        let _e159 = abs(_e156);
+        let _e160 = abs(_e157);
+        if (abs(_e137) < 1000000000000000f) {
+            if (abs(_e139) < 1000000000000000f) {
+                phi_738_ = (abs(_e141) < 1000000000000000f);
+                phi_739_ = false;
             } else {
-                phi_775_ = bool();
-                phi_776_ = true;
-                phi_777_ = false;
+                phi_738_ = bool();
+                phi_739_ = true;
             }
-            let _e203 = phi_775_;
-            let _e205 = phi_776_;
-            let _e207 = phi_777_;
-            phi_778_ = _e203;
-            phi_779_ = _e205;
-            phi_780_ = _e207;
+            let _e168 = phi_738_;
+            let _e170 = phi_739_;
+            phi_740_ = _e168;
+            phi_741_ = _e170;
         } else {
-            phi_778_ = bool();
-            phi_779_ = true;
-            phi_780_ = false;
+            phi_740_ = bool();
+            phi_741_ = true;
         }
-        let _e209 = phi_778_;
-        let _e211 = phi_779_;
-        let _e213 = phi_780_;
-        if _e211 {
-            phi_784_ = true;
+        let _e172 = phi_740_;
+        let _e174 = phi_741_;
+        if _e174 {
+            phi_745_ = false;
         } else {
-            phi_784_ = _e213;
+            phi_745_ = _e172;
         }
-        let _e215 = phi_784_;
-        if _e215 {
-            phi_788_ = false;
-        } else {
-            phi_788_ = _e209;
-        }
-        let _e217 = phi_788_;
-        if _e217 {
-            let _e218 = (_e116 >= _e77);
-            if _e218 {
-                phi_3371_ = false;
+        let _e176 = phi_745_;
+        if _e176 {
+            if (_e158 < 1000000000000000f) {
+                if (_e159 < 1000000000000000f) {
+                    phi_758_ = (_e160 < 1000000000000000f);
+                    phi_759_ = false;
+                } else {
+                    phi_758_ = bool();
+                    phi_759_ = true;
+                }
+                let _e181 = phi_758_;
+                let _e183 = phi_759_;
+                phi_760_ = _e181;
+                phi_761_ = _e183;
             } else {
-                if (_e116 < _e77) {
+                phi_760_ = bool();
+                phi_761_ = true;
+            }
+            let _e185 = phi_760_;
+            let _e187 = phi_761_;
+            if _e187 {
+                phi_765_ = false;
+            } else {
+                phi_765_ = _e185;
+            }
+            let _e189 = phi_765_;
+            if _e189 {
+                if (_e158 > 0f) {
+                    phi_779_ = bool();
+                    phi_780_ = true;
+                } else {
+                    let _e191 = (_e159 > 0f);
+                    if _e191 {
+                        phi_778_ = bool();
+                    } else {
+                        phi_778_ = (_e160 > 0f);
+                    }
+                    let _e194 = phi_778_;
+                    phi_779_ = _e194;
+                    phi_780_ = _e191;
+                }
+                let _e196 = phi_779_;
+                let _e198 = phi_780_;
+                if _e198 {
+                    phi_784_ = true;
+                } else {
+                    phi_784_ = _e196;
+                }
+                let _e200 = phi_784_;
+                phi_785_ = _e200;
+                phi_786_ = false;
+            } else {
+                phi_785_ = bool();
+                phi_786_ = true;
+            }
+            let _e202 = phi_785_;
+            let _e204 = phi_786_;
+            phi_787_ = _e202;
+            phi_788_ = _e204;
+        } else {
+            phi_787_ = bool();
+            phi_788_ = true;
+        }
+        let _e206 = phi_787_;
+        let _e208 = phi_788_;
+        if _e208 {
+            phi_792_ = false;
+        } else {
+            phi_792_ = _e206;
+        }
+        let _e210 = phi_792_;
+        if _e210 {
+            let _e211 = (_e117 >= _e78);
+            if _e211 {
+                phi_3390_ = false;
+            } else {
+                if (_e117 < _e78) {
                 } else {
                     return;
                 }
-                let _e224 = nodes.member[(0u + _e116)].frame[0u];
-                let _e228 = nodes.member[(0u + _e116)].frame[1u];
-                let _e232 = nodes.member[(0u + _e116)].frame[2u];
-                let _e236 = nodes.member[(0u + _e116)].frame[0u];
-                let _e240 = nodes.member[(0u + _e116)].frame[1u];
-                let _e244 = nodes.member[(0u + _e116)].frame[2u];
-                let _e248 = nodes.member[(0u + _e116)].frame[3u];
-                let _e282 = core_intrinsics_maximum_number_nsz_f32_(abs(_e154), abs(_e155));
-                let _e283 = core_intrinsics_maximum_number_nsz_f32_(_e282, abs(_e156));
-                let _e284 = (_e283 * 0.0000000000009094947f);
-                if (abs(_e154) < _e284) {
-                    phi_858_ = _e284;
+                let _e217 = nodes.member[(0u + _e117)].frame[0u];
+                let _e221 = nodes.member[(0u + _e117)].frame[1u];
+                let _e225 = nodes.member[(0u + _e117)].frame[2u];
+                let _e229 = nodes.member[(0u + _e117)].frame[0u];
+                let _e233 = nodes.member[(0u + _e117)].frame[1u];
+                let _e237 = nodes.member[(0u + _e117)].frame[2u];
+                let _e241 = nodes.member[(0u + _e117)].frame[3u];
+                let _e275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e155), abs(_e156));
+                let _e276 = core_intrinsics_maximum_number_nsz_f32_(_e275, abs(_e157));
+                let _e277 = (_e276 * 0.0000000000009094947f);
+                if (abs(_e155) < _e277) {
+                    phi_862_ = _e277;
                 } else {
-                    phi_858_ = abs(_e154);
+                    phi_862_ = abs(_e155);
                 }
-                let _e289 = phi_858_;
-                if (_e154 < 0f) {
-                    phi_865_ = (-1f / _e289);
-                } else {
-                    phi_865_ = (1f / _e289);
-                }
-                let _e294 = phi_865_;
-                if (abs(_e155) < _e284) {
-                    phi_872_ = _e284;
-                } else {
-                    phi_872_ = abs(_e155);
-                }
-                let _e299 = phi_872_;
+                let _e282 = phi_862_;
                 if (_e155 < 0f) {
-                    phi_879_ = (-1f / _e299);
+                    phi_869_ = (-1f / _e282);
                 } else {
-                    phi_879_ = (1f / _e299);
+                    phi_869_ = (1f / _e282);
                 }
-                let _e304 = phi_879_;
-                if (abs(_e156) < _e284) {
-                    phi_886_ = _e284;
+                let _e287 = phi_869_;
+                if (abs(_e156) < _e277) {
+                    phi_876_ = _e277;
                 } else {
-                    phi_886_ = abs(_e156);
+                    phi_876_ = abs(_e156);
                 }
-                let _e309 = phi_886_;
+                let _e292 = phi_876_;
                 if (_e156 < 0f) {
-                    phi_893_ = (-1f / _e309);
+                    phi_883_ = (-1f / _e292);
                 } else {
-                    phi_893_ = (1f / _e309);
+                    phi_883_ = (1f / _e292);
                 }
-                let _e314 = phi_893_;
-                let _e318 = abs((bitcast<f32>(_e224) - _e136));
-                let _e319 = abs((bitcast<f32>(_e228) - _e138));
-                let _e320 = abs((bitcast<f32>(_e232) - _e140));
-                let _e324 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e248 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
-                let _e325 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e248 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138));
-                let _e326 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e248 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e140));
-                if (_e318 > _e324) {
-                    phi_910_ = _e318;
+                let _e297 = phi_883_;
+                if (abs(_e157) < _e277) {
+                    phi_890_ = _e277;
                 } else {
-                    phi_910_ = _e324;
+                    phi_890_ = abs(_e157);
                 }
-                let _e329 = phi_910_;
-                if (_e319 > _e325) {
-                    phi_915_ = _e319;
+                let _e302 = phi_890_;
+                if (_e157 < 0f) {
+                    phi_897_ = (-1f / _e302);
                 } else {
-                    phi_915_ = _e325;
+                    phi_897_ = (1f / _e302);
                 }
-                let _e332 = phi_915_;
-                if (_e320 > _e326) {
-                    phi_920_ = _e320;
+                let _e307 = phi_897_;
+                let _e311 = abs((bitcast<f32>(_e217) - _e137));
+                let _e312 = abs((bitcast<f32>(_e221) - _e139));
+                let _e313 = abs((bitcast<f32>(_e225) - _e141));
+                let _e317 = abs(((bitcast<f32>(_e229) + (bitcast<f32>((((_e241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
+                let _e318 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e139));
+                let _e319 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e141));
+                if (_e311 > _e317) {
+                    phi_914_ = _e311;
                 } else {
-                    phi_920_ = _e326;
+                    phi_914_ = _e317;
                 }
-                let _e335 = phi_920_;
-                let _e336 = core_intrinsics_maximum_number_nsz_f32_(_e329, _e332);
-                let _e337 = core_intrinsics_maximum_number_nsz_f32_(_e336, _e335);
-                let _e341 = (_e337 * 0.0000019073486f);
-                let _e342 = (abs(_e294) * _e341);
-                let _e343 = (abs(_e304) * _e341);
-                let _e344 = (abs(_e314) * _e341);
-                let _e348 = (_e337 * 0.0000009536743f);
-                let _e349 = (abs(_e294) * _e348);
-                let _e350 = (abs(_e304) * _e348);
-                let _e351 = (abs(_e314) * _e348);
-                if (_e294 < 0f) {
-                    phi_941_ = 0u;
+                let _e322 = phi_914_;
+                if (_e312 > _e318) {
+                    phi_919_ = _e312;
                 } else {
-                    phi_941_ = 1u;
+                    phi_919_ = _e318;
                 }
-                let _e354 = phi_941_;
-                if (_e304 < 0f) {
-                    phi_946_ = 0u;
+                let _e325 = phi_919_;
+                if (_e313 > _e319) {
+                    phi_924_ = _e313;
                 } else {
-                    phi_946_ = 2u;
+                    phi_924_ = _e319;
                 }
-                let _e357 = phi_946_;
-                if (_e314 < 0f) {
-                    phi_951_ = 0u;
+                let _e328 = phi_924_;
+                if (_e322 > _e325) {
+                    phi_929_ = _e322;
                 } else {
-                    phi_951_ = 4u;
+                    phi_929_ = _e325;
                 }
-                let _e360 = phi_951_;
-                let _e362 = ((_e354 | _e357) | _e360);
-                let _e363 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e116, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e363.first[0], _e363.first[1], _e363.first[2], _e363.first[3], _e363.first[4], _e363.first[5], _e363.first[6], _e363.first[7], _e363.first[8], _e363.first[9], _e363.first[10], _e363.first[11], _e363.first[12], _e363.first[13], _e363.first[14], _e363.first[15], _e363.first[16], _e363.first[17], _e363.first[18], _e363.first[19], _e363.first[20], _e363.first[21], _e363.first[22], _e363.first[23], _e363.first[24], _e363.first[25], _e363.first[26], _e363.first[27], _e363.first[28], _e363.first[29], _e363.first[30], _e363.first[31]), array<u32, 32>(_e363.mask[0], _e363.mask[1], _e363.mask[2], _e363.mask[3], _e363.mask[4], _e363.mask[5], _e363.mask[6], _e363.mask[7], _e363.mask[8], _e363.mask[9], _e363.mask[10], _e363.mask[11], _e363.mask[12], _e363.mask[13], _e363.mask[14], _e363.mask[15], _e363.mask[16], _e363.mask[17], _e363.mask[18], _e363.mask[19], _e363.mask[20], _e363.mask[21], _e363.mask[22], _e363.mask[23], _e363.mask[24], _e363.mask[25], _e363.mask[26], _e363.mask[27], _e363.mask[28], _e363.mask[29], _e363.mask[30], _e363.mask[31]), _e363.len, _e363.group, _e363.group_mask);
-                let _e437 = local_2.group_mask;
-                if ((_e437 & 4278190080u) == 0u) {
-                    let _e441 = local_2.len;
-                    if (_e441 == 0u) {
-                        phi_1065_ = false;
+                let _e331 = phi_929_;
+                if (_e331 > _e328) {
+                    phi_934_ = _e331;
+                } else {
+                    phi_934_ = _e328;
+                }
+                let _e334 = phi_934_;
+                let _e338 = (_e334 * 0.0000019073486f);
+                let _e339 = (abs(_e287) * _e338);
+                let _e340 = (abs(_e297) * _e338);
+                let _e341 = (abs(_e307) * _e338);
+                let _e345 = (_e334 * 0.0000009536743f);
+                let _e346 = (abs(_e287) * _e345);
+                let _e347 = (abs(_e297) * _e345);
+                let _e348 = (abs(_e307) * _e345);
+                if (_e287 < 0f) {
+                    phi_953_ = 0u;
+                } else {
+                    phi_953_ = 1u;
+                }
+                let _e351 = phi_953_;
+                if (_e297 < 0f) {
+                    phi_958_ = 0u;
+                } else {
+                    phi_958_ = 2u;
+                }
+                let _e354 = phi_958_;
+                if (_e307 < 0f) {
+                    phi_963_ = 0u;
+                } else {
+                    phi_963_ = 4u;
+                }
+                let _e357 = phi_963_;
+                let _e359 = ((_e351 | _e354) | _e357);
+                let _e360 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e117, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e360.first[0], _e360.first[1], _e360.first[2], _e360.first[3], _e360.first[4], _e360.first[5], _e360.first[6], _e360.first[7], _e360.first[8], _e360.first[9], _e360.first[10], _e360.first[11], _e360.first[12], _e360.first[13], _e360.first[14], _e360.first[15], _e360.first[16], _e360.first[17], _e360.first[18], _e360.first[19], _e360.first[20], _e360.first[21], _e360.first[22], _e360.first[23], _e360.first[24], _e360.first[25], _e360.first[26], _e360.first[27], _e360.first[28], _e360.first[29], _e360.first[30], _e360.first[31]), array<u32, 32>(_e360.mask[0], _e360.mask[1], _e360.mask[2], _e360.mask[3], _e360.mask[4], _e360.mask[5], _e360.mask[6], _e360.mask[7], _e360.mask[8], _e360.mask[9], _e360.mask[10], _e360.mask[11], _e360.mask[12], _e360.mask[13], _e360.mask[14], _e360.mask[15], _e360.mask[16], _e360.mask[17], _e360.mask[18], _e360.mask[19], _e360.mask[20], _e360.mask[21], _e360.mask[22], _e360.mask[23], _e360.mask[24], _e360.mask[25], _e360.mask[26], _e360.mask[27], _e360.mask[28], _e360.mask[29], _e360.mask[30], _e360.mask[31]), _e360.len, _e360.group, _e360.group_mask);
+                let _e434 = local_2.group_mask;
+                if ((_e434 & 4278190080u) == 0u) {
+                    let _e438 = local_2.len;
+                    if (_e438 == 0u) {
+                        phi_1077_ = false;
                     } else {
+                        let _e442 = local_2.len;
+                        local_2.len = (_e442 - 1u);
                         let _e445 = local_2.len;
-                        local_2.len = (_e445 - 1u);
-                        let _e448 = local_2.len;
-                        if (_e448 < 32u) {
+                        if (_e445 < 32u) {
                         } else {
                             return;
                         }
-                        let _e453 = local_2.first[(0u + _e448)];
-                        local_2.group = _e453;
-                        let _e456 = local_2.len;
-                        if (_e456 < 32u) {
+                        let _e450 = local_2.first[(0u + _e445)];
+                        local_2.group = _e450;
+                        let _e453 = local_2.len;
+                        if (_e453 < 32u) {
                         } else {
                             return;
                         }
-                        let _e461 = local_2.mask[(0u + _e456)];
-                        local_2.group_mask = _e461;
-                        phi_1065_ = true;
+                        let _e458 = local_2.mask[(0u + _e453)];
+                        local_2.group_mask = _e458;
+                        phi_1077_ = true;
                     }
-                    let _e464 = phi_1065_;
-                    phi_1066_ = _e464;
+                    let _e461 = phi_1077_;
+                    phi_1078_ = _e461;
                 } else {
-                    phi_1066_ = true;
+                    phi_1078_ = true;
                 }
-                let _e466 = phi_1066_;
-                if _e466 {
-                    let _e468 = local_2.group_mask;
-                    let _e474 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e468)), 32u, (_e468 == 0u)));
-                    let _e478 = local_2.group_mask;
-                    let _e492 = local_2.group_mask;
-                    local_2.group_mask = (_e492 & ~((1u << bitcast<u32>((_e474 & 31u)))));
-                    let _e495 = local_2.group;
-                    phi_1097_ = (_e495 + countOneBits(((_e478 & ~((4294967295u << bitcast<u32>((((_e474 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e463 = phi_1078_;
+                if _e463 {
+                    let _e465 = local_2.group_mask;
+                    let _e471 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e465)), 32u, (_e465 == 0u)));
+                    let _e475 = local_2.group_mask;
+                    let _e489 = local_2.group_mask;
+                    local_2.group_mask = (_e489 & ~((1u << bitcast<u32>((_e471 & 31u)))));
+                    let _e492 = local_2.group;
+                    phi_1109_ = (_e492 + countOneBits(((_e475 & ~((4294967295u << bitcast<u32>((((_e471 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1097_ = 4294967295u;
+                    phi_1109_ = 4294967295u;
                 }
-                let _e498 = phi_1097_;
-                phi_1099_ = _e498;
-                phi_1102_ = false;
+                let _e495 = phi_1109_;
+                phi_1111_ = _e495;
+                phi_1114_ = false;
                 loop {
-                    let _e500 = phi_1099_;
-                    let _e502 = phi_1102_;
-                    if (_e500 != 4294967295u) {
-                        if (_e500 < _e77) {
+                    let _e497 = phi_1111_;
+                    let _e499 = phi_1114_;
+                    if (_e497 != 4294967295u) {
+                        if (_e497 < _e78) {
                         } else {
                             return;
                         }
-                        let _e509 = nodes.member[(0u + _e500)].frame[3u];
-                        let _e534 = (bitcast<f32>((((_e509 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
-                        let _e535 = (bitcast<f32>((((_e509 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e536 = (bitcast<f32>((((_e509 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
-                        let _e539 = nodes.member[(0u + _e500)].frame[0u];
-                        let _e543 = nodes.member[(0u + _e500)].frame[1u];
-                        let _e547 = nodes.member[(0u + _e500)].frame[2u];
-                        let _e552 = ((bitcast<f32>(_e539) - _e136) * _e294);
-                        let _e553 = ((bitcast<f32>(_e543) - _e138) * _e304);
-                        let _e554 = ((bitcast<f32>(_e547) - _e140) * _e314);
-                        let _e562 = nodes.member[(0u + _e500)].x;
-                        if (_e294 < 0f) {
-                            let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e573.unnamed.root, _e562.w), _e573.unnamed_1);
-                            let _e585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e562.x, _e579.unnamed_1.first_primitive));
-                            phi_1182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e585.unnamed, lt_bvh_traverse_Tree(_e585.unnamed_1.root, _e562.y));
+                        let _e506 = nodes.member[(0u + _e497)].frame[3u];
+                        let _e531 = (bitcast<f32>((((_e506 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e287);
+                        let _e532 = (bitcast<f32>((((_e506 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e297);
+                        let _e533 = (bitcast<f32>((((_e506 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
+                        let _e536 = nodes.member[(0u + _e497)].frame[0u];
+                        let _e540 = nodes.member[(0u + _e497)].frame[1u];
+                        let _e544 = nodes.member[(0u + _e497)].frame[2u];
+                        let _e549 = ((bitcast<f32>(_e536) - _e137) * _e287);
+                        let _e550 = ((bitcast<f32>(_e540) - _e139) * _e297);
+                        let _e551 = ((bitcast<f32>(_e544) - _e141) * _e307);
+                        let _e559 = nodes.member[(0u + _e497)].x;
+                        if (_e287 < 0f) {
+                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e570.unnamed.word, _e559.w), _e570.unnamed_1);
+                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_mask_LightPlace(_e559.x, _e576.unnamed_1.shift));
+                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_mask_LightPlace(_e582.unnamed_1.word, _e559.y));
                         } else {
-                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e562.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e601.unnamed.root, _e562.y), _e601.unnamed_1);
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e562.z, _e607.unnamed_1.first_primitive));
-                            phi_1182_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e613.unnamed, lt_bvh_traverse_Tree(_e613.unnamed_1.root, _e562.w));
+                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.unnamed.word, _e559.y), _e598.unnamed_1);
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_mask_LightPlace(_e559.z, _e604.unnamed_1.shift));
+                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_mask_LightPlace(_e610.unnamed_1.word, _e559.w));
                         }
-                        let _e621 = phi_1182_;
-                        let _e631 = nodes.member[(0u + _e500)].y;
-                        if (_e304 < 0f) {
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e642.unnamed.root, _e631.w), _e642.unnamed_1);
-                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e631.x, _e648.unnamed_1.first_primitive));
-                            phi_1209_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_bvh_traverse_Tree(_e654.unnamed_1.root, _e631.y));
+                        let _e618 = phi_1194_;
+                        let _e628 = nodes.member[(0u + _e497)].y;
+                        if (_e297 < 0f) {
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
+                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
                         } else {
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e631.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.unnamed.root, _e631.y), _e670.unnamed_1);
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e631.z, _e676.unnamed_1.first_primitive));
-                            phi_1209_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_bvh_traverse_Tree(_e682.unnamed_1.root, _e631.w));
+                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
+                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
                         }
-                        let _e690 = phi_1209_;
-                        let _e700 = nodes.member[(0u + _e500)].z;
-                        if (_e314 < 0f) {
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e711.unnamed.root, _e700.w), _e711.unnamed_1);
-                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e700.x, _e717.unnamed_1.first_primitive));
-                            phi_1236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e723.unnamed_1.root, _e700.y));
+                        let _e687 = phi_1221_;
+                        let _e697 = nodes.member[(0u + _e497)].z;
+                        if (_e307 < 0f) {
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
+                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
                         } else {
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e700.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.unnamed.root, _e700.y), _e739.unnamed_1);
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e700.z, _e745.unnamed_1.first_primitive));
-                            phi_1236_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_bvh_traverse_Tree(_e751.unnamed_1.root, _e700.w));
+                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
+                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
                         }
-                        let _e759 = phi_1236_;
-                        phi_1242_ = 0u;
-                        phi_1245_ = 0u;
+                        let _e756 = phi_1248_;
+                        phi_1254_ = 0u;
+                        phi_1257_ = 0u;
                         loop {
-                            let _e769 = phi_1242_;
-                            let _e771 = phi_1245_;
-                            local_3 = _e771;
-                            local_4 = _e771;
-                            local_5 = _e771;
-                            let _e772 = (_e769 < 8u);
-                            if _e772 {
-                                let _e774 = (_e769 >> bitcast<u32>(2i));
-                                let _e775 = (_e769 & 3u);
-                                if (_e774 == 0u) {
-                                    phi_1259_ = _e621.unnamed.root;
+                            let _e766 = phi_1254_;
+                            let _e768 = phi_1257_;
+                            local_3 = _e768;
+                            local_4 = _e768;
+                            local_5 = _e768;
+                            let _e769 = (_e766 < 8u);
+                            if _e769 {
+                                let _e771 = (_e766 >> bitcast<u32>(2i));
+                                let _e772 = (_e766 & 3u);
+                                if (_e771 == 0u) {
+                                    phi_1271_ = _e618.unnamed.word;
                                 } else {
-                                    phi_1259_ = _e621.unnamed.first_primitive;
+                                    phi_1271_ = _e618.unnamed.shift;
                                 }
-                                let _e778 = phi_1259_;
-                                if (_e774 == 0u) {
-                                    phi_1269_ = _e690.unnamed.root;
+                                let _e775 = phi_1271_;
+                                if (_e771 == 0u) {
+                                    phi_1281_ = _e687.unnamed.word;
                                 } else {
-                                    phi_1269_ = _e690.unnamed.first_primitive;
+                                    phi_1281_ = _e687.unnamed.shift;
                                 }
-                                let _e787 = phi_1269_;
-                                if (_e774 == 0u) {
-                                    phi_1279_ = _e759.unnamed.root;
+                                let _e784 = phi_1281_;
+                                if (_e771 == 0u) {
+                                    phi_1291_ = _e756.unnamed.word;
                                 } else {
-                                    phi_1279_ = _e759.unnamed.first_primitive;
+                                    phi_1291_ = _e756.unnamed.shift;
                                 }
-                                let _e796 = phi_1279_;
-                                let _e809 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e778 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e342)), ((f32(((_e787 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e535) + (_e553 - _e343)));
-                                let _e810 = core_intrinsics_maximum_number_nsz_f32_(_e809, ((f32(((_e796 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e536) + (_e554 - _e344)));
-                                if (_e774 == 0u) {
-                                    phi_1297_ = _e621.unnamed_1.root;
+                                let _e793 = phi_1291_;
+                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e775 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)), ((f32(((_e784 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)));
+                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(_e806, ((f32(((_e793 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e341)));
+                                if (_e771 == 0u) {
+                                    phi_1309_ = _e618.unnamed_1.word;
                                 } else {
-                                    phi_1297_ = _e621.unnamed_1.first_primitive;
+                                    phi_1309_ = _e618.unnamed_1.shift;
                                 }
-                                let _e813 = phi_1297_;
-                                if (_e774 == 0u) {
-                                    phi_1307_ = _e690.unnamed_1.root;
+                                let _e810 = phi_1309_;
+                                if (_e771 == 0u) {
+                                    phi_1319_ = _e687.unnamed_1.word;
                                 } else {
-                                    phi_1307_ = _e690.unnamed_1.first_primitive;
+                                    phi_1319_ = _e687.unnamed_1.shift;
                                 }
-                                let _e822 = phi_1307_;
-                                if (_e774 == 0u) {
-                                    phi_1317_ = _e759.unnamed_1.root;
+                                let _e819 = phi_1319_;
+                                if (_e771 == 0u) {
+                                    phi_1329_ = _e756.unnamed_1.word;
                                 } else {
-                                    phi_1317_ = _e759.unnamed_1.first_primitive;
+                                    phi_1329_ = _e756.unnamed_1.shift;
                                 }
-                                let _e831 = phi_1317_;
-                                let _e844 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e813 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e342)), ((f32(((_e822 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e535) + (_e553 + _e343)));
-                                let _e845 = core_intrinsics_minimum_number_nsz_f32_(_e844, ((f32(((_e831 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u)) * _e536) + (_e554 + _e344)));
-                                if (_e810 <= _e845) {
-                                    if (_e810 <= _e146) {
-                                        if (_e845 >= 0f) {
-                                            if (_e774 == 0u) {
-                                                let _e852 = nodes.member[(0u + _e500)].links[2u];
-                                                phi_1353_ = _e852;
+                                let _e828 = phi_1329_;
+                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)), ((f32(((_e819 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e340)));
+                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e341)));
+                                if (_e807 <= _e842) {
+                                    if (_e807 <= _e147) {
+                                        if (_e842 >= 0f) {
+                                            if (_e771 == 0u) {
+                                                let _e849 = nodes.member[(0u + _e497)].links[2u];
+                                                phi_1365_ = _e849;
                                             } else {
-                                                let _e855 = nodes.member[(0u + _e500)].links[3u];
-                                                phi_1353_ = _e855;
+                                                let _e852 = nodes.member[(0u + _e497)].links[3u];
+                                                phi_1365_ = _e852;
                                             }
-                                            let _e857 = phi_1353_;
-                                            let _e862 = ((_e857 >> bitcast<u32>(((_e775 * 8u) & 31u))) & 255u);
-                                            let _e863 = (_e862 & 31u);
-                                            if (_e863 >= 24u) {
-                                                phi_1366_ = (24u + ((_e863 - 24u) ^ _e362));
+                                            let _e854 = phi_1365_;
+                                            let _e859 = ((_e854 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u);
+                                            let _e860 = (_e859 & 31u);
+                                            if (_e860 >= 24u) {
+                                                phi_1378_ = (24u + ((_e860 - 24u) ^ _e359));
                                             } else {
-                                                phi_1366_ = _e863;
+                                                phi_1378_ = _e860;
                                             }
-                                            let _e869 = phi_1366_;
-                                            phi_1371_ = (_e771 | ((_e862 >> bitcast<u32>(5i)) << bitcast<u32>((_e869 & 31u))));
+                                            let _e866 = phi_1378_;
+                                            phi_1383_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
                                         } else {
-                                            phi_1371_ = _e771;
+                                            phi_1383_ = _e768;
                                         }
-                                        let _e877 = phi_1371_;
-                                        phi_1372_ = _e877;
+                                        let _e874 = phi_1383_;
+                                        phi_1384_ = _e874;
                                     } else {
-                                        phi_1372_ = _e771;
+                                        phi_1384_ = _e768;
                                     }
-                                    let _e879 = phi_1372_;
-                                    phi_1373_ = _e879;
+                                    let _e876 = phi_1384_;
+                                    phi_1385_ = _e876;
                                 } else {
-                                    phi_1373_ = _e771;
+                                    phi_1385_ = _e768;
                                 }
-                                let _e881 = phi_1373_;
-                                phi_1243_ = (_e769 + 1u);
-                                phi_1246_ = _e881;
+                                let _e878 = phi_1385_;
+                                phi_1255_ = (_e766 + 1u);
+                                phi_1258_ = _e878;
                             } else {
-                                phi_1243_ = u32();
-                                phi_1246_ = u32();
+                                phi_1255_ = u32();
+                                phi_1258_ = u32();
                             }
-                            let _e884 = phi_1243_;
-                            let _e886 = phi_1246_;
+                            let _e881 = phi_1255_;
+                            let _e883 = phi_1258_;
                             continue;
                             continuing {
-                                phi_1242_ = _e884;
-                                phi_1245_ = _e886;
-                                break if !(_e772);
+                                phi_1254_ = _e881;
+                                phi_1257_ = _e883;
+                                break if !(_e769);
                             }
                         }
-                        let _e890 = nodes.member[(0u + _e500)].links[0u];
-                        let _e894 = nodes.member[(0u + _e500)].frame[3u];
-                        let _e898 = local_3;
-                        if ((_e898 & 4278190080u) == 0u) {
+                        let _e887 = nodes.member[(0u + _e497)].links[0u];
+                        let _e891 = nodes.member[(0u + _e497)].frame[3u];
+                        let _e895 = local_3;
+                        if ((_e895 & 4278190080u) == 0u) {
                         } else {
-                            let _e902 = local_2.group_mask;
-                            if ((_e902 & 4278190080u) == 0u) {
+                            let _e899 = local_2.group_mask;
+                            if ((_e899 & 4278190080u) == 0u) {
                             } else {
-                                let _e906 = local_2.len;
-                                if (_e906 < 32u) {
-                                    let _e909 = local_2.group;
-                                    let _e911 = local_2.len;
-                                    if (_e911 < 32u) {
+                                let _e903 = local_2.len;
+                                if (_e903 < 32u) {
+                                    let _e906 = local_2.group;
+                                    let _e908 = local_2.len;
+                                    if (_e908 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e911)] = _e909;
-                                    let _e917 = local_2.group_mask;
-                                    let _e919 = local_2.len;
-                                    if (_e919 < 32u) {
+                                    local_2.first[(0u + _e908)] = _e906;
+                                    let _e914 = local_2.group_mask;
+                                    let _e916 = local_2.len;
+                                    if (_e916 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e919)] = _e917;
-                                    let _e926 = local_2.len;
-                                    local_2.len = (_e926 + 1u);
+                                    local_2.mask[(0u + _e916)] = _e914;
+                                    let _e923 = local_2.len;
+                                    local_2.len = (_e923 + 1u);
                                 }
                             }
-                            local_2.group = (_e116 + _e890);
-                            let _e930 = local_4;
-                            local_2.group_mask = ((_e930 & 4278190080u) | (_e894 >> bitcast<u32>(24i)));
+                            local_2.group = (_e117 + _e887);
+                            let _e927 = local_4;
+                            local_2.group_mask = ((_e927 & 4278190080u) | (_e891 >> bitcast<u32>(24i)));
                         }
-                        let _e935 = local_5;
-                        phi_1431_ = (_e935 & 16777215u);
-                        phi_1434_ = _e502;
+                        let _e932 = local_5;
+                        phi_1443_ = (_e932 & 16777215u);
+                        phi_1446_ = _e499;
                         loop {
-                            let _e938 = phi_1431_;
-                            let _e940 = phi_1434_;
-                            local_18 = _e940;
-                            let _e941 = (_e938 == 0u);
-                            local_11 = _e941;
-                            local_19 = _e941;
-                            if _e941 {
-                                phi_1432_ = u32();
-                                phi_1435_ = bool();
-                                phi_3286_ = false;
+                            let _e935 = phi_1443_;
+                            let _e937 = phi_1446_;
+                            local_18 = _e937;
+                            let _e938 = (_e935 == 0u);
+                            local_11 = _e938;
+                            local_19 = _e938;
+                            if _e938 {
+                                phi_1444_ = u32();
+                                phi_1447_ = bool();
+                                phi_3305_ = false;
                             } else {
-                                let _e944 = nodes.member[(0u + _e500)].links[1u];
-                                let _e948 = (_e944 + select(firstTrailingBit(_e938), 32u, (_e938 == 0u)));
-                                if (_e948 < arrayLength((&instances.member))) {
+                                let _e941 = nodes.member[(0u + _e497)].links[1u];
+                                let _e945 = (_e941 + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
+                                if (_e945 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e955 = instances.member[(0u + _e948)].low_world;
-                                let _e957 = instances.member[(0u + _e948)].high_world;
-                                let _e964 = ((_e955.x - _e136) * _e294);
-                                let _e965 = ((_e955.y - _e138) * _e304);
-                                let _e966 = ((_e955.z - _e140) * _e314);
-                                let _e973 = ((_e957.x - _e136) * _e294);
-                                let _e974 = ((_e957.y - _e138) * _e304);
-                                let _e975 = ((_e957.z - _e140) * _e314);
-                                if (_e964 < _e973) {
-                                    phi_1483_ = _e964;
+                                let _e952 = instances.member[(0u + _e945)].low_world;
+                                let _e954 = instances.member[(0u + _e945)].high_world;
+                                let _e961 = ((_e952.x - _e137) * _e287);
+                                let _e962 = ((_e952.y - _e139) * _e297);
+                                let _e963 = ((_e952.z - _e141) * _e307);
+                                let _e970 = ((_e954.x - _e137) * _e287);
+                                let _e971 = ((_e954.y - _e139) * _e297);
+                                let _e972 = ((_e954.z - _e141) * _e307);
+                                if (_e961 < _e970) {
+                                    phi_1495_ = _e961;
                                 } else {
-                                    phi_1483_ = _e973;
+                                    phi_1495_ = _e970;
                                 }
-                                let _e978 = phi_1483_;
-                                if (_e965 < _e974) {
-                                    phi_1488_ = _e965;
+                                let _e975 = phi_1495_;
+                                if (_e962 < _e971) {
+                                    phi_1500_ = _e962;
                                 } else {
-                                    phi_1488_ = _e974;
+                                    phi_1500_ = _e971;
                                 }
-                                let _e981 = phi_1488_;
-                                if (_e966 < _e975) {
-                                    phi_1493_ = _e966;
+                                let _e978 = phi_1500_;
+                                if (_e963 < _e972) {
+                                    phi_1505_ = _e963;
                                 } else {
-                                    phi_1493_ = _e975;
+                                    phi_1505_ = _e972;
                                 }
-                                let _e984 = phi_1493_;
-                                if (_e964 > _e973) {
-                                    phi_1501_ = _e964;
+                                let _e981 = phi_1505_;
+                                if (_e961 > _e970) {
+                                    phi_1513_ = _e961;
                                 } else {
-                                    phi_1501_ = _e973;
+                                    phi_1513_ = _e970;
                                 }
-                                let _e990 = phi_1501_;
-                                if (_e965 > _e974) {
-                                    phi_1506_ = _e965;
+                                let _e987 = phi_1513_;
+                                if (_e962 > _e971) {
+                                    phi_1518_ = _e962;
                                 } else {
-                                    phi_1506_ = _e974;
+                                    phi_1518_ = _e971;
                                 }
-                                let _e993 = phi_1506_;
-                                if (_e966 > _e975) {
-                                    phi_1511_ = _e966;
+                                let _e990 = phi_1518_;
+                                if (_e963 > _e972) {
+                                    phi_1523_ = _e963;
                                 } else {
-                                    phi_1511_ = _e975;
+                                    phi_1523_ = _e972;
                                 }
-                                let _e996 = phi_1511_;
-                                let _e1000 = core_intrinsics_maximum_number_nsz_f32_((_e978 - _e349), (_e981 - _e350));
-                                let _e1001 = core_intrinsics_maximum_number_nsz_f32_(_e1000, (_e984 - _e351));
-                                let _e1002 = core_intrinsics_minimum_number_nsz_f32_((_e990 + _e349), (_e993 + _e350));
-                                let _e1003 = core_intrinsics_minimum_number_nsz_f32_(_e1002, (_e996 + _e351));
-                                if (_e1001 <= _e1003) {
-                                    if (_e1001 <= _e146) {
-                                        if (_e1003 >= 0f) {
-                                            let _e1009 = instances.member[(0u + _e948)].world_to_object[0u];
-                                            let _e1020 = ((((_e1009.x * _e136) + (_e1009.y * _e138)) + (_e1009.z * _e140)) + (_e1009.w * 1f));
-                                            let _e1022 = instances.member[(0u + _e948)].world_to_object[1u];
-                                            let _e1033 = ((((_e1022.x * _e136) + (_e1022.y * _e138)) + (_e1022.z * _e140)) + (_e1022.w * 1f));
-                                            let _e1035 = instances.member[(0u + _e948)].world_to_object[2u];
-                                            let _e1046 = ((((_e1035.x * _e136) + (_e1035.y * _e138)) + (_e1035.z * _e140)) + (_e1035.w * 1f));
-                                            let _e1049 = instances.member[(0u + _e948)].world_to_object[0u];
-                                            let _e1060 = ((((_e1049.x * _e154) + (_e1049.y * _e155)) + (_e1049.z * _e156)) + (_e1049.w * 0f));
-                                            let _e1062 = instances.member[(0u + _e948)].world_to_object[1u];
-                                            let _e1073 = ((((_e1062.x * _e154) + (_e1062.y * _e155)) + (_e1062.z * _e156)) + (_e1062.w * 0f));
-                                            let _e1075 = instances.member[(0u + _e948)].world_to_object[2u];
-                                            let _e1086 = ((((_e1075.x * _e154) + (_e1075.y * _e155)) + (_e1075.z * _e156)) + (_e1075.w * 0f));
-                                            let _e1089 = instances.member[(0u + _e948)].root;
-                                            let _e1091 = instances.member[(0u + _e948)].first_triangle;
-                                            let _e1095 = abs(_e1060);
-                                            let _e1096 = abs(_e1073);
-                                            let _e1097 = abs(_e1086);
-                                            if (abs(_e1020) < 1000000000000000f) {
-                                                if (abs(_e1033) < 1000000000000000f) {
-                                                    if (abs(_e1046) < 1000000000000000f) {
-                                                        if (_e1095 < 1000000000000000f) {
-                                                            if (_e1096 < 1000000000000000f) {
-                                                                if (_e1097 < 1000000000000000f) {
-                                                                    if (_e1095 > 0f) {
-                                                                        phi_1656_ = bool();
-                                                                        phi_1657_ = true;
-                                                                    } else {
-                                                                        let _e1105 = (_e1096 > 0f);
-                                                                        if _e1105 {
-                                                                            phi_1655_ = bool();
-                                                                        } else {
-                                                                            phi_1655_ = (_e1097 > 0f);
-                                                                        }
-                                                                        let _e1108 = phi_1655_;
-                                                                        phi_1656_ = _e1108;
-                                                                        phi_1657_ = _e1105;
-                                                                    }
-                                                                    let _e1110 = phi_1656_;
-                                                                    let _e1112 = phi_1657_;
-                                                                    if _e1112 {
-                                                                        phi_1661_ = true;
-                                                                    } else {
-                                                                        phi_1661_ = _e1110;
-                                                                    }
-                                                                    let _e1114 = phi_1661_;
-                                                                    phi_1662_ = _e1114;
-                                                                    phi_1663_ = false;
-                                                                } else {
-                                                                    phi_1662_ = bool();
-                                                                    phi_1663_ = true;
-                                                                }
-                                                                let _e1116 = phi_1662_;
-                                                                let _e1118 = phi_1663_;
-                                                                phi_1664_ = _e1116;
-                                                                phi_1665_ = false;
-                                                                phi_1666_ = _e1118;
-                                                            } else {
-                                                                phi_1664_ = bool();
-                                                                phi_1665_ = true;
-                                                                phi_1666_ = false;
-                                                            }
-                                                            let _e1120 = phi_1664_;
-                                                            let _e1122 = phi_1665_;
-                                                            let _e1124 = phi_1666_;
-                                                            phi_1667_ = _e1120;
-                                                            phi_1668_ = _e1122;
-                                                            phi_1669_ = _e1124;
-                                                        } else {
-                                                            phi_1667_ = bool();
-                                                            phi_1668_ = true;
-                                                            phi_1669_ = false;
-                                                        }
-                                                        let _e1126 = phi_1667_;
-                                                        let _e1128 = phi_1668_;
-                                                        let _e1130 = phi_1669_;
-                                                        phi_1670_ = _e1126;
-                                                        phi_1671_ = _e1128;
-                                                        phi_1672_ = _e1130;
-                                                    } else {
-                                                        phi_1670_ = bool();
-                                                        phi_1671_ = true;
-                                                        phi_1672_ = false;
-                                                    }
-                                                    let _e1132 = phi_1670_;
-                                                    let _e1134 = phi_1671_;
-                                                    let _e1136 = phi_1672_;
-                                                    phi_1673_ = _e1132;
-                                                    phi_1674_ = _e1134;
-                                                    phi_1675_ = _e1136;
+                                let _e993 = phi_1523_;
+                                let _e997 = core_intrinsics_maximum_number_nsz_f32_((_e975 - _e346), (_e978 - _e347));
+                                let _e998 = core_intrinsics_maximum_number_nsz_f32_(_e997, (_e981 - _e348));
+                                let _e999 = core_intrinsics_minimum_number_nsz_f32_((_e987 + _e346), (_e990 + _e347));
+                                let _e1000 = core_intrinsics_minimum_number_nsz_f32_(_e999, (_e993 + _e348));
+                                if (_e998 <= _e1000) {
+                                    if (_e998 <= _e147) {
+                                        if (_e1000 >= 0f) {
+                                            let _e1006 = instances.member[(0u + _e945)].world_to_object[0u];
+                                            let _e1017 = ((((_e1006.x * _e137) + (_e1006.y * _e139)) + (_e1006.z * _e141)) + (_e1006.w * 1f));
+                                            let _e1019 = instances.member[(0u + _e945)].world_to_object[1u];
+                                            let _e1030 = ((((_e1019.x * _e137) + (_e1019.y * _e139)) + (_e1019.z * _e141)) + (_e1019.w * 1f));
+                                            let _e1032 = instances.member[(0u + _e945)].world_to_object[2u];
+                                            let _e1043 = ((((_e1032.x * _e137) + (_e1032.y * _e139)) + (_e1032.z * _e141)) + (_e1032.w * 1f));
+                                            let _e1046 = instances.member[(0u + _e945)].world_to_object[0u];
+                                            let _e1057 = ((((_e1046.x * _e155) + (_e1046.y * _e156)) + (_e1046.z * _e157)) + (_e1046.w * 0f));
+                                            let _e1059 = instances.member[(0u + _e945)].world_to_object[1u];
+                                            let _e1070 = ((((_e1059.x * _e155) + (_e1059.y * _e156)) + (_e1059.z * _e157)) + (_e1059.w * 0f));
+                                            let _e1072 = instances.member[(0u + _e945)].world_to_object[2u];
+                                            let _e1083 = ((((_e1072.x * _e155) + (_e1072.y * _e156)) + (_e1072.z * _e157)) + (_e1072.w * 0f));
+                                            let _e1086 = instances.member[(0u + _e945)].root;
+                                            let _e1088 = instances.member[(0u + _e945)].first_triangle;
+                                            let _e1089 = abs(_e1057);
+                                            let _e1090 = abs(_e1070);
+                                            let _e1091 = abs(_e1083);
+                                            if (abs(_e1017) < 1000000000000000f) {
+                                                if (abs(_e1030) < 1000000000000000f) {
+                                                    phi_1643_ = (abs(_e1043) < 1000000000000000f);
+                                                    phi_1644_ = false;
                                                 } else {
-                                                    phi_1673_ = bool();
-                                                    phi_1674_ = true;
-                                                    phi_1675_ = false;
+                                                    phi_1643_ = bool();
+                                                    phi_1644_ = true;
                                                 }
-                                                let _e1138 = phi_1673_;
-                                                let _e1140 = phi_1674_;
-                                                let _e1142 = phi_1675_;
-                                                phi_1676_ = _e1138;
-                                                phi_1677_ = _e1140;
-                                                phi_1678_ = _e1142;
+                                                let _e1099 = phi_1643_;
+                                                let _e1101 = phi_1644_;
+                                                phi_1645_ = _e1099;
+                                                phi_1646_ = _e1101;
                                             } else {
-                                                phi_1676_ = bool();
-                                                phi_1677_ = true;
-                                                phi_1678_ = false;
+                                                phi_1645_ = bool();
+                                                phi_1646_ = true;
                                             }
-                                            let _e1144 = phi_1676_;
-                                            let _e1146 = phi_1677_;
-                                            let _e1148 = phi_1678_;
-                                            if _e1146 {
-                                                phi_1682_ = true;
+                                            let _e1103 = phi_1645_;
+                                            let _e1105 = phi_1646_;
+                                            if _e1105 {
+                                                phi_1650_ = false;
                                             } else {
-                                                phi_1682_ = _e1148;
+                                                phi_1650_ = _e1103;
                                             }
-                                            let _e1150 = phi_1682_;
-                                            if _e1150 {
-                                                phi_1686_ = false;
-                                            } else {
-                                                phi_1686_ = _e1144;
-                                            }
-                                            let _e1152 = phi_1686_;
-                                            if _e1152 {
-                                                let _e1153 = (_e1089 >= _e77);
-                                                if _e1153 {
-                                                    phi_3266_ = bool();
+                                            let _e1107 = phi_1650_;
+                                            if _e1107 {
+                                                if (_e1089 < 1000000000000000f) {
+                                                    if (_e1090 < 1000000000000000f) {
+                                                        phi_1663_ = (_e1091 < 1000000000000000f);
+                                                        phi_1664_ = false;
+                                                    } else {
+                                                        phi_1663_ = bool();
+                                                        phi_1664_ = true;
+                                                    }
+                                                    let _e1112 = phi_1663_;
+                                                    let _e1114 = phi_1664_;
+                                                    phi_1665_ = _e1112;
+                                                    phi_1666_ = _e1114;
                                                 } else {
-                                                    if (_e1089 < _e77) {
+                                                    phi_1665_ = bool();
+                                                    phi_1666_ = true;
+                                                }
+                                                let _e1116 = phi_1665_;
+                                                let _e1118 = phi_1666_;
+                                                if _e1118 {
+                                                    phi_1670_ = false;
+                                                } else {
+                                                    phi_1670_ = _e1116;
+                                                }
+                                                let _e1120 = phi_1670_;
+                                                if _e1120 {
+                                                    if (_e1089 > 0f) {
+                                                        phi_1684_ = bool();
+                                                        phi_1685_ = true;
+                                                    } else {
+                                                        let _e1122 = (_e1090 > 0f);
+                                                        if _e1122 {
+                                                            phi_1683_ = bool();
+                                                        } else {
+                                                            phi_1683_ = (_e1091 > 0f);
+                                                        }
+                                                        let _e1125 = phi_1683_;
+                                                        phi_1684_ = _e1125;
+                                                        phi_1685_ = _e1122;
+                                                    }
+                                                    let _e1127 = phi_1684_;
+                                                    let _e1129 = phi_1685_;
+                                                    if _e1129 {
+                                                        phi_1689_ = true;
+                                                    } else {
+                                                        phi_1689_ = _e1127;
+                                                    }
+                                                    let _e1131 = phi_1689_;
+                                                    phi_1690_ = _e1131;
+                                                    phi_1691_ = false;
+                                                } else {
+                                                    phi_1690_ = bool();
+                                                    phi_1691_ = true;
+                                                }
+                                                let _e1133 = phi_1690_;
+                                                let _e1135 = phi_1691_;
+                                                phi_1692_ = _e1133;
+                                                phi_1693_ = _e1135;
+                                            } else {
+                                                phi_1692_ = bool();
+                                                phi_1693_ = true;
+                                            }
+                                            let _e1137 = phi_1692_;
+                                            let _e1139 = phi_1693_;
+                                            if _e1139 {
+                                                phi_1697_ = false;
+                                            } else {
+                                                phi_1697_ = _e1137;
+                                            }
+                                            let _e1141 = phi_1697_;
+                                            if _e1141 {
+                                                let _e1142 = (_e1086 >= _e78);
+                                                if _e1142 {
+                                                    phi_3285_ = bool();
+                                                } else {
+                                                    if (_e1086 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1159 = nodes.member[(0u + _e1089)].frame[0u];
-                                                    let _e1163 = nodes.member[(0u + _e1089)].frame[1u];
-                                                    let _e1167 = nodes.member[(0u + _e1089)].frame[2u];
-                                                    let _e1171 = nodes.member[(0u + _e1089)].frame[0u];
-                                                    let _e1175 = nodes.member[(0u + _e1089)].frame[1u];
-                                                    let _e1179 = nodes.member[(0u + _e1089)].frame[2u];
-                                                    let _e1183 = nodes.member[(0u + _e1089)].frame[3u];
-                                                    let _e1217 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1060), abs(_e1073));
-                                                    let _e1218 = core_intrinsics_maximum_number_nsz_f32_(_e1217, abs(_e1086));
-                                                    let _e1219 = (_e1218 * 0.0000000000009094947f);
-                                                    if (abs(_e1060) < _e1219) {
-                                                        phi_1756_ = _e1219;
+                                                    let _e1148 = nodes.member[(0u + _e1086)].frame[0u];
+                                                    let _e1152 = nodes.member[(0u + _e1086)].frame[1u];
+                                                    let _e1156 = nodes.member[(0u + _e1086)].frame[2u];
+                                                    let _e1160 = nodes.member[(0u + _e1086)].frame[0u];
+                                                    let _e1164 = nodes.member[(0u + _e1086)].frame[1u];
+                                                    let _e1168 = nodes.member[(0u + _e1086)].frame[2u];
+                                                    let _e1172 = nodes.member[(0u + _e1086)].frame[3u];
+                                                    let _e1206 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1057), abs(_e1070));
+                                                    let _e1207 = core_intrinsics_maximum_number_nsz_f32_(_e1206, abs(_e1083));
+                                                    let _e1208 = (_e1207 * 0.0000000000009094947f);
+                                                    if (abs(_e1057) < _e1208) {
+                                                        phi_1767_ = _e1208;
                                                     } else {
-                                                        phi_1756_ = abs(_e1060);
+                                                        phi_1767_ = abs(_e1057);
                                                     }
-                                                    let _e1224 = phi_1756_;
-                                                    if (_e1060 < 0f) {
-                                                        phi_1763_ = (-1f / _e1224);
+                                                    let _e1213 = phi_1767_;
+                                                    if (_e1057 < 0f) {
+                                                        phi_1774_ = (-1f / _e1213);
                                                     } else {
-                                                        phi_1763_ = (1f / _e1224);
+                                                        phi_1774_ = (1f / _e1213);
                                                     }
-                                                    let _e1229 = phi_1763_;
-                                                    if (abs(_e1073) < _e1219) {
-                                                        phi_1770_ = _e1219;
+                                                    let _e1218 = phi_1774_;
+                                                    if (abs(_e1070) < _e1208) {
+                                                        phi_1781_ = _e1208;
                                                     } else {
-                                                        phi_1770_ = abs(_e1073);
+                                                        phi_1781_ = abs(_e1070);
                                                     }
-                                                    let _e1234 = phi_1770_;
-                                                    if (_e1073 < 0f) {
-                                                        phi_1777_ = (-1f / _e1234);
+                                                    let _e1223 = phi_1781_;
+                                                    if (_e1070 < 0f) {
+                                                        phi_1788_ = (-1f / _e1223);
                                                     } else {
-                                                        phi_1777_ = (1f / _e1234);
+                                                        phi_1788_ = (1f / _e1223);
                                                     }
-                                                    let _e1239 = phi_1777_;
-                                                    if (abs(_e1086) < _e1219) {
-                                                        phi_1784_ = _e1219;
+                                                    let _e1228 = phi_1788_;
+                                                    if (abs(_e1083) < _e1208) {
+                                                        phi_1795_ = _e1208;
                                                     } else {
-                                                        phi_1784_ = abs(_e1086);
+                                                        phi_1795_ = abs(_e1083);
                                                     }
-                                                    let _e1244 = phi_1784_;
-                                                    if (_e1086 < 0f) {
-                                                        phi_1791_ = (-1f / _e1244);
+                                                    let _e1233 = phi_1795_;
+                                                    if (_e1083 < 0f) {
+                                                        phi_1802_ = (-1f / _e1233);
                                                     } else {
-                                                        phi_1791_ = (1f / _e1244);
+                                                        phi_1802_ = (1f / _e1233);
                                                     }
-                                                    let _e1249 = phi_1791_;
-                                                    let _e1253 = abs((bitcast<f32>(_e1159) - _e1020));
-                                                    let _e1254 = abs((bitcast<f32>(_e1163) - _e1033));
-                                                    let _e1255 = abs((bitcast<f32>(_e1167) - _e1046));
-                                                    let _e1259 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1020));
-                                                    let _e1260 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1033));
-                                                    let _e1261 = abs(((bitcast<f32>(_e1179) + (bitcast<f32>((((_e1183 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1046));
-                                                    if (_e1253 > _e1259) {
-                                                        phi_1808_ = _e1253;
+                                                    let _e1238 = phi_1802_;
+                                                    let _e1242 = abs((bitcast<f32>(_e1148) - _e1017));
+                                                    let _e1243 = abs((bitcast<f32>(_e1152) - _e1030));
+                                                    let _e1244 = abs((bitcast<f32>(_e1156) - _e1043));
+                                                    let _e1248 = abs(((bitcast<f32>(_e1160) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1017));
+                                                    let _e1249 = abs(((bitcast<f32>(_e1164) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1030));
+                                                    let _e1250 = abs(((bitcast<f32>(_e1168) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1043));
+                                                    if (_e1242 > _e1248) {
+                                                        phi_1819_ = _e1242;
                                                     } else {
-                                                        phi_1808_ = _e1259;
+                                                        phi_1819_ = _e1248;
                                                     }
-                                                    let _e1264 = phi_1808_;
-                                                    if (_e1254 > _e1260) {
-                                                        phi_1813_ = _e1254;
+                                                    let _e1253 = phi_1819_;
+                                                    if (_e1243 > _e1249) {
+                                                        phi_1824_ = _e1243;
                                                     } else {
-                                                        phi_1813_ = _e1260;
+                                                        phi_1824_ = _e1249;
                                                     }
-                                                    let _e1267 = phi_1813_;
-                                                    if (_e1255 > _e1261) {
-                                                        phi_1818_ = _e1255;
+                                                    let _e1256 = phi_1824_;
+                                                    if (_e1244 > _e1250) {
+                                                        phi_1829_ = _e1244;
                                                     } else {
-                                                        phi_1818_ = _e1261;
+                                                        phi_1829_ = _e1250;
                                                     }
-                                                    let _e1270 = phi_1818_;
-                                                    let _e1271 = core_intrinsics_maximum_number_nsz_f32_(_e1264, _e1267);
-                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(_e1271, _e1270);
-                                                    let _e1276 = (_e1272 * 0.0000019073486f);
-                                                    let _e1277 = (abs(_e1229) * _e1276);
-                                                    let _e1278 = (abs(_e1239) * _e1276);
-                                                    let _e1279 = (abs(_e1249) * _e1276);
-                                                    let _e1283 = (_e1272 * 0.0000009536743f);
-                                                    let _e1284 = (abs(_e1229) * _e1283);
-                                                    let _e1285 = (abs(_e1239) * _e1283);
-                                                    let _e1286 = (abs(_e1249) * _e1283);
-                                                    let _e1287 = abs(_e1060);
-                                                    let _e1288 = abs(_e1073);
-                                                    let _e1289 = abs(_e1086);
-                                                    if (_e1287 >= _e1288) {
-                                                        if (_e1287 >= _e1289) {
-                                                            phi_1846_ = false;
+                                                    let _e1259 = phi_1829_;
+                                                    if (_e1253 > _e1256) {
+                                                        phi_1834_ = _e1253;
+                                                    } else {
+                                                        phi_1834_ = _e1256;
+                                                    }
+                                                    let _e1262 = phi_1834_;
+                                                    if (_e1262 > _e1259) {
+                                                        phi_1839_ = _e1262;
+                                                    } else {
+                                                        phi_1839_ = _e1259;
+                                                    }
+                                                    let _e1265 = phi_1839_;
+                                                    let _e1269 = (_e1265 * 0.0000019073486f);
+                                                    let _e1270 = (abs(_e1218) * _e1269);
+                                                    let _e1271 = (abs(_e1228) * _e1269);
+                                                    let _e1272 = (abs(_e1238) * _e1269);
+                                                    let _e1276 = (_e1265 * 0.0000009536743f);
+                                                    let _e1277 = (abs(_e1218) * _e1276);
+                                                    let _e1278 = (abs(_e1228) * _e1276);
+                                                    let _e1279 = (abs(_e1238) * _e1276);
+                                                    let _e1280 = abs(_e1057);
+                                                    let _e1281 = abs(_e1070);
+                                                    let _e1282 = abs(_e1083);
+                                                    if (_e1280 >= _e1281) {
+                                                        if (_e1280 >= _e1282) {
+                                                            phi_1865_ = false;
                                                         } else {
-                                                            phi_1846_ = true;
+                                                            phi_1865_ = true;
                                                         }
-                                                        let _e1293 = phi_1846_;
-                                                        phi_1847_ = _e1293;
+                                                        let _e1286 = phi_1865_;
+                                                        phi_1866_ = _e1286;
                                                     } else {
-                                                        phi_1847_ = true;
+                                                        phi_1866_ = true;
                                                     }
-                                                    let _e1295 = phi_1847_;
-                                                    if _e1295 {
-                                                        if (_e1288 >= _e1289) {
-                                                            phi_1855_ = 1u;
+                                                    let _e1288 = phi_1866_;
+                                                    if _e1288 {
+                                                        if (_e1281 >= _e1282) {
+                                                            phi_1874_ = 1u;
                                                         } else {
-                                                            phi_1855_ = 2u;
+                                                            phi_1874_ = 2u;
                                                         }
-                                                        let _e1298 = phi_1855_;
-                                                        phi_1856_ = _e1298;
+                                                        let _e1291 = phi_1874_;
+                                                        phi_1875_ = _e1291;
                                                     } else {
-                                                        phi_1856_ = 0u;
+                                                        phi_1875_ = 0u;
                                                     }
-                                                    let _e1300 = phi_1856_;
-                                                    if (_e1300 == 0u) {
-                                                        phi_1868_ = vec3<f32>(_e1073, _e1086, _e1060);
+                                                    let _e1293 = phi_1875_;
+                                                    if (_e1293 == 0u) {
+                                                        phi_1887_ = vec3<f32>(_e1070, _e1083, _e1057);
                                                     } else {
-                                                        if (_e1300 == 1u) {
-                                                            phi_1867_ = vec3<f32>(_e1086, _e1060, _e1073);
+                                                        if (_e1293 == 1u) {
+                                                            phi_1886_ = vec3<f32>(_e1083, _e1057, _e1070);
                                                         } else {
-                                                            phi_1867_ = vec3<f32>(_e1060, _e1073, _e1086);
+                                                            phi_1886_ = vec3<f32>(_e1057, _e1070, _e1083);
                                                         }
-                                                        let _e1306 = phi_1867_;
-                                                        phi_1868_ = _e1306;
+                                                        let _e1299 = phi_1886_;
+                                                        phi_1887_ = _e1299;
                                                     }
-                                                    let _e1308 = phi_1868_;
-                                                    let _e1311 = (_e1308.x / _e1308.z);
-                                                    let _e1314 = (_e1308.y / _e1308.z);
-                                                    if (_e1229 < 0f) {
-                                                        phi_1881_ = 0u;
+                                                    let _e1301 = phi_1887_;
+                                                    let _e1304 = (_e1301.x / _e1301.z);
+                                                    let _e1307 = (_e1301.y / _e1301.z);
+                                                    if (_e1218 < 0f) {
+                                                        phi_1900_ = 0u;
                                                     } else {
-                                                        phi_1881_ = 1u;
+                                                        phi_1900_ = 1u;
                                                     }
-                                                    let _e1319 = phi_1881_;
-                                                    if (_e1239 < 0f) {
-                                                        phi_1886_ = 0u;
+                                                    let _e1312 = phi_1900_;
+                                                    if (_e1228 < 0f) {
+                                                        phi_1905_ = 0u;
                                                     } else {
-                                                        phi_1886_ = 2u;
+                                                        phi_1905_ = 2u;
                                                     }
-                                                    let _e1322 = phi_1886_;
-                                                    if (_e1249 < 0f) {
-                                                        phi_1891_ = 0u;
+                                                    let _e1315 = phi_1905_;
+                                                    if (_e1238 < 0f) {
+                                                        phi_1910_ = 0u;
                                                     } else {
-                                                        phi_1891_ = 4u;
+                                                        phi_1910_ = 4u;
                                                     }
-                                                    let _e1325 = phi_1891_;
-                                                    let _e1327 = ((_e1319 | _e1322) | _e1325);
-                                                    let _e1328 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1089, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1328.first[0], _e1328.first[1], _e1328.first[2], _e1328.first[3], _e1328.first[4], _e1328.first[5], _e1328.first[6], _e1328.first[7], _e1328.first[8], _e1328.first[9], _e1328.first[10], _e1328.first[11], _e1328.first[12], _e1328.first[13], _e1328.first[14], _e1328.first[15], _e1328.first[16], _e1328.first[17], _e1328.first[18], _e1328.first[19], _e1328.first[20], _e1328.first[21], _e1328.first[22], _e1328.first[23], _e1328.first[24], _e1328.first[25], _e1328.first[26], _e1328.first[27], _e1328.first[28], _e1328.first[29], _e1328.first[30], _e1328.first[31]), array<u32, 32>(_e1328.mask[0], _e1328.mask[1], _e1328.mask[2], _e1328.mask[3], _e1328.mask[4], _e1328.mask[5], _e1328.mask[6], _e1328.mask[7], _e1328.mask[8], _e1328.mask[9], _e1328.mask[10], _e1328.mask[11], _e1328.mask[12], _e1328.mask[13], _e1328.mask[14], _e1328.mask[15], _e1328.mask[16], _e1328.mask[17], _e1328.mask[18], _e1328.mask[19], _e1328.mask[20], _e1328.mask[21], _e1328.mask[22], _e1328.mask[23], _e1328.mask[24], _e1328.mask[25], _e1328.mask[26], _e1328.mask[27], _e1328.mask[28], _e1328.mask[29], _e1328.mask[30], _e1328.mask[31]), _e1328.len, _e1328.group, _e1328.group_mask);
-                                                    let _e1402 = local_1.group_mask;
-                                                    if ((_e1402 & 4278190080u) == 0u) {
-                                                        let _e1406 = local_1.len;
-                                                        if (_e1406 == 0u) {
-                                                            phi_2005_ = false;
+                                                    let _e1318 = phi_1910_;
+                                                    let _e1320 = ((_e1312 | _e1315) | _e1318);
+                                                    let _e1321 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1086, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1321.first[0], _e1321.first[1], _e1321.first[2], _e1321.first[3], _e1321.first[4], _e1321.first[5], _e1321.first[6], _e1321.first[7], _e1321.first[8], _e1321.first[9], _e1321.first[10], _e1321.first[11], _e1321.first[12], _e1321.first[13], _e1321.first[14], _e1321.first[15], _e1321.first[16], _e1321.first[17], _e1321.first[18], _e1321.first[19], _e1321.first[20], _e1321.first[21], _e1321.first[22], _e1321.first[23], _e1321.first[24], _e1321.first[25], _e1321.first[26], _e1321.first[27], _e1321.first[28], _e1321.first[29], _e1321.first[30], _e1321.first[31]), array<u32, 32>(_e1321.mask[0], _e1321.mask[1], _e1321.mask[2], _e1321.mask[3], _e1321.mask[4], _e1321.mask[5], _e1321.mask[6], _e1321.mask[7], _e1321.mask[8], _e1321.mask[9], _e1321.mask[10], _e1321.mask[11], _e1321.mask[12], _e1321.mask[13], _e1321.mask[14], _e1321.mask[15], _e1321.mask[16], _e1321.mask[17], _e1321.mask[18], _e1321.mask[19], _e1321.mask[20], _e1321.mask[21], _e1321.mask[22], _e1321.mask[23], _e1321.mask[24], _e1321.mask[25], _e1321.mask[26], _e1321.mask[27], _e1321.mask[28], _e1321.mask[29], _e1321.mask[30], _e1321.mask[31]), _e1321.len, _e1321.group, _e1321.group_mask);
+                                                    let _e1395 = local_1.group_mask;
+                                                    if ((_e1395 & 4278190080u) == 0u) {
+                                                        let _e1399 = local_1.len;
+                                                        if (_e1399 == 0u) {
+                                                            phi_2024_ = false;
                                                         } else {
-                                                            let _e1410 = local_1.len;
-                                                            local_1.len = (_e1410 - 1u);
-                                                            let _e1413 = local_1.len;
-                                                            if (_e1413 < 32u) {
+                                                            let _e1403 = local_1.len;
+                                                            local_1.len = (_e1403 - 1u);
+                                                            let _e1406 = local_1.len;
+                                                            if (_e1406 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1418 = local_1.first[(0u + _e1413)];
-                                                            local_1.group = _e1418;
-                                                            let _e1421 = local_1.len;
-                                                            if (_e1421 < 32u) {
+                                                            let _e1411 = local_1.first[(0u + _e1406)];
+                                                            local_1.group = _e1411;
+                                                            let _e1414 = local_1.len;
+                                                            if (_e1414 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1426 = local_1.mask[(0u + _e1421)];
-                                                            local_1.group_mask = _e1426;
-                                                            phi_2005_ = true;
+                                                            let _e1419 = local_1.mask[(0u + _e1414)];
+                                                            local_1.group_mask = _e1419;
+                                                            phi_2024_ = true;
                                                         }
-                                                        let _e1429 = phi_2005_;
-                                                        phi_2006_ = _e1429;
+                                                        let _e1422 = phi_2024_;
+                                                        phi_2025_ = _e1422;
                                                     } else {
-                                                        phi_2006_ = true;
+                                                        phi_2025_ = true;
                                                     }
-                                                    let _e1431 = phi_2006_;
-                                                    if _e1431 {
-                                                        let _e1433 = local_1.group_mask;
-                                                        let _e1439 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1433)), 32u, (_e1433 == 0u)));
-                                                        let _e1443 = local_1.group_mask;
-                                                        let _e1457 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1457 & ~((1u << bitcast<u32>((_e1439 & 31u)))));
-                                                        let _e1460 = local_1.group;
-                                                        phi_2037_ = (_e1460 + countOneBits(((_e1443 & ~((4294967295u << bitcast<u32>((((_e1439 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1424 = phi_2025_;
+                                                    if _e1424 {
+                                                        let _e1426 = local_1.group_mask;
+                                                        let _e1432 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1426)), 32u, (_e1426 == 0u)));
+                                                        let _e1436 = local_1.group_mask;
+                                                        let _e1450 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1450 & ~((1u << bitcast<u32>((_e1432 & 31u)))));
+                                                        let _e1453 = local_1.group;
+                                                        phi_2056_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2037_ = 4294967295u;
+                                                        phi_2056_ = 4294967295u;
                                                     }
-                                                    let _e1463 = phi_2037_;
-                                                    phi_2039_ = _e1463;
-                                                    phi_2042_ = _e940;
+                                                    let _e1456 = phi_2056_;
+                                                    phi_2058_ = _e1456;
+                                                    phi_2061_ = _e937;
                                                     loop {
-                                                        let _e1465 = phi_2039_;
-                                                        let _e1467 = phi_2042_;
-                                                        local_17 = _e1467;
-                                                        if (_e1465 != 4294967295u) {
-                                                            if (_e1465 < _e77) {
+                                                        let _e1458 = phi_2058_;
+                                                        let _e1460 = phi_2061_;
+                                                        local_17 = _e1460;
+                                                        if (_e1458 != 4294967295u) {
+                                                            if (_e1458 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1474 = nodes.member[(0u + _e1465)].frame[3u];
-                                                            let _e1499 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1229);
-                                                            let _e1500 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1239);
-                                                            let _e1501 = (bitcast<f32>((((_e1474 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1249);
-                                                            let _e1504 = nodes.member[(0u + _e1465)].frame[0u];
-                                                            let _e1508 = nodes.member[(0u + _e1465)].frame[1u];
-                                                            let _e1512 = nodes.member[(0u + _e1465)].frame[2u];
-                                                            let _e1517 = ((bitcast<f32>(_e1504) - _e1020) * _e1229);
-                                                            let _e1518 = ((bitcast<f32>(_e1508) - _e1033) * _e1239);
-                                                            let _e1519 = ((bitcast<f32>(_e1512) - _e1046) * _e1249);
-                                                            let _e1527 = nodes.member[(0u + _e1465)].x;
-                                                            if (_e1229 < 0f) {
-                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1538.unnamed.root, _e1527.w), _e1538.unnamed_1);
-                                                                let _e1550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1544.unnamed, lt_bvh_traverse_Tree(_e1527.x, _e1544.unnamed_1.first_primitive));
-                                                                phi_2122_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1550.unnamed, lt_bvh_traverse_Tree(_e1550.unnamed_1.root, _e1527.y));
+                                                            let _e1467 = nodes.member[(0u + _e1458)].frame[3u];
+                                                            let _e1492 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1218);
+                                                            let _e1493 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1228);
+                                                            let _e1494 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1238);
+                                                            let _e1497 = nodes.member[(0u + _e1458)].frame[0u];
+                                                            let _e1501 = nodes.member[(0u + _e1458)].frame[1u];
+                                                            let _e1505 = nodes.member[(0u + _e1458)].frame[2u];
+                                                            let _e1510 = ((bitcast<f32>(_e1497) - _e1017) * _e1218);
+                                                            let _e1511 = ((bitcast<f32>(_e1501) - _e1030) * _e1228);
+                                                            let _e1512 = ((bitcast<f32>(_e1505) - _e1043) * _e1238);
+                                                            let _e1520 = nodes.member[(0u + _e1458)].x;
+                                                            if (_e1218 < 0f) {
+                                                                let _e1531 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1520.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1531.unnamed.word, _e1520.w), _e1531.unnamed_1);
+                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1537.unnamed, lt_mask_LightPlace(_e1520.x, _e1537.unnamed_1.shift));
+                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_mask_LightPlace(_e1543.unnamed_1.word, _e1520.y));
                                                             } else {
-                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1566.unnamed.root, _e1527.y), _e1566.unnamed_1);
-                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1572.unnamed, lt_bvh_traverse_Tree(_e1527.z, _e1572.unnamed_1.first_primitive));
-                                                                phi_2122_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1578.unnamed, lt_bvh_traverse_Tree(_e1578.unnamed_1.root, _e1527.w));
+                                                                let _e1559 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1520.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.unnamed.word, _e1520.y), _e1559.unnamed_1);
+                                                                let _e1571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1565.unnamed, lt_mask_LightPlace(_e1520.z, _e1565.unnamed_1.shift));
+                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1571.unnamed, lt_mask_LightPlace(_e1571.unnamed_1.word, _e1520.w));
                                                             }
-                                                            let _e1586 = phi_2122_;
-                                                            let _e1596 = nodes.member[(0u + _e1465)].y;
-                                                            if (_e1239 < 0f) {
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1607.unnamed.root, _e1596.w), _e1607.unnamed_1);
-                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_bvh_traverse_Tree(_e1596.x, _e1613.unnamed_1.first_primitive));
-                                                                phi_2149_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_bvh_traverse_Tree(_e1619.unnamed_1.root, _e1596.y));
+                                                            let _e1579 = phi_2141_;
+                                                            let _e1589 = nodes.member[(0u + _e1458)].y;
+                                                            if (_e1228 < 0f) {
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1600.unnamed.word, _e1589.w), _e1600.unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1589.x, _e1606.unnamed_1.shift));
+                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1612.unnamed_1.word, _e1589.y));
                                                             } else {
-                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.unnamed.root, _e1596.y), _e1635.unnamed_1);
-                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1596.z, _e1641.unnamed_1.first_primitive));
-                                                                phi_2149_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_bvh_traverse_Tree(_e1647.unnamed_1.root, _e1596.w));
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.unnamed.word, _e1589.y), _e1628.unnamed_1);
+                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1589.z, _e1634.unnamed_1.shift));
+                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_mask_LightPlace(_e1640.unnamed_1.word, _e1589.w));
                                                             }
-                                                            let _e1655 = phi_2149_;
-                                                            let _e1665 = nodes.member[(0u + _e1465)].z;
-                                                            if (_e1249 < 0f) {
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1676.unnamed.root, _e1665.w), _e1676.unnamed_1);
-                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_bvh_traverse_Tree(_e1665.x, _e1682.unnamed_1.first_primitive));
-                                                                phi_2176_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_bvh_traverse_Tree(_e1688.unnamed_1.root, _e1665.y));
+                                                            let _e1648 = phi_2168_;
+                                                            let _e1658 = nodes.member[(0u + _e1458)].z;
+                                                            if (_e1238 < 0f) {
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1669.unnamed.word, _e1658.w), _e1669.unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1658.x, _e1675.unnamed_1.shift));
+                                                                phi_2195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1681.unnamed_1.word, _e1658.y));
                                                             } else {
-                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1704.unnamed.root, _e1665.y), _e1704.unnamed_1);
-                                                                let _e1716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1665.z, _e1710.unnamed_1.first_primitive));
-                                                                phi_2176_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1716.unnamed, lt_bvh_traverse_Tree(_e1716.unnamed_1.root, _e1665.w));
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1697.unnamed.word, _e1658.y), _e1697.unnamed_1);
+                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1658.z, _e1703.unnamed_1.shift));
+                                                                phi_2195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_mask_LightPlace(_e1709.unnamed_1.word, _e1658.w));
                                                             }
-                                                            let _e1724 = phi_2176_;
-                                                            phi_2182_ = 0u;
-                                                            phi_2185_ = 0u;
+                                                            let _e1717 = phi_2195_;
+                                                            phi_2201_ = 0u;
+                                                            phi_2204_ = 0u;
                                                             loop {
-                                                                let _e1734 = phi_2182_;
-                                                                let _e1736 = phi_2185_;
-                                                                local_6 = _e1736;
-                                                                local_7 = _e1736;
-                                                                local_8 = _e1736;
-                                                                let _e1737 = (_e1734 < 8u);
-                                                                if _e1737 {
-                                                                    let _e1739 = (_e1734 >> bitcast<u32>(2i));
-                                                                    let _e1740 = (_e1734 & 3u);
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2199_ = _e1586.unnamed.root;
+                                                                let _e1727 = phi_2201_;
+                                                                let _e1729 = phi_2204_;
+                                                                local_6 = _e1729;
+                                                                local_7 = _e1729;
+                                                                local_8 = _e1729;
+                                                                let _e1730 = (_e1727 < 8u);
+                                                                if _e1730 {
+                                                                    let _e1732 = (_e1727 >> bitcast<u32>(2i));
+                                                                    let _e1733 = (_e1727 & 3u);
+                                                                    if (_e1732 == 0u) {
+                                                                        phi_2218_ = _e1579.unnamed.word;
                                                                     } else {
-                                                                        phi_2199_ = _e1586.unnamed.first_primitive;
+                                                                        phi_2218_ = _e1579.unnamed.shift;
                                                                     }
-                                                                    let _e1743 = phi_2199_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2209_ = _e1655.unnamed.root;
+                                                                    let _e1736 = phi_2218_;
+                                                                    if (_e1732 == 0u) {
+                                                                        phi_2228_ = _e1648.unnamed.word;
                                                                     } else {
-                                                                        phi_2209_ = _e1655.unnamed.first_primitive;
+                                                                        phi_2228_ = _e1648.unnamed.shift;
                                                                     }
-                                                                    let _e1752 = phi_2209_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2219_ = _e1724.unnamed.root;
+                                                                    let _e1745 = phi_2228_;
+                                                                    if (_e1732 == 0u) {
+                                                                        phi_2238_ = _e1717.unnamed.word;
                                                                     } else {
-                                                                        phi_2219_ = _e1724.unnamed.first_primitive;
+                                                                        phi_2238_ = _e1717.unnamed.shift;
                                                                     }
-                                                                    let _e1761 = phi_2219_;
-                                                                    let _e1774 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1743 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1499) + (_e1517 - _e1277)), ((f32(((_e1752 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 - _e1278)));
-                                                                    let _e1775 = core_intrinsics_maximum_number_nsz_f32_(_e1774, ((f32(((_e1761 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 - _e1279)));
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2237_ = _e1586.unnamed_1.root;
+                                                                    let _e1754 = phi_2238_;
+                                                                    let _e1767 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1736 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 - _e1270)), ((f32(((_e1745 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1271)));
+                                                                    let _e1768 = core_intrinsics_maximum_number_nsz_f32_(_e1767, ((f32(((_e1754 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1272)));
+                                                                    if (_e1732 == 0u) {
+                                                                        phi_2256_ = _e1579.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2237_ = _e1586.unnamed_1.first_primitive;
+                                                                        phi_2256_ = _e1579.unnamed_1.shift;
                                                                     }
-                                                                    let _e1778 = phi_2237_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2247_ = _e1655.unnamed_1.root;
+                                                                    let _e1771 = phi_2256_;
+                                                                    if (_e1732 == 0u) {
+                                                                        phi_2266_ = _e1648.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2247_ = _e1655.unnamed_1.first_primitive;
+                                                                        phi_2266_ = _e1648.unnamed_1.shift;
                                                                     }
-                                                                    let _e1787 = phi_2247_;
-                                                                    if (_e1739 == 0u) {
-                                                                        phi_2257_ = _e1724.unnamed_1.root;
+                                                                    let _e1780 = phi_2266_;
+                                                                    if (_e1732 == 0u) {
+                                                                        phi_2276_ = _e1717.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2257_ = _e1724.unnamed_1.first_primitive;
+                                                                        phi_2276_ = _e1717.unnamed_1.shift;
                                                                     }
-                                                                    let _e1796 = phi_2257_;
-                                                                    let _e1809 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1778 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1499) + (_e1517 + _e1277)), ((f32(((_e1787 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1500) + (_e1518 + _e1278)));
-                                                                    let _e1810 = core_intrinsics_minimum_number_nsz_f32_(_e1809, ((f32(((_e1796 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u)) * _e1501) + (_e1519 + _e1279)));
-                                                                    if (_e1775 <= _e1810) {
-                                                                        if (_e1775 <= _e146) {
-                                                                            if (_e1810 >= 0f) {
-                                                                                if (_e1739 == 0u) {
-                                                                                    let _e1817 = nodes.member[(0u + _e1465)].links[2u];
-                                                                                    phi_2293_ = _e1817;
+                                                                    let _e1789 = phi_2276_;
+                                                                    let _e1802 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1771 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 + _e1270)), ((f32(((_e1780 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1271)));
+                                                                    let _e1803 = core_intrinsics_minimum_number_nsz_f32_(_e1802, ((f32(((_e1789 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1272)));
+                                                                    if (_e1768 <= _e1803) {
+                                                                        if (_e1768 <= _e147) {
+                                                                            if (_e1803 >= 0f) {
+                                                                                if (_e1732 == 0u) {
+                                                                                    let _e1810 = nodes.member[(0u + _e1458)].links[2u];
+                                                                                    phi_2312_ = _e1810;
                                                                                 } else {
-                                                                                    let _e1820 = nodes.member[(0u + _e1465)].links[3u];
-                                                                                    phi_2293_ = _e1820;
+                                                                                    let _e1813 = nodes.member[(0u + _e1458)].links[3u];
+                                                                                    phi_2312_ = _e1813;
                                                                                 }
-                                                                                let _e1822 = phi_2293_;
-                                                                                let _e1827 = ((_e1822 >> bitcast<u32>(((_e1740 * 8u) & 31u))) & 255u);
-                                                                                let _e1828 = (_e1827 & 31u);
-                                                                                if (_e1828 >= 24u) {
-                                                                                    phi_2306_ = (24u + ((_e1828 - 24u) ^ _e1327));
+                                                                                let _e1815 = phi_2312_;
+                                                                                let _e1820 = ((_e1815 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u);
+                                                                                let _e1821 = (_e1820 & 31u);
+                                                                                if (_e1821 >= 24u) {
+                                                                                    phi_2325_ = (24u + ((_e1821 - 24u) ^ _e1320));
                                                                                 } else {
-                                                                                    phi_2306_ = _e1828;
+                                                                                    phi_2325_ = _e1821;
                                                                                 }
-                                                                                let _e1834 = phi_2306_;
-                                                                                phi_2311_ = (_e1736 | ((_e1827 >> bitcast<u32>(5i)) << bitcast<u32>((_e1834 & 31u))));
+                                                                                let _e1827 = phi_2325_;
+                                                                                phi_2330_ = (_e1729 | ((_e1820 >> bitcast<u32>(5i)) << bitcast<u32>((_e1827 & 31u))));
                                                                             } else {
-                                                                                phi_2311_ = _e1736;
+                                                                                phi_2330_ = _e1729;
                                                                             }
-                                                                            let _e1842 = phi_2311_;
-                                                                            phi_2312_ = _e1842;
+                                                                            let _e1835 = phi_2330_;
+                                                                            phi_2331_ = _e1835;
                                                                         } else {
-                                                                            phi_2312_ = _e1736;
+                                                                            phi_2331_ = _e1729;
                                                                         }
-                                                                        let _e1844 = phi_2312_;
-                                                                        phi_2313_ = _e1844;
+                                                                        let _e1837 = phi_2331_;
+                                                                        phi_2332_ = _e1837;
                                                                     } else {
-                                                                        phi_2313_ = _e1736;
+                                                                        phi_2332_ = _e1729;
                                                                     }
-                                                                    let _e1846 = phi_2313_;
-                                                                    phi_2183_ = (_e1734 + 1u);
-                                                                    phi_2186_ = _e1846;
+                                                                    let _e1839 = phi_2332_;
+                                                                    phi_2202_ = (_e1727 + 1u);
+                                                                    phi_2205_ = _e1839;
                                                                 } else {
-                                                                    phi_2183_ = u32();
-                                                                    phi_2186_ = u32();
+                                                                    phi_2202_ = u32();
+                                                                    phi_2205_ = u32();
                                                                 }
-                                                                let _e1849 = phi_2183_;
-                                                                let _e1851 = phi_2186_;
+                                                                let _e1842 = phi_2202_;
+                                                                let _e1844 = phi_2205_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2182_ = _e1849;
-                                                                    phi_2185_ = _e1851;
-                                                                    break if !(_e1737);
+                                                                    phi_2201_ = _e1842;
+                                                                    phi_2204_ = _e1844;
+                                                                    break if !(_e1730);
                                                                 }
                                                             }
-                                                            let _e1855 = nodes.member[(0u + _e1465)].links[0u];
-                                                            let _e1859 = nodes.member[(0u + _e1465)].frame[3u];
-                                                            let _e1863 = local_6;
-                                                            if ((_e1863 & 4278190080u) == 0u) {
+                                                            let _e1848 = nodes.member[(0u + _e1458)].links[0u];
+                                                            let _e1852 = nodes.member[(0u + _e1458)].frame[3u];
+                                                            let _e1856 = local_6;
+                                                            if ((_e1856 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1867 = local_1.group_mask;
-                                                                if ((_e1867 & 4278190080u) == 0u) {
+                                                                let _e1860 = local_1.group_mask;
+                                                                if ((_e1860 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1871 = local_1.len;
-                                                                    if (_e1871 < 32u) {
-                                                                        let _e1874 = local_1.group;
-                                                                        let _e1876 = local_1.len;
-                                                                        if (_e1876 < 32u) {
+                                                                    let _e1864 = local_1.len;
+                                                                    if (_e1864 < 32u) {
+                                                                        let _e1867 = local_1.group;
+                                                                        let _e1869 = local_1.len;
+                                                                        if (_e1869 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1876)] = _e1874;
-                                                                        let _e1882 = local_1.group_mask;
+                                                                        local_1.first[(0u + _e1869)] = _e1867;
+                                                                        let _e1875 = local_1.group_mask;
+                                                                        let _e1877 = local_1.len;
+                                                                        if (_e1877 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local_1.mask[(0u + _e1877)] = _e1875;
                                                                         let _e1884 = local_1.len;
-                                                                        if (_e1884 < 32u) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        local_1.mask[(0u + _e1884)] = _e1882;
-                                                                        let _e1891 = local_1.len;
-                                                                        local_1.len = (_e1891 + 1u);
+                                                                        local_1.len = (_e1884 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1089 + _e1855);
-                                                                let _e1895 = local_7;
-                                                                local_1.group_mask = ((_e1895 & 4278190080u) | (_e1859 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1086 + _e1848);
+                                                                let _e1888 = local_7;
+                                                                local_1.group_mask = ((_e1888 & 4278190080u) | (_e1852 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1900 = local_8;
-                                                            phi_2371_ = (_e1900 & 16777215u);
-                                                            phi_2374_ = _e1467;
+                                                            let _e1893 = local_8;
+                                                            phi_2390_ = (_e1893 & 16777215u);
+                                                            phi_2393_ = _e1460;
                                                             loop {
-                                                                let _e1903 = phi_2371_;
-                                                                let _e1905 = phi_2374_;
-                                                                local_13 = _e1905;
-                                                                let _e1906 = (_e1903 == 0u);
-                                                                local_9 = _e1906;
-                                                                local_15 = _e1906;
-                                                                if _e1906 {
-                                                                    phi_2372_ = u32();
-                                                                    phi_2375_ = bool();
-                                                                    phi_3178_ = bool();
-                                                                    phi_3179_ = false;
+                                                                let _e1896 = phi_2390_;
+                                                                let _e1898 = phi_2393_;
+                                                                local_13 = _e1898;
+                                                                let _e1899 = (_e1896 == 0u);
+                                                                local_9 = _e1899;
+                                                                local_15 = _e1899;
+                                                                if _e1899 {
+                                                                    phi_2391_ = u32();
+                                                                    phi_2394_ = bool();
+                                                                    phi_3197_ = bool();
+                                                                    phi_3198_ = false;
                                                                 } else {
-                                                                    let _e1909 = nodes.member[(0u + _e1465)].links[1u];
-                                                                    let _e1914 = ((_e1091 + _e1909) + select(firstTrailingBit(_e1903), 32u, (_e1903 == 0u)));
-                                                                    if (_e1914 < _e80) {
+                                                                    let _e1902 = nodes.member[(0u + _e1458)].links[1u];
+                                                                    let _e1907 = ((_e1088 + _e1902) + select(firstTrailingBit(_e1896), 32u, (_e1896 == 0u)));
+                                                                    if (_e1907 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1921 = triangles.member[(0u + _e1914)].v0_;
-                                                                    let _e1923 = (_e1921.x - _e1020);
-                                                                    let _e1925 = (_e1921.y - _e1033);
-                                                                    let _e1927 = (_e1921.z - _e1046);
-                                                                    if (_e1300 == 0u) {
-                                                                        phi_2419_ = vec3<f32>(_e1925, _e1927, _e1923);
+                                                                    let _e1914 = triangles.member[(0u + _e1907)].v0_;
+                                                                    let _e1916 = (_e1914.x - _e1017);
+                                                                    let _e1918 = (_e1914.y - _e1030);
+                                                                    let _e1920 = (_e1914.z - _e1043);
+                                                                    if (_e1293 == 0u) {
+                                                                        phi_2438_ = vec3<f32>(_e1918, _e1920, _e1916);
                                                                     } else {
-                                                                        if (_e1300 == 1u) {
-                                                                            phi_2418_ = vec3<f32>(_e1927, _e1923, _e1925);
+                                                                        if (_e1293 == 1u) {
+                                                                            phi_2437_ = vec3<f32>(_e1920, _e1916, _e1918);
                                                                         } else {
-                                                                            phi_2418_ = (_e1921 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                            phi_2437_ = (_e1914 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                         }
-                                                                        let _e1935 = phi_2418_;
-                                                                        phi_2419_ = _e1935;
+                                                                        let _e1928 = phi_2437_;
+                                                                        phi_2438_ = _e1928;
                                                                     }
-                                                                    let _e1937 = phi_2419_;
-                                                                    let _e1941 = (_e1937.x - (_e1311 * _e1937.z));
-                                                                    let _e1945 = (_e1937.y - (_e1314 * _e1937.z));
-                                                                    let _e1947 = triangles.member[(0u + _e1914)].v1_;
-                                                                    let _e1949 = (_e1947.x - _e1020);
-                                                                    let _e1951 = (_e1947.y - _e1033);
-                                                                    let _e1953 = (_e1947.z - _e1046);
-                                                                    if (_e1300 == 0u) {
-                                                                        phi_2449_ = vec3<f32>(_e1951, _e1953, _e1949);
+                                                                    let _e1930 = phi_2438_;
+                                                                    let _e1934 = (_e1930.x - (_e1304 * _e1930.z));
+                                                                    let _e1938 = (_e1930.y - (_e1307 * _e1930.z));
+                                                                    let _e1940 = triangles.member[(0u + _e1907)].v1_;
+                                                                    let _e1942 = (_e1940.x - _e1017);
+                                                                    let _e1944 = (_e1940.y - _e1030);
+                                                                    let _e1946 = (_e1940.z - _e1043);
+                                                                    if (_e1293 == 0u) {
+                                                                        phi_2468_ = vec3<f32>(_e1944, _e1946, _e1942);
                                                                     } else {
-                                                                        if (_e1300 == 1u) {
-                                                                            phi_2448_ = vec3<f32>(_e1953, _e1949, _e1951);
+                                                                        if (_e1293 == 1u) {
+                                                                            phi_2467_ = vec3<f32>(_e1946, _e1942, _e1944);
                                                                         } else {
-                                                                            phi_2448_ = (_e1947 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                            phi_2467_ = (_e1940 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                         }
-                                                                        let _e1961 = phi_2448_;
-                                                                        phi_2449_ = _e1961;
+                                                                        let _e1954 = phi_2467_;
+                                                                        phi_2468_ = _e1954;
                                                                     }
-                                                                    let _e1963 = phi_2449_;
-                                                                    let _e1967 = (_e1963.x - (_e1311 * _e1963.z));
-                                                                    let _e1971 = (_e1963.y - (_e1314 * _e1963.z));
-                                                                    let _e1973 = triangles.member[(0u + _e1914)].v2_;
-                                                                    let _e1975 = (_e1973.x - _e1020);
-                                                                    let _e1977 = (_e1973.y - _e1033);
-                                                                    let _e1979 = (_e1973.z - _e1046);
-                                                                    if (_e1300 == 0u) {
-                                                                        phi_2479_ = vec3<f32>(_e1977, _e1979, _e1975);
+                                                                    let _e1956 = phi_2468_;
+                                                                    let _e1960 = (_e1956.x - (_e1304 * _e1956.z));
+                                                                    let _e1964 = (_e1956.y - (_e1307 * _e1956.z));
+                                                                    let _e1966 = triangles.member[(0u + _e1907)].v2_;
+                                                                    let _e1968 = (_e1966.x - _e1017);
+                                                                    let _e1970 = (_e1966.y - _e1030);
+                                                                    let _e1972 = (_e1966.z - _e1043);
+                                                                    if (_e1293 == 0u) {
+                                                                        phi_2498_ = vec3<f32>(_e1970, _e1972, _e1968);
                                                                     } else {
-                                                                        if (_e1300 == 1u) {
-                                                                            phi_2478_ = vec3<f32>(_e1979, _e1975, _e1977);
+                                                                        if (_e1293 == 1u) {
+                                                                            phi_2497_ = vec3<f32>(_e1972, _e1968, _e1970);
                                                                         } else {
-                                                                            phi_2478_ = (_e1973 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                            phi_2497_ = (_e1966 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                         }
-                                                                        let _e1987 = phi_2478_;
-                                                                        phi_2479_ = _e1987;
+                                                                        let _e1980 = phi_2497_;
+                                                                        phi_2498_ = _e1980;
                                                                     }
-                                                                    let _e1989 = phi_2479_;
-                                                                    let _e1993 = (_e1989.x - (_e1311 * _e1989.z));
-                                                                    let _e1997 = (_e1989.y - (_e1314 * _e1989.z));
-                                                                    if (_e1967 < _e1993) {
-                                                                        phi_2498_ = true;
+                                                                    let _e1982 = phi_2498_;
+                                                                    let _e1986 = (_e1982.x - (_e1304 * _e1982.z));
+                                                                    let _e1990 = (_e1982.y - (_e1307 * _e1982.z));
+                                                                    if (_e1960 < _e1986) {
+                                                                        phi_2517_ = true;
                                                                     } else {
-                                                                        if (_e1967 == _e1993) {
-                                                                            phi_2497_ = (_e1971 < _e1997);
+                                                                        if (_e1960 == _e1986) {
+                                                                            phi_2516_ = (_e1964 < _e1990);
                                                                         } else {
-                                                                            phi_2497_ = false;
+                                                                            phi_2516_ = false;
                                                                         }
-                                                                        let _e2002 = phi_2497_;
-                                                                        phi_2498_ = _e2002;
+                                                                        let _e1995 = phi_2516_;
+                                                                        phi_2517_ = _e1995;
                                                                     }
-                                                                    let _e2004 = phi_2498_;
-                                                                    if _e2004 {
-                                                                        phi_2502_ = _e1997;
-                                                                        phi_2503_ = _e1993;
-                                                                        phi_2504_ = _e1971;
-                                                                        phi_2505_ = _e1967;
+                                                                    let _e1997 = phi_2517_;
+                                                                    if _e1997 {
+                                                                        phi_2521_ = _e1990;
+                                                                        phi_2522_ = _e1986;
+                                                                        phi_2523_ = _e1964;
+                                                                        phi_2524_ = _e1960;
                                                                     } else {
-                                                                        phi_2502_ = _e1971;
-                                                                        phi_2503_ = _e1967;
-                                                                        phi_2504_ = _e1997;
-                                                                        phi_2505_ = _e1993;
+                                                                        phi_2521_ = _e1964;
+                                                                        phi_2522_ = _e1960;
+                                                                        phi_2523_ = _e1990;
+                                                                        phi_2524_ = _e1986;
                                                                     }
-                                                                    let _e2006 = phi_2502_;
-                                                                    let _e2008 = phi_2503_;
-                                                                    let _e2010 = phi_2504_;
-                                                                    let _e2012 = phi_2505_;
-                                                                    let _e2015 = ((_e2012 * _e2006) - (_e2010 * _e2008));
-                                                                    if _e2004 {
-                                                                        phi_2513_ = -(_e2015);
+                                                                    let _e1999 = phi_2521_;
+                                                                    let _e2001 = phi_2522_;
+                                                                    let _e2003 = phi_2523_;
+                                                                    let _e2005 = phi_2524_;
+                                                                    let _e2008 = ((_e2005 * _e1999) - (_e2003 * _e2001));
+                                                                    if _e1997 {
+                                                                        phi_2532_ = -(_e2008);
                                                                     } else {
-                                                                        phi_2513_ = _e2015;
+                                                                        phi_2532_ = _e2008;
                                                                     }
-                                                                    let _e2018 = phi_2513_;
-                                                                    if (_e1993 < _e1941) {
-                                                                        phi_2524_ = true;
+                                                                    let _e2011 = phi_2532_;
+                                                                    if (_e1986 < _e1934) {
+                                                                        phi_2543_ = true;
                                                                     } else {
-                                                                        if (_e1993 == _e1941) {
-                                                                            phi_2523_ = (_e1997 < _e1945);
+                                                                        if (_e1986 == _e1934) {
+                                                                            phi_2542_ = (_e1990 < _e1938);
                                                                         } else {
-                                                                            phi_2523_ = false;
+                                                                            phi_2542_ = false;
                                                                         }
-                                                                        let _e2023 = phi_2523_;
-                                                                        phi_2524_ = _e2023;
+                                                                        let _e2016 = phi_2542_;
+                                                                        phi_2543_ = _e2016;
                                                                     }
-                                                                    let _e2025 = phi_2524_;
-                                                                    if _e2025 {
-                                                                        phi_2528_ = _e1945;
-                                                                        phi_2529_ = _e1941;
-                                                                        phi_2530_ = _e1997;
-                                                                        phi_2531_ = _e1993;
+                                                                    let _e2018 = phi_2543_;
+                                                                    if _e2018 {
+                                                                        phi_2547_ = _e1938;
+                                                                        phi_2548_ = _e1934;
+                                                                        phi_2549_ = _e1990;
+                                                                        phi_2550_ = _e1986;
                                                                     } else {
-                                                                        phi_2528_ = _e1997;
-                                                                        phi_2529_ = _e1993;
-                                                                        phi_2530_ = _e1945;
-                                                                        phi_2531_ = _e1941;
+                                                                        phi_2547_ = _e1990;
+                                                                        phi_2548_ = _e1986;
+                                                                        phi_2549_ = _e1938;
+                                                                        phi_2550_ = _e1934;
                                                                     }
-                                                                    let _e2027 = phi_2528_;
-                                                                    let _e2029 = phi_2529_;
-                                                                    let _e2031 = phi_2530_;
-                                                                    let _e2033 = phi_2531_;
-                                                                    let _e2036 = ((_e2033 * _e2027) - (_e2031 * _e2029));
-                                                                    if _e2025 {
-                                                                        phi_2539_ = -(_e2036);
+                                                                    let _e2020 = phi_2547_;
+                                                                    let _e2022 = phi_2548_;
+                                                                    let _e2024 = phi_2549_;
+                                                                    let _e2026 = phi_2550_;
+                                                                    let _e2029 = ((_e2026 * _e2020) - (_e2024 * _e2022));
+                                                                    if _e2018 {
+                                                                        phi_2558_ = -(_e2029);
                                                                     } else {
-                                                                        phi_2539_ = _e2036;
+                                                                        phi_2558_ = _e2029;
                                                                     }
-                                                                    let _e2039 = phi_2539_;
-                                                                    if (_e1941 < _e1967) {
-                                                                        phi_2550_ = true;
+                                                                    let _e2032 = phi_2558_;
+                                                                    if (_e1934 < _e1960) {
+                                                                        phi_2569_ = true;
                                                                     } else {
-                                                                        if (_e1941 == _e1967) {
-                                                                            phi_2549_ = (_e1945 < _e1971);
+                                                                        if (_e1934 == _e1960) {
+                                                                            phi_2568_ = (_e1938 < _e1964);
                                                                         } else {
-                                                                            phi_2549_ = false;
+                                                                            phi_2568_ = false;
                                                                         }
-                                                                        let _e2044 = phi_2549_;
-                                                                        phi_2550_ = _e2044;
+                                                                        let _e2037 = phi_2568_;
+                                                                        phi_2569_ = _e2037;
                                                                     }
-                                                                    let _e2046 = phi_2550_;
-                                                                    if _e2046 {
-                                                                        phi_2554_ = _e1971;
-                                                                        phi_2555_ = _e1967;
-                                                                        phi_2556_ = _e1945;
-                                                                        phi_2557_ = _e1941;
+                                                                    let _e2039 = phi_2569_;
+                                                                    if _e2039 {
+                                                                        phi_2573_ = _e1964;
+                                                                        phi_2574_ = _e1960;
+                                                                        phi_2575_ = _e1938;
+                                                                        phi_2576_ = _e1934;
                                                                     } else {
-                                                                        phi_2554_ = _e1945;
-                                                                        phi_2555_ = _e1941;
-                                                                        phi_2556_ = _e1971;
-                                                                        phi_2557_ = _e1967;
+                                                                        phi_2573_ = _e1938;
+                                                                        phi_2574_ = _e1934;
+                                                                        phi_2575_ = _e1964;
+                                                                        phi_2576_ = _e1960;
                                                                     }
-                                                                    let _e2048 = phi_2554_;
-                                                                    let _e2050 = phi_2555_;
-                                                                    let _e2052 = phi_2556_;
-                                                                    let _e2054 = phi_2557_;
-                                                                    let _e2057 = ((_e2054 * _e2048) - (_e2052 * _e2050));
-                                                                    if _e2046 {
-                                                                        phi_2565_ = -(_e2057);
+                                                                    let _e2041 = phi_2573_;
+                                                                    let _e2043 = phi_2574_;
+                                                                    let _e2045 = phi_2575_;
+                                                                    let _e2047 = phi_2576_;
+                                                                    let _e2050 = ((_e2047 * _e2041) - (_e2045 * _e2043));
+                                                                    if _e2039 {
+                                                                        phi_2584_ = -(_e2050);
                                                                     } else {
-                                                                        phi_2565_ = _e2057;
+                                                                        phi_2584_ = _e2050;
                                                                     }
-                                                                    let _e2060 = phi_2565_;
-                                                                    if (_e2018 >= 0f) {
-                                                                        if (_e2039 >= 0f) {
-                                                                            if (_e2060 >= 0f) {
-                                                                                phi_2580_ = ((_e2018 + _e2039) + _e2060);
-                                                                                phi_2581_ = false;
+                                                                    let _e2053 = phi_2584_;
+                                                                    if (_e2011 >= 0f) {
+                                                                        if (_e2032 >= 0f) {
+                                                                            if (_e2053 >= 0f) {
+                                                                                phi_2599_ = ((_e2011 + _e2032) + _e2053);
+                                                                                phi_2600_ = false;
                                                                             } else {
-                                                                                phi_2580_ = f32();
-                                                                                phi_2581_ = true;
+                                                                                phi_2599_ = f32();
+                                                                                phi_2600_ = true;
                                                                             }
-                                                                            let _e2067 = phi_2580_;
-                                                                            let _e2069 = phi_2581_;
-                                                                            phi_2582_ = _e2067;
-                                                                            phi_2583_ = _e2069;
+                                                                            let _e2060 = phi_2599_;
+                                                                            let _e2062 = phi_2600_;
+                                                                            phi_2601_ = _e2060;
+                                                                            phi_2602_ = _e2062;
                                                                         } else {
-                                                                            phi_2582_ = f32();
-                                                                            phi_2583_ = true;
+                                                                            phi_2601_ = f32();
+                                                                            phi_2602_ = true;
                                                                         }
-                                                                        let _e2071 = phi_2582_;
-                                                                        let _e2073 = phi_2583_;
-                                                                        phi_2584_ = _e2071;
-                                                                        phi_2585_ = _e2073;
+                                                                        let _e2064 = phi_2601_;
+                                                                        let _e2066 = phi_2602_;
+                                                                        phi_2603_ = _e2064;
+                                                                        phi_2604_ = _e2066;
                                                                     } else {
-                                                                        phi_2584_ = f32();
-                                                                        phi_2585_ = true;
+                                                                        phi_2603_ = f32();
+                                                                        phi_2604_ = true;
                                                                     }
-                                                                    let _e2075 = phi_2584_;
-                                                                    let _e2077 = phi_2585_;
-                                                                    if _e2077 {
-                                                                        if (_e2018 <= 0f) {
-                                                                            if (_e2039 <= 0f) {
-                                                                                let _e2080 = (_e2060 <= 0f);
-                                                                                if _e2080 {
+                                                                    let _e2068 = phi_2603_;
+                                                                    let _e2070 = phi_2604_;
+                                                                    if _e2070 {
+                                                                        if (_e2011 <= 0f) {
+                                                                            if (_e2032 <= 0f) {
+                                                                                let _e2073 = (_e2053 <= 0f);
+                                                                                if _e2073 {
                                                                                 }
-                                                                                phi_2603_ = ((_e2018 + _e2039) + _e2060);
-                                                                                phi_2604_ = false;
-                                                                                phi_2605_ = _e2080;
+                                                                                phi_2622_ = ((_e2011 + _e2032) + _e2053);
+                                                                                phi_2623_ = false;
+                                                                                phi_2624_ = _e2073;
                                                                             } else {
-                                                                                phi_2603_ = f32();
-                                                                                phi_2604_ = true;
-                                                                                phi_2605_ = false;
+                                                                                phi_2622_ = f32();
+                                                                                phi_2623_ = true;
+                                                                                phi_2624_ = false;
                                                                             }
-                                                                            let _e2084 = phi_2603_;
-                                                                            let _e2086 = phi_2604_;
-                                                                            let _e2088 = phi_2605_;
-                                                                            phi_2606_ = _e2084;
-                                                                            phi_2607_ = _e2086;
-                                                                            phi_2608_ = _e2088;
+                                                                            let _e2077 = phi_2622_;
+                                                                            let _e2079 = phi_2623_;
+                                                                            let _e2081 = phi_2624_;
+                                                                            phi_2625_ = _e2077;
+                                                                            phi_2626_ = _e2079;
+                                                                            phi_2627_ = _e2081;
                                                                         } else {
-                                                                            phi_2606_ = f32();
-                                                                            phi_2607_ = true;
-                                                                            phi_2608_ = false;
+                                                                            phi_2625_ = f32();
+                                                                            phi_2626_ = true;
+                                                                            phi_2627_ = false;
                                                                         }
-                                                                        let _e2090 = phi_2606_;
-                                                                        let _e2092 = phi_2607_;
-                                                                        let _e2094 = phi_2608_;
-                                                                        if _e2092 {
-                                                                            phi_2612_ = false;
+                                                                        let _e2083 = phi_2625_;
+                                                                        let _e2085 = phi_2626_;
+                                                                        let _e2087 = phi_2627_;
+                                                                        if _e2085 {
+                                                                            phi_2631_ = false;
                                                                         } else {
-                                                                            phi_2612_ = _e2094;
+                                                                            phi_2631_ = _e2087;
                                                                         }
-                                                                        let _e2096 = phi_2612_;
-                                                                        phi_2613_ = _e2090;
-                                                                        phi_2614_ = _e2096;
+                                                                        let _e2089 = phi_2631_;
+                                                                        phi_2632_ = _e2083;
+                                                                        phi_2633_ = _e2089;
                                                                     } else {
-                                                                        phi_2613_ = _e2075;
-                                                                        phi_2614_ = true;
+                                                                        phi_2632_ = _e2068;
+                                                                        phi_2633_ = true;
                                                                     }
-                                                                    let _e2098 = phi_2613_;
-                                                                    let _e2100 = phi_2614_;
-                                                                    if _e2100 {
-                                                                        let _e2101 = (_e2098 == 0f);
-                                                                        if _e2101 {
-                                                                            phi_2930_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2931_ = false;
+                                                                    let _e2091 = phi_2632_;
+                                                                    let _e2093 = phi_2633_;
+                                                                    if _e2093 {
+                                                                        let _e2094 = (_e2091 == 0f);
+                                                                        if _e2094 {
+                                                                            phi_2949_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2950_ = false;
                                                                         } else {
-                                                                            let _e2103 = triangles.member[(0u + _e1914)].v0_;
-                                                                            let _e2105 = (_e2103.x - _e1020);
-                                                                            let _e2107 = (_e2103.y - _e1033);
-                                                                            let _e2109 = (_e2103.z - _e1046);
-                                                                            if (_e1300 == 0u) {
-                                                                                phi_2643_ = vec3<f32>(_e2107, _e2109, _e2105);
+                                                                            let _e2096 = triangles.member[(0u + _e1907)].v0_;
+                                                                            let _e2098 = (_e2096.x - _e1017);
+                                                                            let _e2100 = (_e2096.y - _e1030);
+                                                                            let _e2102 = (_e2096.z - _e1043);
+                                                                            if (_e1293 == 0u) {
+                                                                                phi_2662_ = vec3<f32>(_e2100, _e2102, _e2098);
                                                                             } else {
-                                                                                if (_e1300 == 1u) {
-                                                                                    phi_2642_ = vec3<f32>(_e2109, _e2105, _e2107);
+                                                                                if (_e1293 == 1u) {
+                                                                                    phi_2661_ = vec3<f32>(_e2102, _e2098, _e2100);
                                                                                 } else {
-                                                                                    phi_2642_ = (_e2103 - vec3<f32>(_e1020, _e1033, _e1046));
+                                                                                    phi_2661_ = (_e2096 - vec3<f32>(_e1017, _e1030, _e1043));
                                                                                 }
-                                                                                let _e2117 = phi_2642_;
-                                                                                phi_2643_ = _e2117;
+                                                                                let _e2110 = phi_2661_;
+                                                                                phi_2662_ = _e2110;
                                                                             }
-                                                                            let _e2119 = phi_2643_;
-                                                                            let _e2121 = triangles.member[(0u + _e1914)].v1_;
-                                                                            let _e2123 = triangles.member[(0u + _e1914)].v0_;
-                                                                            let _e2126 = (_e2121.x - _e2123.x);
-                                                                            let _e2129 = (_e2121.y - _e2123.y);
-                                                                            let _e2132 = (_e2121.z - _e2123.z);
-                                                                            if (_e1300 == 0u) {
-                                                                                phi_2669_ = vec3<f32>(_e2129, _e2132, _e2126);
+                                                                            let _e2112 = phi_2662_;
+                                                                            let _e2114 = triangles.member[(0u + _e1907)].v1_;
+                                                                            let _e2116 = triangles.member[(0u + _e1907)].v0_;
+                                                                            let _e2119 = (_e2114.x - _e2116.x);
+                                                                            let _e2122 = (_e2114.y - _e2116.y);
+                                                                            let _e2125 = (_e2114.z - _e2116.z);
+                                                                            if (_e1293 == 0u) {
+                                                                                phi_2688_ = vec3<f32>(_e2122, _e2125, _e2119);
                                                                             } else {
-                                                                                if (_e1300 == 1u) {
-                                                                                    phi_2668_ = vec3<f32>(_e2132, _e2126, _e2129);
+                                                                                if (_e1293 == 1u) {
+                                                                                    phi_2687_ = vec3<f32>(_e2125, _e2119, _e2122);
                                                                                 } else {
-                                                                                    phi_2668_ = (_e2121 - _e2123);
+                                                                                    phi_2687_ = (_e2114 - _e2116);
                                                                                 }
-                                                                                let _e2139 = phi_2668_;
-                                                                                phi_2669_ = _e2139;
+                                                                                let _e2132 = phi_2687_;
+                                                                                phi_2688_ = _e2132;
                                                                             }
-                                                                            let _e2141 = phi_2669_;
-                                                                            let _e2143 = triangles.member[(0u + _e1914)].v2_;
-                                                                            let _e2145 = triangles.member[(0u + _e1914)].v0_;
-                                                                            let _e2148 = (_e2143.x - _e2145.x);
-                                                                            let _e2151 = (_e2143.y - _e2145.y);
-                                                                            let _e2154 = (_e2143.z - _e2145.z);
-                                                                            if (_e1300 == 0u) {
-                                                                                phi_2695_ = vec3<f32>(_e2151, _e2154, _e2148);
+                                                                            let _e2134 = phi_2688_;
+                                                                            let _e2136 = triangles.member[(0u + _e1907)].v2_;
+                                                                            let _e2138 = triangles.member[(0u + _e1907)].v0_;
+                                                                            let _e2141 = (_e2136.x - _e2138.x);
+                                                                            let _e2144 = (_e2136.y - _e2138.y);
+                                                                            let _e2147 = (_e2136.z - _e2138.z);
+                                                                            if (_e1293 == 0u) {
+                                                                                phi_2714_ = vec3<f32>(_e2144, _e2147, _e2141);
                                                                             } else {
-                                                                                if (_e1300 == 1u) {
-                                                                                    phi_2694_ = vec3<f32>(_e2154, _e2148, _e2151);
+                                                                                if (_e1293 == 1u) {
+                                                                                    phi_2713_ = vec3<f32>(_e2147, _e2141, _e2144);
                                                                                 } else {
-                                                                                    phi_2694_ = (_e2143 - _e2145);
+                                                                                    phi_2713_ = (_e2136 - _e2138);
                                                                                 }
-                                                                                let _e2161 = phi_2694_;
-                                                                                phi_2695_ = _e2161;
+                                                                                let _e2154 = phi_2713_;
+                                                                                phi_2714_ = _e2154;
                                                                             }
-                                                                            let _e2163 = phi_2695_;
-                                                                            let _e2170 = ((_e2141.y * _e2163.z) - (_e2141.z * _e2163.y));
-                                                                            let _e2177 = ((_e2141.z * _e2163.x) - (_e2141.x * _e2163.z));
-                                                                            let _e2184 = ((_e2141.x * _e2163.y) - (_e2141.y * _e2163.x));
-                                                                            let _e2198 = (((1f / _e1308.z) * (((_e2170 * _e2119.x) + (_e2177 * _e2119.y)) + (_e2184 * _e2119.z))) / (((_e2170 * _e1311) + (_e2177 * _e1314)) + _e2184));
-                                                                            if (_e2198 > 0f) {
-                                                                                if (_e2198 < _e146) {
-                                                                                    let _e2202 = triangles.member[(0u + _e1914)].v0_;
-                                                                                    let _e2204 = triangles.member[(0u + _e1914)].v1_;
-                                                                                    if (_e2202.x < _e2204.x) {
-                                                                                        phi_2751_ = _e2202.x;
+                                                                            let _e2156 = phi_2714_;
+                                                                            let _e2163 = ((_e2134.y * _e2156.z) - (_e2134.z * _e2156.y));
+                                                                            let _e2170 = ((_e2134.z * _e2156.x) - (_e2134.x * _e2156.z));
+                                                                            let _e2177 = ((_e2134.x * _e2156.y) - (_e2134.y * _e2156.x));
+                                                                            let _e2191 = (((1f / _e1301.z) * (((_e2163 * _e2112.x) + (_e2170 * _e2112.y)) + (_e2177 * _e2112.z))) / (((_e2163 * _e1304) + (_e2170 * _e1307)) + _e2177));
+                                                                            if (_e2191 > 0f) {
+                                                                                if (_e2191 < _e147) {
+                                                                                    let _e2195 = triangles.member[(0u + _e1907)].v0_;
+                                                                                    let _e2197 = triangles.member[(0u + _e1907)].v1_;
+                                                                                    if (_e2195.x < _e2197.x) {
+                                                                                        phi_2770_ = _e2195.x;
                                                                                     } else {
-                                                                                        phi_2751_ = _e2204.x;
+                                                                                        phi_2770_ = _e2197.x;
                                                                                     }
-                                                                                    let _e2211 = phi_2751_;
-                                                                                    if (_e2202.y < _e2204.y) {
-                                                                                        phi_2760_ = _e2202.y;
+                                                                                    let _e2204 = phi_2770_;
+                                                                                    if (_e2195.y < _e2197.y) {
+                                                                                        phi_2779_ = _e2195.y;
                                                                                     } else {
-                                                                                        phi_2760_ = _e2204.y;
+                                                                                        phi_2779_ = _e2197.y;
                                                                                     }
-                                                                                    let _e2218 = phi_2760_;
-                                                                                    if (_e2202.z < _e2204.z) {
-                                                                                        phi_2769_ = _e2202.z;
+                                                                                    let _e2211 = phi_2779_;
+                                                                                    if (_e2195.z < _e2197.z) {
+                                                                                        phi_2788_ = _e2195.z;
                                                                                     } else {
-                                                                                        phi_2769_ = _e2204.z;
+                                                                                        phi_2788_ = _e2197.z;
                                                                                     }
-                                                                                    let _e2225 = phi_2769_;
-                                                                                    let _e2227 = triangles.member[(0u + _e1914)].v2_;
-                                                                                    if (_e2211 < _e2227.x) {
-                                                                                        phi_2778_ = _e2211;
+                                                                                    let _e2218 = phi_2788_;
+                                                                                    let _e2220 = triangles.member[(0u + _e1907)].v2_;
+                                                                                    if (_e2204 < _e2220.x) {
+                                                                                        phi_2797_ = _e2204;
                                                                                     } else {
-                                                                                        phi_2778_ = _e2227.x;
+                                                                                        phi_2797_ = _e2220.x;
                                                                                     }
-                                                                                    let _e2232 = phi_2778_;
-                                                                                    if (_e2218 < _e2227.y) {
-                                                                                        phi_2785_ = _e2218;
+                                                                                    let _e2225 = phi_2797_;
+                                                                                    if (_e2211 < _e2220.y) {
+                                                                                        phi_2804_ = _e2211;
                                                                                     } else {
-                                                                                        phi_2785_ = _e2227.y;
+                                                                                        phi_2804_ = _e2220.y;
                                                                                     }
-                                                                                    let _e2237 = phi_2785_;
-                                                                                    if (_e2225 < _e2227.z) {
-                                                                                        phi_2792_ = _e2225;
+                                                                                    let _e2230 = phi_2804_;
+                                                                                    if (_e2218 < _e2220.z) {
+                                                                                        phi_2811_ = _e2218;
                                                                                     } else {
-                                                                                        phi_2792_ = _e2227.z;
+                                                                                        phi_2811_ = _e2220.z;
                                                                                     }
-                                                                                    let _e2242 = phi_2792_;
-                                                                                    let _e2244 = triangles.member[(0u + _e1914)].v0_;
-                                                                                    let _e2246 = triangles.member[(0u + _e1914)].v1_;
-                                                                                    if (_e2244.x > _e2246.x) {
-                                                                                        phi_2805_ = _e2244.x;
+                                                                                    let _e2235 = phi_2811_;
+                                                                                    let _e2237 = triangles.member[(0u + _e1907)].v0_;
+                                                                                    let _e2239 = triangles.member[(0u + _e1907)].v1_;
+                                                                                    if (_e2237.x > _e2239.x) {
+                                                                                        phi_2824_ = _e2237.x;
                                                                                     } else {
-                                                                                        phi_2805_ = _e2246.x;
+                                                                                        phi_2824_ = _e2239.x;
                                                                                     }
-                                                                                    let _e2253 = phi_2805_;
-                                                                                    if (_e2244.y > _e2246.y) {
-                                                                                        phi_2814_ = _e2244.y;
+                                                                                    let _e2246 = phi_2824_;
+                                                                                    if (_e2237.y > _e2239.y) {
+                                                                                        phi_2833_ = _e2237.y;
                                                                                     } else {
-                                                                                        phi_2814_ = _e2246.y;
+                                                                                        phi_2833_ = _e2239.y;
                                                                                     }
-                                                                                    let _e2260 = phi_2814_;
-                                                                                    if (_e2244.z > _e2246.z) {
-                                                                                        phi_2823_ = _e2244.z;
+                                                                                    let _e2253 = phi_2833_;
+                                                                                    if (_e2237.z > _e2239.z) {
+                                                                                        phi_2842_ = _e2237.z;
                                                                                     } else {
-                                                                                        phi_2823_ = _e2246.z;
+                                                                                        phi_2842_ = _e2239.z;
                                                                                     }
-                                                                                    let _e2267 = phi_2823_;
-                                                                                    let _e2269 = triangles.member[(0u + _e1914)].v2_;
-                                                                                    if (_e2253 > _e2269.x) {
-                                                                                        phi_2832_ = _e2253;
+                                                                                    let _e2260 = phi_2842_;
+                                                                                    let _e2262 = triangles.member[(0u + _e1907)].v2_;
+                                                                                    if (_e2246 > _e2262.x) {
+                                                                                        phi_2851_ = _e2246;
                                                                                     } else {
-                                                                                        phi_2832_ = _e2269.x;
+                                                                                        phi_2851_ = _e2262.x;
                                                                                     }
-                                                                                    let _e2274 = phi_2832_;
-                                                                                    if (_e2260 > _e2269.y) {
-                                                                                        phi_2839_ = _e2260;
+                                                                                    let _e2267 = phi_2851_;
+                                                                                    if (_e2253 > _e2262.y) {
+                                                                                        phi_2858_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2839_ = _e2269.y;
+                                                                                        phi_2858_ = _e2262.y;
                                                                                     }
-                                                                                    let _e2279 = phi_2839_;
-                                                                                    if (_e2267 > _e2269.z) {
-                                                                                        phi_2846_ = _e2267;
+                                                                                    let _e2272 = phi_2858_;
+                                                                                    if (_e2260 > _e2262.z) {
+                                                                                        phi_2865_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2846_ = _e2269.z;
+                                                                                        phi_2865_ = _e2262.z;
                                                                                     }
-                                                                                    let _e2284 = phi_2846_;
-                                                                                    let _e2288 = ((_e2232 - _e1020) * _e1229);
-                                                                                    let _e2289 = ((_e2237 - _e1033) * _e1239);
-                                                                                    let _e2290 = ((_e2242 - _e1046) * _e1249);
-                                                                                    let _e2294 = ((_e2274 - _e1020) * _e1229);
-                                                                                    let _e2295 = ((_e2279 - _e1033) * _e1239);
-                                                                                    let _e2296 = ((_e2284 - _e1046) * _e1249);
-                                                                                    if (_e2288 < _e2294) {
-                                                                                        phi_2863_ = _e2288;
+                                                                                    let _e2277 = phi_2865_;
+                                                                                    let _e2281 = ((_e2225 - _e1017) * _e1218);
+                                                                                    let _e2282 = ((_e2230 - _e1030) * _e1228);
+                                                                                    let _e2283 = ((_e2235 - _e1043) * _e1238);
+                                                                                    let _e2287 = ((_e2267 - _e1017) * _e1218);
+                                                                                    let _e2288 = ((_e2272 - _e1030) * _e1228);
+                                                                                    let _e2289 = ((_e2277 - _e1043) * _e1238);
+                                                                                    if (_e2281 < _e2287) {
+                                                                                        phi_2882_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2863_ = _e2294;
+                                                                                        phi_2882_ = _e2287;
                                                                                     }
-                                                                                    let _e2299 = phi_2863_;
-                                                                                    if (_e2289 < _e2295) {
-                                                                                        phi_2868_ = _e2289;
+                                                                                    let _e2292 = phi_2882_;
+                                                                                    if (_e2282 < _e2288) {
+                                                                                        phi_2887_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2868_ = _e2295;
+                                                                                        phi_2887_ = _e2288;
                                                                                     }
-                                                                                    let _e2302 = phi_2868_;
-                                                                                    if (_e2290 < _e2296) {
-                                                                                        phi_2873_ = _e2290;
+                                                                                    let _e2295 = phi_2887_;
+                                                                                    if (_e2283 < _e2289) {
+                                                                                        phi_2892_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2873_ = _e2296;
+                                                                                        phi_2892_ = _e2289;
                                                                                     }
-                                                                                    let _e2305 = phi_2873_;
-                                                                                    if (_e2288 > _e2294) {
-                                                                                        phi_2881_ = _e2288;
+                                                                                    let _e2298 = phi_2892_;
+                                                                                    if (_e2281 > _e2287) {
+                                                                                        phi_2900_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2881_ = _e2294;
+                                                                                        phi_2900_ = _e2287;
                                                                                     }
-                                                                                    let _e2311 = phi_2881_;
-                                                                                    if (_e2289 > _e2295) {
-                                                                                        phi_2886_ = _e2289;
+                                                                                    let _e2304 = phi_2900_;
+                                                                                    if (_e2282 > _e2288) {
+                                                                                        phi_2905_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2886_ = _e2295;
+                                                                                        phi_2905_ = _e2288;
                                                                                     }
-                                                                                    let _e2314 = phi_2886_;
-                                                                                    if (_e2290 > _e2296) {
-                                                                                        phi_2891_ = _e2290;
+                                                                                    let _e2307 = phi_2905_;
+                                                                                    if (_e2283 > _e2289) {
+                                                                                        phi_2910_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2891_ = _e2296;
+                                                                                        phi_2910_ = _e2289;
                                                                                     }
-                                                                                    let _e2317 = phi_2891_;
-                                                                                    let _e2321 = core_intrinsics_maximum_number_nsz_f32_((_e2299 - _e1284), (_e2302 - _e1285));
-                                                                                    let _e2322 = core_intrinsics_maximum_number_nsz_f32_(_e2321, (_e2305 - _e1286));
-                                                                                    let _e2323 = core_intrinsics_minimum_number_nsz_f32_((_e2311 + _e1284), (_e2314 + _e1285));
-                                                                                    let _e2324 = core_intrinsics_minimum_number_nsz_f32_(_e2323, (_e2317 + _e1286));
-                                                                                    if (_e2322 > _e1001) {
-                                                                                        phi_2903_ = _e2322;
+                                                                                    let _e2310 = phi_2910_;
+                                                                                    let _e2314 = core_intrinsics_maximum_number_nsz_f32_((_e2292 - _e1277), (_e2295 - _e1278));
+                                                                                    let _e2315 = core_intrinsics_maximum_number_nsz_f32_(_e2314, (_e2298 - _e1279));
+                                                                                    let _e2316 = core_intrinsics_minimum_number_nsz_f32_((_e2304 + _e1277), (_e2307 + _e1278));
+                                                                                    let _e2317 = core_intrinsics_minimum_number_nsz_f32_(_e2316, (_e2310 + _e1279));
+                                                                                    if (_e2315 > _e998) {
+                                                                                        phi_2922_ = _e2315;
                                                                                     } else {
-                                                                                        phi_2903_ = _e1001;
+                                                                                        phi_2922_ = _e998;
                                                                                     }
-                                                                                    let _e2327 = phi_2903_;
-                                                                                    if (_e2324 < _e1003) {
-                                                                                        phi_2908_ = _e2324;
+                                                                                    let _e2320 = phi_2922_;
+                                                                                    if (_e2317 < _e1000) {
+                                                                                        phi_2927_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2908_ = _e1003;
+                                                                                        phi_2927_ = _e1000;
                                                                                     }
-                                                                                    let _e2330 = phi_2908_;
-                                                                                    if (_e2198 < _e2327) {
-                                                                                        phi_2913_ = _e2327;
+                                                                                    let _e2323 = phi_2927_;
+                                                                                    if (_e2191 < _e2320) {
+                                                                                        phi_2932_ = _e2320;
                                                                                     } else {
-                                                                                        phi_2913_ = _e2198;
+                                                                                        phi_2932_ = _e2191;
                                                                                     }
-                                                                                    let _e2333 = phi_2913_;
-                                                                                    if (_e2333 > _e2330) {
-                                                                                        phi_2918_ = _e2330;
+                                                                                    let _e2326 = phi_2932_;
+                                                                                    if (_e2326 > _e2323) {
+                                                                                        phi_2937_ = _e2323;
                                                                                     } else {
-                                                                                        phi_2918_ = _e2333;
+                                                                                        phi_2937_ = _e2326;
                                                                                     }
-                                                                                    let _e2336 = phi_2918_;
-                                                                                    phi_2923_ = lt_bvh_triangle_Intersection(_e2336, (_e2039 / _e2098), (_e2060 / _e2098), (_e2327 <= _e2330));
-                                                                                    phi_2924_ = false;
+                                                                                    let _e2329 = phi_2937_;
+                                                                                    phi_2942_ = lt_bvh_triangle_Intersection(_e2329, (_e2032 / _e2091), (_e2053 / _e2091), (_e2320 <= _e2323));
+                                                                                    phi_2943_ = false;
                                                                                 } else {
-                                                                                    phi_2923_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2924_ = true;
+                                                                                    phi_2942_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2943_ = true;
                                                                                 }
-                                                                                let _e2342 = phi_2923_;
-                                                                                let _e2344 = phi_2924_;
-                                                                                phi_2925_ = _e2342;
-                                                                                phi_2926_ = _e2344;
+                                                                                let _e2335 = phi_2942_;
+                                                                                let _e2337 = phi_2943_;
+                                                                                phi_2944_ = _e2335;
+                                                                                phi_2945_ = _e2337;
                                                                             } else {
-                                                                                phi_2925_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2926_ = true;
+                                                                                phi_2944_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2945_ = true;
                                                                             }
-                                                                            let _e2346 = phi_2925_;
-                                                                            let _e2348 = phi_2926_;
-                                                                            if _e2348 {
+                                                                            let _e2339 = phi_2944_;
+                                                                            let _e2341 = phi_2945_;
+                                                                            if _e2341 {
                                                                             }
-                                                                            phi_2930_ = _e2346;
-                                                                            phi_2931_ = _e2348;
+                                                                            phi_2949_ = _e2339;
+                                                                            phi_2950_ = _e2341;
                                                                         }
-                                                                        let _e2350 = phi_2930_;
-                                                                        let _e2352 = phi_2931_;
-                                                                        phi_2932_ = _e2350;
-                                                                        phi_2933_ = _e2101;
-                                                                        phi_2934_ = _e2352;
+                                                                        let _e2343 = phi_2949_;
+                                                                        let _e2345 = phi_2950_;
+                                                                        phi_2951_ = _e2343;
+                                                                        phi_2952_ = _e2094;
+                                                                        phi_2953_ = _e2345;
                                                                     } else {
-                                                                        phi_2932_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2933_ = true;
-                                                                        phi_2934_ = false;
+                                                                        phi_2951_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2952_ = true;
+                                                                        phi_2953_ = false;
                                                                     }
-                                                                    let _e2354 = phi_2932_;
-                                                                    let _e2356 = phi_2933_;
-                                                                    let _e2358 = phi_2934_;
-                                                                    if _e2356 {
-                                                                        phi_2938_ = true;
+                                                                    let _e2347 = phi_2951_;
+                                                                    let _e2349 = phi_2952_;
+                                                                    let _e2351 = phi_2953_;
+                                                                    if _e2349 {
+                                                                        phi_2957_ = true;
                                                                     } else {
-                                                                        phi_2938_ = _e2358;
+                                                                        phi_2957_ = _e2351;
                                                                     }
-                                                                    let _e2360 = phi_2938_;
-                                                                    if _e2360 {
-                                                                        phi_2942_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2353 = phi_2957_;
+                                                                    if _e2353 {
+                                                                        phi_2961_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2942_ = _e2354;
+                                                                        phi_2961_ = _e2347;
                                                                     }
-                                                                    let _e2362 = phi_2942_;
-                                                                    if _e2362.is_hit {
-                                                                        if (_e2362.t > 0f) {
-                                                                            if (_e2362.t < _e146) {
-                                                                                let _e2369 = triangles.member[(0u + _e1914)].i0_;
-                                                                                if ((_e2369 & 2147483648u) == 0u) {
-                                                                                    phi_3161_ = true;
+                                                                    let _e2355 = phi_2961_;
+                                                                    if _e2355.is_hit {
+                                                                        if (_e2355.t > 0f) {
+                                                                            if (_e2355.t < _e147) {
+                                                                                let _e2362 = triangles.member[(0u + _e1907)].i0_;
+                                                                                if ((_e2362 & 2147483648u) == 0u) {
+                                                                                    phi_3180_ = true;
                                                                                 } else {
-                                                                                    if (_e1914 < _e80) {
+                                                                                    if (_e1907 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2378 = triangles.member[(0u + _e1914)].i0_;
-                                                                                    let _e2379 = (_e2378 & 2147483647u);
-                                                                                    let _e2381 = triangles.member[(0u + _e1914)].i1_;
-                                                                                    let _e2383 = triangles.member[(0u + _e1914)].i2_;
-                                                                                    if (_e2379 < _e95) {
+                                                                                    let _e2371 = triangles.member[(0u + _e1907)].i0_;
+                                                                                    let _e2372 = (_e2371 & 2147483647u);
+                                                                                    let _e2374 = triangles.member[(0u + _e1907)].i1_;
+                                                                                    let _e2376 = triangles.member[(0u + _e1907)].i2_;
+                                                                                    if (_e2372 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2387 = vertices.member[(0u + _e2379)];
-                                                                                    if (_e2381 < _e95) {
+                                                                                    let _e2380 = vertices.member[(0u + _e2372)];
+                                                                                    if (_e2374 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2391 = vertices.member[(0u + _e2381)];
-                                                                                    if (_e2383 < _e95) {
+                                                                                    let _e2384 = vertices.member[(0u + _e2374)];
+                                                                                    if (_e2376 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2395 = vertices.member[(0u + _e2383)];
-                                                                                    let _e2396 = array<abi_Vertex, 3>(_e2387, _e2391, _e2395);
-                                                                                    if (_e2396[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2388 = vertices.member[(0u + _e2376)];
+                                                                                    let _e2389 = array<abi_Vertex, 3>(_e2380, _e2384, _e2388);
+                                                                                    if (_e2389[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2402 = materials.member[(0u + _e2396[0].material)];
-                                                                                    if ((_e2402.flags & 1u) == 1u) {
-                                                                                        let _e2407 = ((1f - _e2362.u) - _e2362.v);
-                                                                                        if (_e2402.cutoff <= 0f) {
-                                                                                            phi_3159_ = true;
+                                                                                    let _e2395 = materials.member[(0u + _e2389[0].material)];
+                                                                                    if ((_e2395.flags & 1u) == 1u) {
+                                                                                        let _e2400 = ((1f - _e2355.u) - _e2355.v);
+                                                                                        if (_e2395.cutoff <= 0f) {
+                                                                                            phi_3178_ = true;
                                                                                         } else {
-                                                                                            let _e2434 = (_e2402.base_color.w * ((((f32((_e2396[0].color >> bitcast<u32>(24i))) * _e2407) + (f32((_e2396[1].color >> bitcast<u32>(24i))) * _e2362.u)) + (f32((_e2396[2].color >> bitcast<u32>(24i))) * _e2362.v)) * (1f / 255f)));
-                                                                                            if (_e2402.alpha_size == 0u) {
-                                                                                                phi_3156_ = _e2434;
+                                                                                            let _e2427 = (_e2395.base_color.w * ((((f32((_e2389[0].color >> bitcast<u32>(24i))) * _e2400) + (f32((_e2389[1].color >> bitcast<u32>(24i))) * _e2355.u)) + (f32((_e2389[2].color >> bitcast<u32>(24i))) * _e2355.v)) * (1f / 255f)));
+                                                                                            if (_e2395.alpha_size == 0u) {
+                                                                                                phi_3175_ = _e2427;
                                                                                             } else {
-                                                                                                local.offset = _e2402.alpha_offset;
-                                                                                                local.size = _e2402.alpha_size;
-                                                                                                local.flags = _e2402.flags;
-                                                                                                let _e2465 = _lt_shaders_texture_TextureView_quad((&local), (((_e2396[0].u * _e2407) + (_e2396[1].u * _e2362.u)) + (_e2396[2].u * _e2362.v)), (((_e2396[0].v * _e2407) + (_e2396[1].v * _e2362.u)) + (_e2396[2].v * _e2362.v)));
-                                                                                                let _e2469 = (_e2465.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2469 < _e101) {
+                                                                                                local.offset = _e2395.alpha_offset;
+                                                                                                local.size = _e2395.alpha_size;
+                                                                                                local.flags = _e2395.flags;
+                                                                                                let _e2458 = _lt_shaders_texture_TextureView_quad((&local), (((_e2389[0].u * _e2400) + (_e2389[1].u * _e2355.u)) + (_e2389[2].u * _e2355.v)), (((_e2389[0].v * _e2400) + (_e2389[1].v * _e2355.u)) + (_e2389[2].v * _e2355.v)));
+                                                                                                let _e2462 = (_e2458.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2462 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2473 = alpha_texels.member[(0u + _e2469)];
-                                                                                                let _e2489 = (_e2465.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2489 < _e101) {
+                                                                                                let _e2466 = alpha_texels.member[(0u + _e2462)];
+                                                                                                let _e2482 = (_e2458.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2482 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2493 = alpha_texels.member[(0u + _e2489)];
-                                                                                                let _e2510 = (_e2465.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2510 < _e101) {
+                                                                                                let _e2486 = alpha_texels.member[(0u + _e2482)];
+                                                                                                let _e2503 = (_e2458.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2503 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2514 = alpha_texels.member[(0u + _e2510)];
-                                                                                                let _e2531 = (_e2465.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2531 < _e101) {
+                                                                                                let _e2507 = alpha_texels.member[(0u + _e2503)];
+                                                                                                let _e2524 = (_e2458.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2524 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2535 = alpha_texels.member[(0u + _e2531)];
-                                                                                                phi_3156_ = (_e2434 * (((((f32(((_e2473 >> bitcast<u32>((((_e2465.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.x) + ((f32(((_e2493 >> bitcast<u32>((((_e2465.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.y)) + ((f32(((_e2514 >> bitcast<u32>((((_e2465.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.z)) + ((f32(((_e2535 >> bitcast<u32>((((_e2465.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2465.weights.w)));
+                                                                                                let _e2528 = alpha_texels.member[(0u + _e2524)];
+                                                                                                phi_3175_ = (_e2427 * (((((f32(((_e2466 >> bitcast<u32>((((_e2458.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.x) + ((f32(((_e2486 >> bitcast<u32>((((_e2458.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.y)) + ((f32(((_e2507 >> bitcast<u32>((((_e2458.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.z)) + ((f32(((_e2528 >> bitcast<u32>((((_e2458.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.w)));
                                                                                             }
-                                                                                            let _e2551 = phi_3156_;
-                                                                                            phi_3159_ = (_e2551 >= _e2402.cutoff);
+                                                                                            let _e2544 = phi_3175_;
+                                                                                            phi_3178_ = (_e2544 >= _e2395.cutoff);
                                                                                         }
-                                                                                        let _e2555 = phi_3159_;
-                                                                                        phi_3160_ = _e2555;
+                                                                                        let _e2548 = phi_3178_;
+                                                                                        phi_3179_ = _e2548;
                                                                                     } else {
-                                                                                        phi_3160_ = false;
+                                                                                        phi_3179_ = false;
                                                                                     }
-                                                                                    let _e2557 = phi_3160_;
-                                                                                    phi_3161_ = _e2557;
+                                                                                    let _e2550 = phi_3179_;
+                                                                                    phi_3180_ = _e2550;
                                                                                 }
-                                                                                let _e2559 = phi_3161_;
-                                                                                if _e2559 {
-                                                                                    phi_3165_ = false;
+                                                                                let _e2552 = phi_3180_;
+                                                                                if _e2552 {
+                                                                                    phi_3184_ = false;
                                                                                 } else {
-                                                                                    phi_3165_ = true;
+                                                                                    phi_3184_ = true;
                                                                                 }
-                                                                                let _e2561 = phi_3165_;
-                                                                                phi_3166_ = _e2559;
-                                                                                phi_3167_ = _e2559;
-                                                                                phi_3168_ = _e2561;
+                                                                                let _e2554 = phi_3184_;
+                                                                                phi_3185_ = _e2552;
+                                                                                phi_3186_ = _e2552;
+                                                                                phi_3187_ = _e2554;
                                                                             } else {
-                                                                                phi_3166_ = bool();
-                                                                                phi_3167_ = _e1905;
-                                                                                phi_3168_ = true;
+                                                                                phi_3185_ = bool();
+                                                                                phi_3186_ = _e1898;
+                                                                                phi_3187_ = true;
                                                                             }
-                                                                            let _e2563 = phi_3166_;
-                                                                            let _e2565 = phi_3167_;
-                                                                            let _e2567 = phi_3168_;
-                                                                            phi_3169_ = _e2563;
-                                                                            phi_3170_ = _e2565;
-                                                                            phi_3171_ = _e2567;
+                                                                            let _e2556 = phi_3185_;
+                                                                            let _e2558 = phi_3186_;
+                                                                            let _e2560 = phi_3187_;
+                                                                            phi_3188_ = _e2556;
+                                                                            phi_3189_ = _e2558;
+                                                                            phi_3190_ = _e2560;
                                                                         } else {
-                                                                            phi_3169_ = bool();
-                                                                            phi_3170_ = _e1905;
-                                                                            phi_3171_ = true;
+                                                                            phi_3188_ = bool();
+                                                                            phi_3189_ = _e1898;
+                                                                            phi_3190_ = true;
                                                                         }
-                                                                        let _e2569 = phi_3169_;
-                                                                        let _e2571 = phi_3170_;
-                                                                        let _e2573 = phi_3171_;
-                                                                        phi_3172_ = _e2569;
-                                                                        phi_3173_ = _e2571;
-                                                                        phi_3174_ = _e2573;
+                                                                        let _e2562 = phi_3188_;
+                                                                        let _e2564 = phi_3189_;
+                                                                        let _e2566 = phi_3190_;
+                                                                        phi_3191_ = _e2562;
+                                                                        phi_3192_ = _e2564;
+                                                                        phi_3193_ = _e2566;
                                                                     } else {
-                                                                        phi_3172_ = bool();
-                                                                        phi_3173_ = _e1905;
-                                                                        phi_3174_ = true;
+                                                                        phi_3191_ = bool();
+                                                                        phi_3192_ = _e1898;
+                                                                        phi_3193_ = true;
                                                                     }
-                                                                    let _e2575 = phi_3172_;
-                                                                    let _e2577 = phi_3173_;
-                                                                    let _e2579 = phi_3174_;
-                                                                    if _e2579 {
+                                                                    let _e2568 = phi_3191_;
+                                                                    let _e2570 = phi_3192_;
+                                                                    let _e2572 = phi_3193_;
+                                                                    if _e2572 {
                                                                     }
-                                                                    phi_2372_ = (_e1903 & (_e1903 - 1u));
-                                                                    phi_2375_ = _e2577;
-                                                                    phi_3178_ = _e2575;
-                                                                    phi_3179_ = _e2579;
+                                                                    phi_2391_ = (_e1896 & (_e1896 - 1u));
+                                                                    phi_2394_ = _e2570;
+                                                                    phi_3197_ = _e2568;
+                                                                    phi_3198_ = _e2572;
                                                                 }
-                                                                let _e2581 = phi_2372_;
-                                                                let _e2583 = phi_2375_;
-                                                                let _e2585 = phi_3178_;
-                                                                let _e2587 = phi_3179_;
-                                                                local_14 = _e2585;
+                                                                let _e2574 = phi_2391_;
+                                                                let _e2576 = phi_2394_;
+                                                                let _e2578 = phi_3197_;
+                                                                let _e2580 = phi_3198_;
+                                                                local_14 = _e2578;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2371_ = _e2581;
-                                                                    phi_2374_ = _e2583;
-                                                                    break if !(_e2587);
+                                                                    phi_2390_ = _e2574;
+                                                                    phi_2393_ = _e2576;
+                                                                    break if !(_e2580);
                                                                 }
                                                             }
-                                                            let _e2590 = local_9;
-                                                            if _e2590 {
-                                                                let _e2592 = local_1.group_mask;
-                                                                if ((_e2592 & 4278190080u) == 0u) {
-                                                                    let _e2596 = local_1.len;
-                                                                    if (_e2596 == 0u) {
-                                                                        phi_3221_ = false;
+                                                            let _e2583 = local_9;
+                                                            if _e2583 {
+                                                                let _e2585 = local_1.group_mask;
+                                                                if ((_e2585 & 4278190080u) == 0u) {
+                                                                    let _e2589 = local_1.len;
+                                                                    if (_e2589 == 0u) {
+                                                                        phi_3240_ = false;
                                                                     } else {
-                                                                        let _e2600 = local_1.len;
-                                                                        local_1.len = (_e2600 - 1u);
-                                                                        let _e2603 = local_1.len;
-                                                                        if (_e2603 < 32u) {
+                                                                        let _e2593 = local_1.len;
+                                                                        local_1.len = (_e2593 - 1u);
+                                                                        let _e2596 = local_1.len;
+                                                                        if (_e2596 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2608 = local_1.first[(0u + _e2603)];
-                                                                        local_1.group = _e2608;
-                                                                        let _e2611 = local_1.len;
-                                                                        if (_e2611 < 32u) {
+                                                                        let _e2601 = local_1.first[(0u + _e2596)];
+                                                                        local_1.group = _e2601;
+                                                                        let _e2604 = local_1.len;
+                                                                        if (_e2604 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2616 = local_1.mask[(0u + _e2611)];
-                                                                        local_1.group_mask = _e2616;
-                                                                        phi_3221_ = true;
+                                                                        let _e2609 = local_1.mask[(0u + _e2604)];
+                                                                        local_1.group_mask = _e2609;
+                                                                        phi_3240_ = true;
                                                                     }
-                                                                    let _e2619 = phi_3221_;
-                                                                    phi_3222_ = _e2619;
+                                                                    let _e2612 = phi_3240_;
+                                                                    phi_3241_ = _e2612;
                                                                 } else {
-                                                                    phi_3222_ = true;
+                                                                    phi_3241_ = true;
                                                                 }
-                                                                let _e2621 = phi_3222_;
-                                                                if _e2621 {
-                                                                    let _e2623 = local_1.group_mask;
-                                                                    let _e2629 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2623)), 32u, (_e2623 == 0u)));
-                                                                    let _e2633 = local_1.group_mask;
-                                                                    let _e2647 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2647 & ~((1u << bitcast<u32>((_e2629 & 31u)))));
-                                                                    let _e2650 = local_1.group;
-                                                                    phi_3253_ = (_e2650 + countOneBits(((_e2633 & ~((4294967295u << bitcast<u32>((((_e2629 - 24u) ^ _e1327) & 31u))))) & 255u)));
+                                                                let _e2614 = phi_3241_;
+                                                                if _e2614 {
+                                                                    let _e2616 = local_1.group_mask;
+                                                                    let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
+                                                                    let _e2626 = local_1.group_mask;
+                                                                    let _e2640 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
+                                                                    let _e2643 = local_1.group;
+                                                                    phi_3272_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1320) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3253_ = 4294967295u;
+                                                                    phi_3272_ = 4294967295u;
                                                                 }
-                                                                let _e2653 = phi_3253_;
-                                                                phi_3254_ = _e2653;
+                                                                let _e2646 = phi_3272_;
+                                                                phi_3273_ = _e2646;
                                                             } else {
-                                                                phi_3254_ = u32();
+                                                                phi_3273_ = u32();
                                                             }
-                                                            let _e2655 = phi_3254_;
-                                                            phi_2040_ = _e2655;
-                                                            let _e3071 = local_13;
-                                                            phi_2043_ = _e3071;
-                                                            let _e3074 = local_14;
-                                                            phi_3255_ = _e3074;
-                                                            let _e3077 = local_15;
-                                                            phi_3256_ = _e3077;
-                                                            phi_3257_ = false;
+                                                            let _e2648 = phi_3273_;
+                                                            phi_2059_ = _e2648;
+                                                            let _e3124 = local_13;
+                                                            phi_2062_ = _e3124;
+                                                            let _e3127 = local_14;
+                                                            phi_3274_ = _e3127;
+                                                            let _e3130 = local_15;
+                                                            phi_3275_ = _e3130;
+                                                            phi_3276_ = false;
                                                         } else {
-                                                            phi_2040_ = u32();
-                                                            phi_2043_ = bool();
-                                                            phi_3255_ = bool();
-                                                            phi_3256_ = false;
-                                                            phi_3257_ = true;
+                                                            phi_2059_ = u32();
+                                                            phi_2062_ = bool();
+                                                            phi_3274_ = bool();
+                                                            phi_3275_ = false;
+                                                            phi_3276_ = true;
                                                         }
-                                                        let _e2657 = phi_2040_;
-                                                        let _e2659 = phi_2043_;
-                                                        let _e2661 = phi_3255_;
-                                                        let _e2663 = phi_3256_;
-                                                        let _e2665 = phi_3257_;
-                                                        local_10 = _e2665;
-                                                        local_16 = _e2661;
+                                                        let _e2650 = phi_2059_;
+                                                        let _e2652 = phi_2062_;
+                                                        let _e2654 = phi_3274_;
+                                                        let _e2656 = phi_3275_;
+                                                        let _e2658 = phi_3276_;
+                                                        local_10 = _e2658;
+                                                        local_16 = _e2654;
                                                         continue;
                                                         continuing {
-                                                            phi_2039_ = _e2657;
-                                                            phi_2042_ = _e2659;
-                                                            break if !(_e2663);
+                                                            phi_2058_ = _e2650;
+                                                            phi_2061_ = _e2652;
+                                                            break if !(_e2656);
                                                         }
                                                     }
-                                                    let _e2668 = local_10;
-                                                    if _e2668 {
-                                                        phi_3261_ = false;
+                                                    let _e2661 = local_10;
+                                                    if _e2661 {
+                                                        phi_3280_ = false;
                                                     } else {
-                                                        phi_3261_ = true;
+                                                        phi_3280_ = true;
                                                     }
-                                                    let _e2670 = phi_3261_;
-                                                    if _e2670 {
-                                                        let _e3083 = local_16;
-                                                        phi_3265_ = _e3083;
+                                                    let _e2663 = phi_3280_;
+                                                    if _e2663 {
+                                                        let _e3136 = local_16;
+                                                        phi_3284_ = _e3136;
                                                     } else {
-                                                        let _e3085 = local_17;
-                                                        phi_3265_ = _e3085;
+                                                        let _e3138 = local_17;
+                                                        phi_3284_ = _e3138;
                                                     }
-                                                    let _e2672 = phi_3265_;
-                                                    phi_3266_ = _e2672;
+                                                    let _e2665 = phi_3284_;
+                                                    phi_3285_ = _e2665;
                                                 }
-                                                let _e2674 = phi_3266_;
-                                                phi_3267_ = _e2674;
-                                                phi_3268_ = _e1153;
+                                                let _e2667 = phi_3285_;
+                                                phi_3286_ = _e2667;
+                                                phi_3287_ = _e1142;
                                             } else {
-                                                phi_3267_ = bool();
-                                                phi_3268_ = true;
+                                                phi_3286_ = bool();
+                                                phi_3287_ = true;
                                             }
-                                            let _e2676 = phi_3267_;
-                                            let _e2678 = phi_3268_;
-                                            if _e2678 {
-                                                phi_3272_ = _e940;
+                                            let _e2669 = phi_3286_;
+                                            let _e2671 = phi_3287_;
+                                            if _e2671 {
+                                                phi_3291_ = _e937;
                                             } else {
-                                                phi_3272_ = _e2676;
+                                                phi_3291_ = _e2669;
                                             }
-                                            let _e2680 = phi_3272_;
-                                            if _e2680 {
-                                                phi_3276_ = false;
+                                            let _e2673 = phi_3291_;
+                                            if _e2673 {
+                                                phi_3295_ = false;
                                             } else {
-                                                phi_3276_ = true;
+                                                phi_3295_ = true;
                                             }
-                                            let _e2682 = phi_3276_;
-                                            phi_3277_ = _e2680;
-                                            phi_3278_ = _e2682;
+                                            let _e2675 = phi_3295_;
+                                            phi_3296_ = _e2673;
+                                            phi_3297_ = _e2675;
                                         } else {
-                                            phi_3277_ = _e940;
-                                            phi_3278_ = true;
+                                            phi_3296_ = _e937;
+                                            phi_3297_ = true;
                                         }
-                                        let _e2684 = phi_3277_;
-                                        let _e2686 = phi_3278_;
-                                        phi_3279_ = _e2684;
-                                        phi_3280_ = _e2686;
+                                        let _e2677 = phi_3296_;
+                                        let _e2679 = phi_3297_;
+                                        phi_3298_ = _e2677;
+                                        phi_3299_ = _e2679;
                                     } else {
-                                        phi_3279_ = _e940;
-                                        phi_3280_ = true;
+                                        phi_3298_ = _e937;
+                                        phi_3299_ = true;
                                     }
-                                    let _e2688 = phi_3279_;
-                                    let _e2690 = phi_3280_;
-                                    phi_3281_ = _e2688;
-                                    phi_3282_ = _e2690;
+                                    let _e2681 = phi_3298_;
+                                    let _e2683 = phi_3299_;
+                                    phi_3300_ = _e2681;
+                                    phi_3301_ = _e2683;
                                 } else {
-                                    phi_3281_ = _e940;
-                                    phi_3282_ = true;
+                                    phi_3300_ = _e937;
+                                    phi_3301_ = true;
                                 }
-                                let _e2692 = phi_3281_;
-                                let _e2694 = phi_3282_;
-                                if _e2694 {
+                                let _e2685 = phi_3300_;
+                                let _e2687 = phi_3301_;
+                                if _e2687 {
                                 }
-                                phi_1432_ = (_e938 & (_e938 - 1u));
-                                phi_1435_ = _e2692;
-                                phi_3286_ = _e2694;
+                                phi_1444_ = (_e935 & (_e935 - 1u));
+                                phi_1447_ = _e2685;
+                                phi_3305_ = _e2687;
                             }
-                            let _e2696 = phi_1432_;
-                            let _e2698 = phi_1435_;
-                            let _e2700 = phi_3286_;
+                            let _e2689 = phi_1444_;
+                            let _e2691 = phi_1447_;
+                            let _e2693 = phi_3305_;
                             continue;
                             continuing {
-                                phi_1431_ = _e2696;
-                                phi_1434_ = _e2698;
-                                break if !(_e2700);
+                                phi_1443_ = _e2689;
+                                phi_1446_ = _e2691;
+                                break if !(_e2693);
                             }
                         }
-                        let _e2703 = local_11;
-                        if _e2703 {
-                            let _e2705 = local_2.group_mask;
-                            if ((_e2705 & 4278190080u) == 0u) {
-                                let _e2709 = local_2.len;
-                                if (_e2709 == 0u) {
-                                    phi_3328_ = false;
+                        let _e2696 = local_11;
+                        if _e2696 {
+                            let _e2698 = local_2.group_mask;
+                            if ((_e2698 & 4278190080u) == 0u) {
+                                let _e2702 = local_2.len;
+                                if (_e2702 == 0u) {
+                                    phi_3347_ = false;
                                 } else {
-                                    let _e2713 = local_2.len;
-                                    local_2.len = (_e2713 - 1u);
-                                    let _e2716 = local_2.len;
-                                    if (_e2716 < 32u) {
+                                    let _e2706 = local_2.len;
+                                    local_2.len = (_e2706 - 1u);
+                                    let _e2709 = local_2.len;
+                                    if (_e2709 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2721 = local_2.first[(0u + _e2716)];
-                                    local_2.group = _e2721;
-                                    let _e2724 = local_2.len;
-                                    if (_e2724 < 32u) {
+                                    let _e2714 = local_2.first[(0u + _e2709)];
+                                    local_2.group = _e2714;
+                                    let _e2717 = local_2.len;
+                                    if (_e2717 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2729 = local_2.mask[(0u + _e2724)];
-                                    local_2.group_mask = _e2729;
-                                    phi_3328_ = true;
+                                    let _e2722 = local_2.mask[(0u + _e2717)];
+                                    local_2.group_mask = _e2722;
+                                    phi_3347_ = true;
                                 }
-                                let _e2732 = phi_3328_;
-                                phi_3329_ = _e2732;
+                                let _e2725 = phi_3347_;
+                                phi_3348_ = _e2725;
                             } else {
-                                phi_3329_ = true;
+                                phi_3348_ = true;
                             }
-                            let _e2734 = phi_3329_;
-                            if _e2734 {
-                                let _e2736 = local_2.group_mask;
-                                let _e2742 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2736)), 32u, (_e2736 == 0u)));
-                                let _e2746 = local_2.group_mask;
-                                let _e2760 = local_2.group_mask;
-                                local_2.group_mask = (_e2760 & ~((1u << bitcast<u32>((_e2742 & 31u)))));
-                                let _e2763 = local_2.group;
-                                phi_3360_ = (_e2763 + countOneBits(((_e2746 & ~((4294967295u << bitcast<u32>((((_e2742 - 24u) ^ _e362) & 31u))))) & 255u)));
+                            let _e2727 = phi_3348_;
+                            if _e2727 {
+                                let _e2729 = local_2.group_mask;
+                                let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
+                                let _e2739 = local_2.group_mask;
+                                let _e2753 = local_2.group_mask;
+                                local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
+                                let _e2756 = local_2.group;
+                                phi_3379_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e359) & 31u))))) & 255u)));
                             } else {
-                                phi_3360_ = 4294967295u;
+                                phi_3379_ = 4294967295u;
                             }
-                            let _e2766 = phi_3360_;
-                            phi_3361_ = _e2766;
+                            let _e2759 = phi_3379_;
+                            phi_3380_ = _e2759;
                         } else {
-                            phi_3361_ = u32();
+                            phi_3380_ = u32();
                         }
-                        let _e2768 = phi_3361_;
-                        phi_1100_ = _e2768;
-                        let _e3108 = local_18;
-                        phi_1103_ = _e3108;
-                        let _e3111 = local_19;
-                        phi_3362_ = _e3111;
-                        phi_3363_ = false;
+                        let _e2761 = phi_3380_;
+                        phi_1112_ = _e2761;
+                        let _e3161 = local_18;
+                        phi_1115_ = _e3161;
+                        let _e3164 = local_19;
+                        phi_3381_ = _e3164;
+                        phi_3382_ = false;
                     } else {
-                        phi_1100_ = u32();
-                        phi_1103_ = bool();
-                        phi_3362_ = false;
-                        phi_3363_ = true;
+                        phi_1112_ = u32();
+                        phi_1115_ = bool();
+                        phi_3381_ = false;
+                        phi_3382_ = true;
                     }
-                    let _e2770 = phi_1100_;
-                    let _e2772 = phi_1103_;
-                    let _e2774 = phi_3362_;
-                    let _e2776 = phi_3363_;
-                    local_12 = _e2776;
+                    let _e2763 = phi_1112_;
+                    let _e2765 = phi_1115_;
+                    let _e2767 = phi_3381_;
+                    let _e2769 = phi_3382_;
+                    local_12 = _e2769;
                     continue;
                     continuing {
-                        phi_1099_ = _e2770;
-                        phi_1102_ = _e2772;
-                        break if !(_e2774);
+                        phi_1111_ = _e2763;
+                        phi_1114_ = _e2765;
+                        break if !(_e2767);
                     }
                 }
-                let _e2779 = local_12;
-                if _e2779 {
-                    phi_3367_ = false;
+                let _e2772 = local_12;
+                if _e2772 {
+                    phi_3386_ = false;
                 } else {
-                    phi_3367_ = true;
+                    phi_3386_ = true;
                 }
-                let _e2781 = phi_3367_;
-                if _e2781 {
+                let _e2774 = phi_3386_;
+                if _e2774 {
                 }
-                phi_3371_ = _e2781;
+                phi_3390_ = _e2774;
             }
-            let _e2783 = phi_3371_;
-            phi_3372_ = _e218;
-            phi_3373_ = _e2783;
+            let _e2776 = phi_3390_;
+            phi_3391_ = _e211;
+            phi_3392_ = _e2776;
         } else {
-            phi_3372_ = true;
-            phi_3373_ = false;
+            phi_3391_ = true;
+            phi_3392_ = false;
         }
-        let _e2785 = phi_3372_;
-        let _e2787 = phi_3373_;
-        if _e2785 {
-            phi_3377_ = false;
-            phi_3378_ = true;
+        let _e2778 = phi_3391_;
+        let _e2780 = phi_3392_;
+        if _e2778 {
+            phi_3396_ = false;
+            phi_3397_ = true;
         } else {
-            phi_3377_ = true;
-            phi_3378_ = _e2787;
+            phi_3396_ = true;
+            phi_3397_ = _e2780;
         }
-        let _e2789 = phi_3377_;
-        let _e2791 = phi_3378_;
-        if _e2791 {
-            phi_3382_ = _e2789;
+        let _e2782 = phi_3396_;
+        let _e2784 = phi_3397_;
+        if _e2784 {
+            phi_3401_ = _e2782;
         } else {
-            phi_3382_ = false;
+            phi_3401_ = false;
         }
-        let _e2793 = phi_3382_;
-        if _e2793 {
-            phi_3386_ = 0f;
+        let _e2786 = phi_3401_;
+        if _e2786 {
+            phi_3405_ = 0f;
         } else {
-            phi_3386_ = 1f;
+            phi_3405_ = 1f;
         }
-        let _e2795 = phi_3386_;
-        if (_e114 < _e83) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e114)] = _e2795;
-        if (_e114 < _e89) {
+        let _e2788 = phi_3405_;
+        if (_e115 < _e84) {
         } else {
             return;
         }
-        let _e2802 = bits.member[(0u + _e114)];
-        if ((_e2802 & 2u) == 0u) {
-            phi_3407_ = (_e2802 & 1u);
-        } else {
-            phi_3407_ = (_e2802 & 7u);
-        }
-        let _e2808 = phi_3407_;
-        if (_e114 < _e83) {
-        } else {
-            return;
-        }
-        let _e2812 = visibility.member[(0u + _e114)];
-        if ((_e2808 & 1u) != 0u) {
-            phi_3422_ = (2u | 1u);
-        } else {
-            phi_3422_ = 2u;
-        }
-        let _e2818 = phi_3422_;
-        if (_e2812 < 0.5f) {
-            phi_3427_ = (_e2818 | 4u);
-        } else {
-            phi_3427_ = _e2818;
-        }
-        let _e2821 = phi_3427_;
-        if (_e114 < _e89) {
+        visibility.member[(0u + _e115)] = _e2788;
+        let _e2794 = p.member.light.number;
+        let _e2795 = (_e2794 * 3u);
+        let _e2796 = (_e2795 / 32u);
+        let _e2797 = (_e2795 % 32u);
+        let _e2799 = p.member.light.mask_words;
+        if (_e115 < _e84) {
         } else {
             return;
         }
-        bits.member[(0u + _e114)] = _e2821;
+        let _e2803 = visibility.member[(0u + _e115)];
+        let _e2805 = ((_e115 * _e2799) + _e2796);
+        if (_e2797 > 29u) {
+            let _e2807 = (_e2805 + 1u);
+            if (_e2807 < _e90) {
+            } else {
+                return;
+            }
+            let _e2811 = bits.member[(0u + _e2807)];
+            phi_3446_ = _e2811;
+        } else {
+            phi_3446_ = 0u;
+        }
+        let _e2813 = phi_3446_;
+        if (_e2805 < _e90) {
+        } else {
+            return;
+        }
+        let _e2817 = bits.member[(0u + _e2805)];
+        let _e2820 = (_e2817 >> bitcast<u32>((_e2797 & 31u)));
+        if (_e2797 > 29u) {
+            phi_3465_ = (_e2820 | (_e2813 << bitcast<u32>(((32u - _e2797) & 31u))));
+        } else {
+            phi_3465_ = _e2820;
+        }
+        let _e2828 = phi_3465_;
+        if ((_e2828 & 2u) == 0u) {
+            phi_3473_ = (_e2828 & 1u);
+        } else {
+            phi_3473_ = (_e2828 & 7u);
+        }
+        let _e2834 = phi_3473_;
+        if ((_e2834 & 1u) != 0u) {
+            phi_3481_ = (2u | 1u);
+        } else {
+            phi_3481_ = 2u;
+        }
+        let _e2840 = phi_3481_;
+        if (_e2803 < 0.5f) {
+            phi_3486_ = (_e2840 | 4u);
+        } else {
+            phi_3486_ = _e2840;
+        }
+        let _e2843 = phi_3486_;
+        let _e2845 = ((_e115 * _e2799) + _e2796);
+        if (_e2845 < _e90) {
+        } else {
+            return;
+        }
+        let _e2849 = bits.member[(0u + _e2845)];
+        if (_e2845 < _e90) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e2845)] = ((_e2849 & ~((7u << bitcast<u32>((_e2797 & 31u))))) | (_e2843 << bitcast<u32>((_e2797 & 31u))));
+        if (_e2797 > 29u) {
+            let _e2863 = (_e2845 + 1u);
+            if (_e2863 < _e90) {
+            } else {
+                return;
+            }
+            let _e2867 = bits.member[(0u + _e2863)];
+            let _e2868 = (32u - _e2797);
+            let _e2878 = (_e2845 + 1u);
+            if (_e2878 < _e90) {
+            } else {
+                return;
+            }
+            bits.member[(0u + _e2878)] = ((_e2867 & ~((7u >> bitcast<u32>((_e2868 & 31u))))) | (_e2843 >> bitcast<u32>((_e2868 & 31u))));
+        }
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +92,8 @@ struct type_41 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -136,2256 +137,2302 @@ var<storage, read_write> bits: type_13;
 var<storage> instances: type_51;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_166_: bool;
-    var phi_170_: f32;
+    var phi_171_: bool;
+    var phi_175_: f32;
 
     if (param != param) {
-        phi_166_ = true;
+        phi_171_ = true;
     } else {
-        let _e56 = (param_1 >= param);
-        if _e56 {
+        let _e57 = (param_1 >= param);
+        if _e57 {
         }
-        phi_166_ = _e56;
+        phi_171_ = _e57;
     }
-    let _e58 = phi_166_;
-    if _e58 {
-        phi_170_ = param_1;
+    let _e59 = phi_171_;
+    if _e59 {
+        phi_175_ = param_1;
     } else {
-        phi_170_ = param;
+        phi_175_ = param;
     }
-    let _e60 = phi_170_;
-    return _e60;
+    let _e61 = phi_175_;
+    return _e61;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_182_: bool;
-    var phi_186_: f32;
+    var phi_187_: bool;
+    var phi_191_: f32;
 
     if (param_2 != param_2) {
-        phi_182_ = true;
+        phi_187_ = true;
     } else {
-        let _e56 = (param_3 <= param_2);
-        if _e56 {
+        let _e57 = (param_3 <= param_2);
+        if _e57 {
         }
-        phi_182_ = _e56;
+        phi_187_ = _e57;
     }
-    let _e58 = phi_182_;
-    if _e58 {
-        phi_186_ = param_3;
+    let _e59 = phi_187_;
+    if _e59 {
+        phi_191_ = param_3;
     } else {
-        phi_186_ = param_2;
+        phi_191_ = param_2;
     }
-    let _e60 = phi_186_;
-    return _e60;
+    let _e61 = phi_191_;
+    return _e61;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_271_: f32;
-    var phi_327_: bool;
+    var phi_276_: f32;
+    var phi_308_: bool;
+    var phi_309_: bool;
+    var phi_310_: bool;
+    var phi_311_: bool;
+    var phi_315_: bool;
     var phi_328_: bool;
     var phi_329_: bool;
-    var phi_333_: bool;
-    var phi_334_: bool;
+    var phi_330_: bool;
+    var phi_331_: bool;
     var phi_335_: bool;
-    var phi_336_: bool;
-    var phi_337_: bool;
-    var phi_338_: bool;
-    var phi_339_: bool;
-    var phi_340_: bool;
-    var phi_341_: bool;
-    var phi_342_: bool;
-    var phi_343_: bool;
-    var phi_344_: bool;
-    var phi_345_: bool;
-    var phi_346_: bool;
-    var phi_347_: bool;
     var phi_348_: bool;
     var phi_349_: bool;
     var phi_350_: bool;
     var phi_354_: bool;
+    var phi_355_: bool;
+    var phi_356_: bool;
+    var phi_357_: bool;
     var phi_358_: bool;
-    var phi_428_: f32;
-    var phi_435_: f32;
-    var phi_442_: f32;
-    var phi_449_: f32;
-    var phi_456_: f32;
-    var phi_463_: f32;
-    var phi_480_: f32;
-    var phi_485_: f32;
-    var phi_490_: f32;
-    var phi_511_: u32;
-    var phi_516_: u32;
-    var phi_521_: u32;
-    var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_667_: u32;
-    var phi_669_: u32;
-    var phi_672_: bool;
-    var phi_752_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_779_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_806_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_812_: u32;
-    var phi_815_: u32;
-    var phi_829_: u32;
-    var phi_839_: u32;
-    var phi_849_: u32;
-    var phi_867_: u32;
-    var phi_877_: u32;
-    var phi_887_: u32;
-    var phi_923_: u32;
-    var phi_936_: u32;
-    var phi_941_: u32;
-    var phi_942_: u32;
-    var phi_943_: u32;
-    var phi_813_: u32;
-    var phi_816_: u32;
+    var phi_362_: bool;
+    var phi_432_: f32;
+    var phi_439_: f32;
+    var phi_446_: f32;
+    var phi_453_: f32;
+    var phi_460_: f32;
+    var phi_467_: f32;
+    var phi_484_: f32;
+    var phi_489_: f32;
+    var phi_494_: f32;
+    var phi_499_: f32;
+    var phi_504_: f32;
+    var phi_523_: u32;
+    var phi_528_: u32;
+    var phi_533_: u32;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_679_: u32;
+    var phi_681_: u32;
+    var phi_684_: bool;
+    var phi_764_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_791_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_818_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_824_: u32;
+    var phi_827_: u32;
+    var phi_841_: u32;
+    var phi_851_: u32;
+    var phi_861_: u32;
+    var phi_879_: u32;
+    var phi_889_: u32;
+    var phi_899_: u32;
+    var phi_935_: u32;
+    var phi_948_: u32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_955_: u32;
+    var phi_825_: u32;
+    var phi_828_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1001_: u32;
-    var phi_1004_: bool;
-    var phi_1053_: f32;
-    var phi_1058_: f32;
-    var phi_1063_: f32;
-    var phi_1071_: f32;
-    var phi_1076_: f32;
-    var phi_1081_: f32;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
-    var phi_1231_: bool;
-    var phi_1232_: bool;
+    var phi_1013_: u32;
+    var phi_1016_: bool;
+    var phi_1065_: f32;
+    var phi_1070_: f32;
+    var phi_1075_: f32;
+    var phi_1083_: f32;
+    var phi_1088_: f32;
+    var phi_1093_: f32;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1220_: bool;
     var phi_1233_: bool;
     var phi_1234_: bool;
     var phi_1235_: bool;
     var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1239_: bool;
     var phi_1240_: bool;
-    var phi_1241_: bool;
-    var phi_1242_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1252_: bool;
-    var phi_1256_: bool;
-    var phi_1326_: f32;
-    var phi_1333_: f32;
-    var phi_1340_: f32;
-    var phi_1347_: f32;
-    var phi_1354_: f32;
-    var phi_1361_: f32;
-    var phi_1378_: f32;
-    var phi_1383_: f32;
-    var phi_1388_: f32;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
-    var phi_1425_: u32;
-    var phi_1426_: u32;
-    var phi_1437_: vec3<f32>;
-    var phi_1438_: vec3<f32>;
-    var phi_1451_: u32;
-    var phi_1456_: u32;
-    var phi_1461_: u32;
-    var phi_1575_: bool;
-    var phi_1576_: bool;
-    var phi_1607_: u32;
-    var phi_1609_: u32;
-    var phi_1612_: bool;
-    var phi_1692_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1719_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1746_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1752_: u32;
-    var phi_1755_: u32;
-    var phi_1769_: u32;
-    var phi_1779_: u32;
-    var phi_1789_: u32;
-    var phi_1807_: u32;
-    var phi_1817_: u32;
-    var phi_1827_: u32;
-    var phi_1863_: u32;
-    var phi_1876_: u32;
-    var phi_1881_: u32;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
+    var phi_1262_: bool;
+    var phi_1263_: bool;
+    var phi_1267_: bool;
+    var phi_1337_: f32;
+    var phi_1344_: f32;
+    var phi_1351_: f32;
+    var phi_1358_: f32;
+    var phi_1365_: f32;
+    var phi_1372_: f32;
+    var phi_1389_: f32;
+    var phi_1394_: f32;
+    var phi_1399_: f32;
+    var phi_1404_: f32;
+    var phi_1409_: f32;
+    var phi_1435_: bool;
+    var phi_1436_: bool;
+    var phi_1444_: u32;
+    var phi_1445_: u32;
+    var phi_1456_: vec3<f32>;
+    var phi_1457_: vec3<f32>;
+    var phi_1470_: u32;
+    var phi_1475_: u32;
+    var phi_1480_: u32;
+    var phi_1594_: bool;
+    var phi_1595_: bool;
+    var phi_1626_: u32;
+    var phi_1628_: u32;
+    var phi_1631_: bool;
+    var phi_1711_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1738_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1765_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1771_: u32;
+    var phi_1774_: u32;
+    var phi_1788_: u32;
+    var phi_1798_: u32;
+    var phi_1808_: u32;
+    var phi_1826_: u32;
+    var phi_1836_: u32;
+    var phi_1846_: u32;
     var phi_1882_: u32;
-    var phi_1883_: u32;
-    var phi_1753_: u32;
-    var phi_1756_: u32;
+    var phi_1895_: u32;
+    var phi_1900_: u32;
+    var phi_1901_: u32;
+    var phi_1902_: u32;
+    var phi_1772_: u32;
+    var phi_1775_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1941_: u32;
-    var phi_1944_: bool;
-    var phi_1988_: vec3<f32>;
-    var phi_1989_: vec3<f32>;
-    var phi_2018_: vec3<f32>;
-    var phi_2019_: vec3<f32>;
-    var phi_2048_: vec3<f32>;
-    var phi_2049_: vec3<f32>;
-    var phi_2067_: bool;
-    var phi_2068_: bool;
-    var phi_2072_: f32;
-    var phi_2073_: f32;
-    var phi_2074_: f32;
-    var phi_2075_: f32;
-    var phi_2083_: f32;
-    var phi_2093_: bool;
-    var phi_2094_: bool;
-    var phi_2098_: f32;
-    var phi_2099_: f32;
-    var phi_2100_: f32;
-    var phi_2101_: f32;
-    var phi_2109_: f32;
-    var phi_2119_: bool;
-    var phi_2120_: bool;
-    var phi_2124_: f32;
-    var phi_2125_: f32;
-    var phi_2126_: f32;
-    var phi_2127_: f32;
-    var phi_2135_: f32;
-    var phi_2150_: f32;
-    var phi_2151_: bool;
-    var phi_2152_: f32;
-    var phi_2153_: bool;
+    var phi_1960_: u32;
+    var phi_1963_: bool;
+    var phi_2007_: vec3<f32>;
+    var phi_2008_: vec3<f32>;
+    var phi_2037_: vec3<f32>;
+    var phi_2038_: vec3<f32>;
+    var phi_2067_: vec3<f32>;
+    var phi_2068_: vec3<f32>;
+    var phi_2086_: bool;
+    var phi_2087_: bool;
+    var phi_2091_: f32;
+    var phi_2092_: f32;
+    var phi_2093_: f32;
+    var phi_2094_: f32;
+    var phi_2102_: f32;
+    var phi_2112_: bool;
+    var phi_2113_: bool;
+    var phi_2117_: f32;
+    var phi_2118_: f32;
+    var phi_2119_: f32;
+    var phi_2120_: f32;
+    var phi_2128_: f32;
+    var phi_2138_: bool;
+    var phi_2139_: bool;
+    var phi_2143_: f32;
+    var phi_2144_: f32;
+    var phi_2145_: f32;
+    var phi_2146_: f32;
     var phi_2154_: f32;
-    var phi_2155_: bool;
+    var phi_2169_: f32;
+    var phi_2170_: bool;
+    var phi_2171_: f32;
+    var phi_2172_: bool;
     var phi_2173_: f32;
     var phi_2174_: bool;
-    var phi_2175_: bool;
-    var phi_2176_: f32;
-    var phi_2177_: bool;
-    var phi_2178_: bool;
-    var phi_2182_: bool;
-    var phi_2183_: f32;
-    var phi_2184_: bool;
-    var phi_2212_: vec3<f32>;
-    var phi_2213_: vec3<f32>;
-    var phi_2238_: vec3<f32>;
-    var phi_2239_: vec3<f32>;
-    var phi_2264_: vec3<f32>;
-    var phi_2265_: vec3<f32>;
-    var phi_2321_: f32;
-    var phi_2330_: f32;
-    var phi_2339_: f32;
-    var phi_2348_: f32;
-    var phi_2355_: f32;
-    var phi_2362_: f32;
-    var phi_2375_: f32;
-    var phi_2384_: f32;
-    var phi_2393_: f32;
-    var phi_2402_: f32;
-    var phi_2409_: f32;
-    var phi_2416_: f32;
-    var phi_2433_: f32;
-    var phi_2438_: f32;
-    var phi_2443_: f32;
-    var phi_2451_: f32;
-    var phi_2456_: f32;
-    var phi_2461_: f32;
-    var phi_2473_: f32;
-    var phi_2478_: f32;
-    var phi_2483_: f32;
-    var phi_2488_: f32;
-    var phi_2493_: lt_bvh_triangle_Intersection;
-    var phi_2494_: bool;
-    var phi_2495_: lt_bvh_triangle_Intersection;
-    var phi_2496_: bool;
-    var phi_2500_: lt_bvh_triangle_Intersection;
-    var phi_2501_: bool;
-    var phi_2502_: lt_bvh_triangle_Intersection;
-    var phi_2503_: bool;
-    var phi_2504_: bool;
-    var phi_2508_: bool;
+    var phi_2192_: f32;
+    var phi_2193_: bool;
+    var phi_2194_: bool;
+    var phi_2195_: f32;
+    var phi_2196_: bool;
+    var phi_2197_: bool;
+    var phi_2201_: bool;
+    var phi_2202_: f32;
+    var phi_2203_: bool;
+    var phi_2231_: vec3<f32>;
+    var phi_2232_: vec3<f32>;
+    var phi_2257_: vec3<f32>;
+    var phi_2258_: vec3<f32>;
+    var phi_2283_: vec3<f32>;
+    var phi_2284_: vec3<f32>;
+    var phi_2340_: f32;
+    var phi_2349_: f32;
+    var phi_2358_: f32;
+    var phi_2367_: f32;
+    var phi_2374_: f32;
+    var phi_2381_: f32;
+    var phi_2394_: f32;
+    var phi_2403_: f32;
+    var phi_2412_: f32;
+    var phi_2421_: f32;
+    var phi_2428_: f32;
+    var phi_2435_: f32;
+    var phi_2452_: f32;
+    var phi_2457_: f32;
+    var phi_2462_: f32;
+    var phi_2470_: f32;
+    var phi_2475_: f32;
+    var phi_2480_: f32;
+    var phi_2492_: f32;
+    var phi_2497_: f32;
+    var phi_2502_: f32;
+    var phi_2507_: f32;
     var phi_2512_: lt_bvh_triangle_Intersection;
-    var phi_2532_: bool;
-    var phi_2533_: bool;
-    var phi_2534_: bool;
-    var phi_2535_: bool;
-    var phi_2536_: bool;
-    var phi_2537_: bool;
-    var phi_2538_: bool;
-    var phi_1942_: u32;
-    var phi_1945_: bool;
-    var phi_2542_: bool;
+    var phi_2513_: bool;
+    var phi_2514_: lt_bvh_triangle_Intersection;
+    var phi_2515_: bool;
+    var phi_2519_: lt_bvh_triangle_Intersection;
+    var phi_2520_: bool;
+    var phi_2521_: lt_bvh_triangle_Intersection;
+    var phi_2522_: bool;
+    var phi_2523_: bool;
+    var phi_2527_: bool;
+    var phi_2531_: lt_bvh_triangle_Intersection;
+    var phi_2551_: bool;
+    var phi_2552_: bool;
+    var phi_2553_: bool;
+    var phi_2554_: bool;
+    var phi_2555_: bool;
+    var phi_2556_: bool;
+    var phi_2557_: bool;
+    var phi_1961_: u32;
+    var phi_1964_: bool;
+    var phi_2561_: bool;
     var local_8: bool;
-    var phi_2584_: bool;
-    var phi_2585_: bool;
-    var phi_2616_: u32;
-    var phi_2617_: u32;
-    var phi_1610_: u32;
-    var phi_1613_: bool;
-    var phi_2618_: bool;
-    var phi_2619_: bool;
-    var local_9: bool;
-    var phi_2623_: bool;
-    var phi_2627_: bool;
-    var phi_2628_: bool;
-    var phi_2629_: bool;
-    var phi_2630_: bool;
-    var phi_2634_: bool;
+    var phi_2603_: bool;
+    var phi_2604_: bool;
+    var phi_2635_: u32;
+    var phi_2636_: u32;
+    var phi_1629_: u32;
+    var phi_1632_: bool;
+    var phi_2637_: bool;
     var phi_2638_: bool;
-    var phi_2639_: bool;
-    var phi_2640_: bool;
-    var phi_2641_: bool;
+    var local_9: bool;
     var phi_2642_: bool;
-    var phi_2643_: bool;
-    var phi_2644_: bool;
-    var phi_1002_: u32;
-    var phi_1005_: bool;
+    var phi_2646_: bool;
+    var phi_2647_: bool;
     var phi_2648_: bool;
+    var phi_2649_: bool;
+    var phi_2653_: bool;
+    var phi_2657_: bool;
+    var phi_2658_: bool;
+    var phi_2659_: bool;
+    var phi_2660_: bool;
+    var phi_2661_: bool;
+    var phi_2662_: bool;
+    var phi_2663_: bool;
+    var phi_1014_: u32;
+    var phi_1017_: bool;
+    var phi_2667_: bool;
     var local_10: bool;
-    var phi_2690_: bool;
-    var phi_2691_: bool;
-    var phi_2722_: u32;
-    var phi_2723_: u32;
-    var phi_670_: u32;
-    var phi_673_: bool;
-    var phi_2724_: bool;
-    var phi_2725_: bool;
-    var local_11: bool;
-    var phi_2729_: bool;
-    var phi_2733_: bool;
-    var phi_2734_: bool;
-    var phi_2735_: bool;
-    var phi_2739_: bool;
-    var phi_2740_: bool;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var phi_2741_: u32;
+    var phi_2742_: u32;
+    var phi_682_: u32;
+    var phi_685_: bool;
+    var phi_2743_: bool;
     var phi_2744_: bool;
-    var phi_2748_: f32;
-    var phi_2769_: u32;
-    var phi_2784_: u32;
-    var phi_2789_: u32;
+    var local_11: bool;
+    var phi_2748_: bool;
+    var phi_2752_: bool;
+    var phi_2753_: bool;
+    var phi_2754_: bool;
+    var phi_2758_: bool;
+    var phi_2759_: bool;
+    var phi_2763_: bool;
+    var phi_2767_: f32;
+    var phi_2808_: u32;
+    var phi_2827_: u32;
+    var phi_2835_: u32;
+    var phi_2843_: u32;
+    var phi_2848_: u32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
 
-    let _e55 = id_1;
-    let _e62 = arrayLength((&nodes.member));
-    let _e68 = arrayLength((&visibility.member));
-    let _e71 = arrayLength((&list.member));
-    let _e74 = arrayLength((&bits.member));
-    let _e81 = ((_e55.y * 2097152u) + _e55.x);
-    if (3u < _e71) {
+    let _e56 = id_1;
+    let _e63 = arrayLength((&nodes.member));
+    let _e69 = arrayLength((&visibility.member));
+    let _e72 = arrayLength((&list.member));
+    let _e75 = arrayLength((&bits.member));
+    let _e82 = ((_e56.y * 2097152u) + _e56.x);
+    if (3u < _e72) {
     } else {
         return;
     }
-    let _e84 = list.member[3u];
-    if (_e81 < _e84) {
-        let _e86 = (_e81 + 4u);
-        if (_e86 < _e71) {
+    let _e85 = list.member[3u];
+    if (_e82 < _e85) {
+        let _e87 = (_e82 + 4u);
+        if (_e87 < _e72) {
         } else {
             return;
         }
-        let _e90 = list.member[(0u + _e86)];
-        let _e92 = p.member.root;
-        if (_e90 < arrayLength((&samples.member))) {
+        let _e91 = list.member[(0u + _e87)];
+        let _e93 = p.member.root;
+        if (_e91 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e98 = samples.member[(0u + _e90)].position;
-        let _e100 = samples.member[(0u + _e90)].normal;
-        let _e102 = samples.member[(0u + _e90)].magnitude;
-        let _e104 = ((8f / 8388608f) * _e102);
-        let _e112 = (_e98.x + (_e100.x * _e104));
-        let _e114 = (_e98.y + (_e100.y * _e104));
-        let _e116 = (_e98.z + (_e100.z * _e104));
-        let _e118 = p.member.light.place;
-        if (_e118.w == 0f) {
-            phi_271_ = 300000000000000000000000000000000000000f;
+        let _e99 = samples.member[(0u + _e91)].position;
+        let _e101 = samples.member[(0u + _e91)].normal;
+        let _e103 = samples.member[(0u + _e91)].magnitude;
+        let _e105 = ((8f / 8388608f) * _e103);
+        let _e113 = (_e99.x + (_e101.x * _e105));
+        let _e115 = (_e99.y + (_e101.y * _e105));
+        let _e117 = (_e99.z + (_e101.z * _e105));
+        let _e119 = p.member.light.place;
+        if (_e119.w == 0f) {
+            phi_276_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_271_ = 1f;
+            phi_276_ = 1f;
         }
-        let _e122 = phi_271_;
-        let _e130 = (_e118.x - (_e112 * _e118.w));
-        let _e131 = (_e118.y - (_e114 * _e118.w));
-        let _e132 = (_e118.z - (_e116 * _e118.w));
-        let _e136 = abs(_e130);
-        let _e137 = abs(_e131);
-        let _e138 = abs(_e132);
-        if (abs(_e112) < 1000000000000000f) {
-            if (abs(_e114) < 1000000000000000f) {
-                if (abs(_e116) < 1000000000000000f) {
-                    if (_e136 < 1000000000000000f) {
-                        if (_e137 < 1000000000000000f) {
-                            if (_e138 < 1000000000000000f) {
-                                if (_e136 > 0f) {
-                                    phi_328_ = bool();
-                                    phi_329_ = true;
-                                } else {
-                                    let _e146 = (_e137 > 0f);
-                                    if _e146 {
-                                        phi_327_ = bool();
-                                    } else {
-                                        phi_327_ = (_e138 > 0f);
-                                    }
-                                    let _e149 = phi_327_;
-                                    phi_328_ = _e149;
-                                    phi_329_ = _e146;
-                                }
-                                let _e151 = phi_328_;
-                                let _e153 = phi_329_;
-                                if _e153 {
-                                    phi_333_ = true;
-                                } else {
-                                    phi_333_ = _e151;
-                                }
-                                let _e155 = phi_333_;
-                                phi_334_ = _e155;
-                                phi_335_ = false;
-                            } else {
-                                phi_334_ = bool();
-                                phi_335_ = true;
-                            }
-                            let _e157 = phi_334_;
-                            let _e159 = phi_335_;
-                            phi_336_ = _e157;
-                            phi_337_ = false;
-                            phi_338_ = _e159;
-                        } else {
-                            phi_336_ = bool();
-                            phi_337_ = true;
-                            phi_338_ = false;
-                        }
-                        let _e161 = phi_336_;
-                        let _e163 = phi_337_;
-                        let _e165 = phi_338_;
-                        phi_339_ = _e161;
-                        phi_340_ = _e163;
-                        phi_341_ = _e165;
-                    } else {
-                        phi_339_ = bool();
-                        phi_340_ = true;
-                        phi_341_ = false;
-                    }
-                    let _e167 = phi_339_;
-                    let _e169 = phi_340_;
-                    let _e171 = phi_341_;
-                    phi_342_ = _e167;
-                    phi_343_ = _e169;
-                    phi_344_ = _e171;
-                } else {
-                    phi_342_ = bool();
-                    phi_343_ = true;
-                    phi_344_ = false;
-                }
-                let _e173 = phi_342_;
-                let _e175 = phi_343_;
-                let _e177 = phi_344_;
-                phi_345_ = _e173;
-                phi_346_ = _e175;
-                phi_347_ = _e177;
+        let _e123 = phi_276_;
+        let _e131 = (_e119.x - (_e113 * _e119.w));
+        let _e132 = (_e119.y - (_e115 * _e119.w));
+        let _e133 = (_e119.z - (_e117 * _e119.w));
+        let _e134 = abs(_e131);
+        let _e135 = abs(_e132);
+        let _e136 = abs(_e133);
+        if (abs(_e113) < 1000000000000000f) {
+            if (abs(_e115) < 1000000000000000f) {
+                phi_308_ = (abs(_e117) < 1000000000000000f);
+                phi_309_ = false;
             } else {
-                phi_345_ = bool();
-                phi_346_ = true;
-                phi_347_ = false;
+                phi_308_ = bool();
+                phi_309_ = true;
             }
-            let _e179 = phi_345_;
-            let _e181 = phi_346_;
-            let _e183 = phi_347_;
-            phi_348_ = _e179;
-            phi_349_ = _e181;
-            phi_350_ = _e183;
+            let _e144 = phi_308_;
+            let _e146 = phi_309_;
+            phi_310_ = _e144;
+            phi_311_ = _e146;
         } else {
-            phi_348_ = bool();
-            phi_349_ = true;
-            phi_350_ = false;
+            phi_310_ = bool();
+            phi_311_ = true;
         }
-        let _e185 = phi_348_;
-        let _e187 = phi_349_;
-        let _e189 = phi_350_;
-        if _e187 {
-            phi_354_ = true;
+        let _e148 = phi_310_;
+        let _e150 = phi_311_;
+        if _e150 {
+            phi_315_ = false;
         } else {
-            phi_354_ = _e189;
+            phi_315_ = _e148;
         }
-        let _e191 = phi_354_;
-        if _e191 {
-            phi_358_ = false;
-        } else {
-            phi_358_ = _e185;
-        }
-        let _e193 = phi_358_;
-        if _e193 {
-            let _e194 = (_e92 >= _e62);
-            if _e194 {
-                phi_2733_ = false;
+        let _e152 = phi_315_;
+        if _e152 {
+            if (_e134 < 1000000000000000f) {
+                if (_e135 < 1000000000000000f) {
+                    phi_328_ = (_e136 < 1000000000000000f);
+                    phi_329_ = false;
+                } else {
+                    phi_328_ = bool();
+                    phi_329_ = true;
+                }
+                let _e157 = phi_328_;
+                let _e159 = phi_329_;
+                phi_330_ = _e157;
+                phi_331_ = _e159;
             } else {
-                if (_e92 < _e62) {
+                phi_330_ = bool();
+                phi_331_ = true;
+            }
+            let _e161 = phi_330_;
+            let _e163 = phi_331_;
+            if _e163 {
+                phi_335_ = false;
+            } else {
+                phi_335_ = _e161;
+            }
+            let _e165 = phi_335_;
+            if _e165 {
+                if (_e134 > 0f) {
+                    phi_349_ = bool();
+                    phi_350_ = true;
+                } else {
+                    let _e167 = (_e135 > 0f);
+                    if _e167 {
+                        phi_348_ = bool();
+                    } else {
+                        phi_348_ = (_e136 > 0f);
+                    }
+                    let _e170 = phi_348_;
+                    phi_349_ = _e170;
+                    phi_350_ = _e167;
+                }
+                let _e172 = phi_349_;
+                let _e174 = phi_350_;
+                if _e174 {
+                    phi_354_ = true;
+                } else {
+                    phi_354_ = _e172;
+                }
+                let _e176 = phi_354_;
+                phi_355_ = _e176;
+                phi_356_ = false;
+            } else {
+                phi_355_ = bool();
+                phi_356_ = true;
+            }
+            let _e178 = phi_355_;
+            let _e180 = phi_356_;
+            phi_357_ = _e178;
+            phi_358_ = _e180;
+        } else {
+            phi_357_ = bool();
+            phi_358_ = true;
+        }
+        let _e182 = phi_357_;
+        let _e184 = phi_358_;
+        if _e184 {
+            phi_362_ = false;
+        } else {
+            phi_362_ = _e182;
+        }
+        let _e186 = phi_362_;
+        if _e186 {
+            let _e187 = (_e93 >= _e63);
+            if _e187 {
+                phi_2752_ = false;
+            } else {
+                if (_e93 < _e63) {
                 } else {
                     return;
                 }
-                let _e200 = nodes.member[(0u + _e92)].frame[0u];
-                let _e204 = nodes.member[(0u + _e92)].frame[1u];
-                let _e208 = nodes.member[(0u + _e92)].frame[2u];
-                let _e212 = nodes.member[(0u + _e92)].frame[0u];
-                let _e216 = nodes.member[(0u + _e92)].frame[1u];
-                let _e220 = nodes.member[(0u + _e92)].frame[2u];
-                let _e224 = nodes.member[(0u + _e92)].frame[3u];
-                let _e258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e130), abs(_e131));
-                let _e259 = core_intrinsics_maximum_number_nsz_f32_(_e258, abs(_e132));
-                let _e260 = (_e259 * 0.0000000000009094947f);
-                if (abs(_e130) < _e260) {
-                    phi_428_ = _e260;
+                let _e193 = nodes.member[(0u + _e93)].frame[0u];
+                let _e197 = nodes.member[(0u + _e93)].frame[1u];
+                let _e201 = nodes.member[(0u + _e93)].frame[2u];
+                let _e205 = nodes.member[(0u + _e93)].frame[0u];
+                let _e209 = nodes.member[(0u + _e93)].frame[1u];
+                let _e213 = nodes.member[(0u + _e93)].frame[2u];
+                let _e217 = nodes.member[(0u + _e93)].frame[3u];
+                let _e251 = core_intrinsics_maximum_number_nsz_f32_(abs(_e131), abs(_e132));
+                let _e252 = core_intrinsics_maximum_number_nsz_f32_(_e251, abs(_e133));
+                let _e253 = (_e252 * 0.0000000000009094947f);
+                if (abs(_e131) < _e253) {
+                    phi_432_ = _e253;
                 } else {
-                    phi_428_ = abs(_e130);
+                    phi_432_ = abs(_e131);
                 }
-                let _e265 = phi_428_;
-                if (_e130 < 0f) {
-                    phi_435_ = (-1f / _e265);
-                } else {
-                    phi_435_ = (1f / _e265);
-                }
-                let _e270 = phi_435_;
-                if (abs(_e131) < _e260) {
-                    phi_442_ = _e260;
-                } else {
-                    phi_442_ = abs(_e131);
-                }
-                let _e275 = phi_442_;
+                let _e258 = phi_432_;
                 if (_e131 < 0f) {
-                    phi_449_ = (-1f / _e275);
+                    phi_439_ = (-1f / _e258);
                 } else {
-                    phi_449_ = (1f / _e275);
+                    phi_439_ = (1f / _e258);
                 }
-                let _e280 = phi_449_;
-                if (abs(_e132) < _e260) {
-                    phi_456_ = _e260;
+                let _e263 = phi_439_;
+                if (abs(_e132) < _e253) {
+                    phi_446_ = _e253;
                 } else {
-                    phi_456_ = abs(_e132);
+                    phi_446_ = abs(_e132);
                 }
-                let _e285 = phi_456_;
+                let _e268 = phi_446_;
                 if (_e132 < 0f) {
-                    phi_463_ = (-1f / _e285);
+                    phi_453_ = (-1f / _e268);
                 } else {
-                    phi_463_ = (1f / _e285);
+                    phi_453_ = (1f / _e268);
                 }
-                let _e290 = phi_463_;
-                let _e294 = abs((bitcast<f32>(_e200) - _e112));
-                let _e295 = abs((bitcast<f32>(_e204) - _e114));
-                let _e296 = abs((bitcast<f32>(_e208) - _e116));
-                let _e300 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e112));
-                let _e301 = abs(((bitcast<f32>(_e216) + (bitcast<f32>((((_e224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e114));
-                let _e302 = abs(((bitcast<f32>(_e220) + (bitcast<f32>((((_e224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e116));
-                if (_e294 > _e300) {
-                    phi_480_ = _e294;
+                let _e273 = phi_453_;
+                if (abs(_e133) < _e253) {
+                    phi_460_ = _e253;
                 } else {
-                    phi_480_ = _e300;
+                    phi_460_ = abs(_e133);
                 }
-                let _e305 = phi_480_;
-                if (_e295 > _e301) {
-                    phi_485_ = _e295;
+                let _e278 = phi_460_;
+                if (_e133 < 0f) {
+                    phi_467_ = (-1f / _e278);
                 } else {
-                    phi_485_ = _e301;
+                    phi_467_ = (1f / _e278);
                 }
-                let _e308 = phi_485_;
-                if (_e296 > _e302) {
-                    phi_490_ = _e296;
+                let _e283 = phi_467_;
+                let _e287 = abs((bitcast<f32>(_e193) - _e113));
+                let _e288 = abs((bitcast<f32>(_e197) - _e115));
+                let _e289 = abs((bitcast<f32>(_e201) - _e117));
+                let _e293 = abs(((bitcast<f32>(_e205) + (bitcast<f32>((((_e217 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e113));
+                let _e294 = abs(((bitcast<f32>(_e209) + (bitcast<f32>((((_e217 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e115));
+                let _e295 = abs(((bitcast<f32>(_e213) + (bitcast<f32>((((_e217 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e117));
+                if (_e287 > _e293) {
+                    phi_484_ = _e287;
                 } else {
-                    phi_490_ = _e302;
+                    phi_484_ = _e293;
                 }
-                let _e311 = phi_490_;
-                let _e312 = core_intrinsics_maximum_number_nsz_f32_(_e305, _e308);
-                let _e313 = core_intrinsics_maximum_number_nsz_f32_(_e312, _e311);
-                let _e317 = (_e313 * 0.0000019073486f);
-                let _e318 = (abs(_e270) * _e317);
-                let _e319 = (abs(_e280) * _e317);
-                let _e320 = (abs(_e290) * _e317);
-                let _e324 = (_e313 * 0.0000009536743f);
-                let _e325 = (abs(_e270) * _e324);
-                let _e326 = (abs(_e280) * _e324);
-                let _e327 = (abs(_e290) * _e324);
-                if (_e270 < 0f) {
-                    phi_511_ = 0u;
+                let _e298 = phi_484_;
+                if (_e288 > _e294) {
+                    phi_489_ = _e288;
                 } else {
-                    phi_511_ = 1u;
+                    phi_489_ = _e294;
                 }
-                let _e330 = phi_511_;
-                if (_e280 < 0f) {
-                    phi_516_ = 0u;
+                let _e301 = phi_489_;
+                if (_e289 > _e295) {
+                    phi_494_ = _e289;
                 } else {
-                    phi_516_ = 2u;
+                    phi_494_ = _e295;
                 }
-                let _e333 = phi_516_;
-                if (_e290 < 0f) {
-                    phi_521_ = 0u;
+                let _e304 = phi_494_;
+                if (_e298 > _e301) {
+                    phi_499_ = _e298;
                 } else {
-                    phi_521_ = 4u;
+                    phi_499_ = _e301;
                 }
-                let _e336 = phi_521_;
-                let _e338 = ((_e330 | _e333) | _e336);
-                let _e339 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e92, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e339.first[0], _e339.first[1], _e339.first[2], _e339.first[3], _e339.first[4], _e339.first[5], _e339.first[6], _e339.first[7], _e339.first[8], _e339.first[9], _e339.first[10], _e339.first[11], _e339.first[12], _e339.first[13], _e339.first[14], _e339.first[15], _e339.first[16], _e339.first[17], _e339.first[18], _e339.first[19], _e339.first[20], _e339.first[21], _e339.first[22], _e339.first[23], _e339.first[24], _e339.first[25], _e339.first[26], _e339.first[27], _e339.first[28], _e339.first[29], _e339.first[30], _e339.first[31]), array<u32, 32>(_e339.mask[0], _e339.mask[1], _e339.mask[2], _e339.mask[3], _e339.mask[4], _e339.mask[5], _e339.mask[6], _e339.mask[7], _e339.mask[8], _e339.mask[9], _e339.mask[10], _e339.mask[11], _e339.mask[12], _e339.mask[13], _e339.mask[14], _e339.mask[15], _e339.mask[16], _e339.mask[17], _e339.mask[18], _e339.mask[19], _e339.mask[20], _e339.mask[21], _e339.mask[22], _e339.mask[23], _e339.mask[24], _e339.mask[25], _e339.mask[26], _e339.mask[27], _e339.mask[28], _e339.mask[29], _e339.mask[30], _e339.mask[31]), _e339.len, _e339.group, _e339.group_mask);
-                let _e413 = local_1.group_mask;
-                if ((_e413 & 4278190080u) == 0u) {
-                    let _e417 = local_1.len;
-                    if (_e417 == 0u) {
-                        phi_635_ = false;
+                let _e307 = phi_499_;
+                if (_e307 > _e304) {
+                    phi_504_ = _e307;
+                } else {
+                    phi_504_ = _e304;
+                }
+                let _e310 = phi_504_;
+                let _e314 = (_e310 * 0.0000019073486f);
+                let _e315 = (abs(_e263) * _e314);
+                let _e316 = (abs(_e273) * _e314);
+                let _e317 = (abs(_e283) * _e314);
+                let _e321 = (_e310 * 0.0000009536743f);
+                let _e322 = (abs(_e263) * _e321);
+                let _e323 = (abs(_e273) * _e321);
+                let _e324 = (abs(_e283) * _e321);
+                if (_e263 < 0f) {
+                    phi_523_ = 0u;
+                } else {
+                    phi_523_ = 1u;
+                }
+                let _e327 = phi_523_;
+                if (_e273 < 0f) {
+                    phi_528_ = 0u;
+                } else {
+                    phi_528_ = 2u;
+                }
+                let _e330 = phi_528_;
+                if (_e283 < 0f) {
+                    phi_533_ = 0u;
+                } else {
+                    phi_533_ = 4u;
+                }
+                let _e333 = phi_533_;
+                let _e335 = ((_e327 | _e330) | _e333);
+                let _e336 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e93, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e336.first[0], _e336.first[1], _e336.first[2], _e336.first[3], _e336.first[4], _e336.first[5], _e336.first[6], _e336.first[7], _e336.first[8], _e336.first[9], _e336.first[10], _e336.first[11], _e336.first[12], _e336.first[13], _e336.first[14], _e336.first[15], _e336.first[16], _e336.first[17], _e336.first[18], _e336.first[19], _e336.first[20], _e336.first[21], _e336.first[22], _e336.first[23], _e336.first[24], _e336.first[25], _e336.first[26], _e336.first[27], _e336.first[28], _e336.first[29], _e336.first[30], _e336.first[31]), array<u32, 32>(_e336.mask[0], _e336.mask[1], _e336.mask[2], _e336.mask[3], _e336.mask[4], _e336.mask[5], _e336.mask[6], _e336.mask[7], _e336.mask[8], _e336.mask[9], _e336.mask[10], _e336.mask[11], _e336.mask[12], _e336.mask[13], _e336.mask[14], _e336.mask[15], _e336.mask[16], _e336.mask[17], _e336.mask[18], _e336.mask[19], _e336.mask[20], _e336.mask[21], _e336.mask[22], _e336.mask[23], _e336.mask[24], _e336.mask[25], _e336.mask[26], _e336.mask[27], _e336.mask[28], _e336.mask[29], _e336.mask[30], _e336.mask[31]), _e336.len, _e336.group, _e336.group_mask);
+                let _e410 = local_1.group_mask;
+                if ((_e410 & 4278190080u) == 0u) {
+                    let _e414 = local_1.len;
+                    if (_e414 == 0u) {
+                        phi_647_ = false;
                     } else {
+                        let _e418 = local_1.len;
+                        local_1.len = (_e418 - 1u);
                         let _e421 = local_1.len;
-                        local_1.len = (_e421 - 1u);
-                        let _e424 = local_1.len;
-                        if (_e424 < 32u) {
+                        if (_e421 < 32u) {
                         } else {
                             return;
                         }
-                        let _e429 = local_1.first[(0u + _e424)];
-                        local_1.group = _e429;
-                        let _e432 = local_1.len;
-                        if (_e432 < 32u) {
+                        let _e426 = local_1.first[(0u + _e421)];
+                        local_1.group = _e426;
+                        let _e429 = local_1.len;
+                        if (_e429 < 32u) {
                         } else {
                             return;
                         }
-                        let _e437 = local_1.mask[(0u + _e432)];
-                        local_1.group_mask = _e437;
-                        phi_635_ = true;
+                        let _e434 = local_1.mask[(0u + _e429)];
+                        local_1.group_mask = _e434;
+                        phi_647_ = true;
                     }
-                    let _e440 = phi_635_;
-                    phi_636_ = _e440;
+                    let _e437 = phi_647_;
+                    phi_648_ = _e437;
                 } else {
-                    phi_636_ = true;
+                    phi_648_ = true;
                 }
-                let _e442 = phi_636_;
-                if _e442 {
-                    let _e444 = local_1.group_mask;
-                    let _e450 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u)));
-                    let _e454 = local_1.group_mask;
-                    let _e468 = local_1.group_mask;
-                    local_1.group_mask = (_e468 & ~((1u << bitcast<u32>((_e450 & 31u)))));
-                    let _e471 = local_1.group;
-                    phi_667_ = (_e471 + countOneBits(((_e454 & ~((4294967295u << bitcast<u32>((((_e450 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e439 = phi_648_;
+                if _e439 {
+                    let _e441 = local_1.group_mask;
+                    let _e447 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e441)), 32u, (_e441 == 0u)));
+                    let _e451 = local_1.group_mask;
+                    let _e465 = local_1.group_mask;
+                    local_1.group_mask = (_e465 & ~((1u << bitcast<u32>((_e447 & 31u)))));
+                    let _e468 = local_1.group;
+                    phi_679_ = (_e468 + countOneBits(((_e451 & ~((4294967295u << bitcast<u32>((((_e447 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_667_ = 4294967295u;
+                    phi_679_ = 4294967295u;
                 }
-                let _e474 = phi_667_;
-                phi_669_ = _e474;
-                phi_672_ = false;
+                let _e471 = phi_679_;
+                phi_681_ = _e471;
+                phi_684_ = false;
                 loop {
-                    let _e476 = phi_669_;
-                    let _e478 = phi_672_;
-                    if (_e476 != 4294967295u) {
-                        if (_e476 < _e62) {
+                    let _e473 = phi_681_;
+                    let _e475 = phi_684_;
+                    if (_e473 != 4294967295u) {
+                        if (_e473 < _e63) {
                         } else {
                             return;
                         }
-                        let _e485 = nodes.member[(0u + _e476)].frame[3u];
-                        let _e510 = (bitcast<f32>((((_e485 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e270);
-                        let _e511 = (bitcast<f32>((((_e485 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e280);
-                        let _e512 = (bitcast<f32>((((_e485 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
-                        let _e515 = nodes.member[(0u + _e476)].frame[0u];
-                        let _e519 = nodes.member[(0u + _e476)].frame[1u];
-                        let _e523 = nodes.member[(0u + _e476)].frame[2u];
-                        let _e528 = ((bitcast<f32>(_e515) - _e112) * _e270);
-                        let _e529 = ((bitcast<f32>(_e519) - _e114) * _e280);
-                        let _e530 = ((bitcast<f32>(_e523) - _e116) * _e290);
-                        let _e538 = nodes.member[(0u + _e476)].x;
-                        if (_e270 < 0f) {
-                            let _e549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e538.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e549.unnamed.root, _e538.w), _e549.unnamed_1);
-                            let _e561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e555.unnamed, lt_bvh_traverse_Tree(_e538.x, _e555.unnamed_1.first_primitive));
-                            phi_752_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e561.unnamed, lt_bvh_traverse_Tree(_e561.unnamed_1.root, _e538.y));
+                        let _e482 = nodes.member[(0u + _e473)].frame[3u];
+                        let _e507 = (bitcast<f32>((((_e482 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
+                        let _e508 = (bitcast<f32>((((_e482 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
+                        let _e509 = (bitcast<f32>((((_e482 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
+                        let _e512 = nodes.member[(0u + _e473)].frame[0u];
+                        let _e516 = nodes.member[(0u + _e473)].frame[1u];
+                        let _e520 = nodes.member[(0u + _e473)].frame[2u];
+                        let _e525 = ((bitcast<f32>(_e512) - _e113) * _e263);
+                        let _e526 = ((bitcast<f32>(_e516) - _e115) * _e273);
+                        let _e527 = ((bitcast<f32>(_e520) - _e117) * _e283);
+                        let _e535 = nodes.member[(0u + _e473)].x;
+                        if (_e263 < 0f) {
+                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e535.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e546.unnamed.word, _e535.w), _e546.unnamed_1);
+                            let _e558 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_mask_LightPlace(_e535.x, _e552.unnamed_1.shift));
+                            phi_764_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e558.unnamed, lt_mask_LightPlace(_e558.unnamed_1.word, _e535.y));
                         } else {
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e538.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e577.unnamed.root, _e538.y), _e577.unnamed_1);
-                            let _e589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e538.z, _e583.unnamed_1.first_primitive));
-                            phi_752_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e589.unnamed, lt_bvh_traverse_Tree(_e589.unnamed_1.root, _e538.w));
+                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e535.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e574.unnamed.word, _e535.y), _e574.unnamed_1);
+                            let _e586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e535.z, _e580.unnamed_1.shift));
+                            phi_764_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e586.unnamed, lt_mask_LightPlace(_e586.unnamed_1.word, _e535.w));
                         }
-                        let _e597 = phi_752_;
-                        let _e607 = nodes.member[(0u + _e476)].y;
-                        if (_e280 < 0f) {
-                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e607.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e618.unnamed.root, _e607.w), _e618.unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_bvh_traverse_Tree(_e607.x, _e624.unnamed_1.first_primitive));
-                            phi_779_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e630.unnamed_1.root, _e607.y));
+                        let _e594 = phi_764_;
+                        let _e604 = nodes.member[(0u + _e473)].y;
+                        if (_e273 < 0f) {
+                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e615.unnamed.word, _e604.w), _e615.unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e604.x, _e621.unnamed_1.shift));
+                            phi_791_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e627.unnamed_1.word, _e604.y));
                         } else {
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e607.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.unnamed.root, _e607.y), _e646.unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e607.z, _e652.unnamed_1.first_primitive));
-                            phi_779_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e658.unnamed_1.root, _e607.w));
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.unnamed.word, _e604.y), _e643.unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e604.z, _e649.unnamed_1.shift));
+                            phi_791_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e655.unnamed_1.word, _e604.w));
                         }
-                        let _e666 = phi_779_;
-                        let _e676 = nodes.member[(0u + _e476)].z;
-                        if (_e290 < 0f) {
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.unnamed.root, _e676.w), _e687.unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e676.x, _e693.unnamed_1.first_primitive));
-                            phi_806_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e699.unnamed_1.root, _e676.y));
+                        let _e663 = phi_791_;
+                        let _e673 = nodes.member[(0u + _e473)].z;
+                        if (_e283 < 0f) {
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e684.unnamed.word, _e673.w), _e684.unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e673.x, _e690.unnamed_1.shift));
+                            phi_818_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e696.unnamed_1.word, _e673.y));
                         } else {
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e676.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.unnamed.root, _e676.y), _e715.unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e676.z, _e721.unnamed_1.first_primitive));
-                            phi_806_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e727.unnamed_1.root, _e676.w));
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.unnamed.word, _e673.y), _e712.unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e673.z, _e718.unnamed_1.shift));
+                            phi_818_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e724.unnamed_1.word, _e673.w));
                         }
-                        let _e735 = phi_806_;
-                        phi_812_ = 0u;
-                        phi_815_ = 0u;
+                        let _e732 = phi_818_;
+                        phi_824_ = 0u;
+                        phi_827_ = 0u;
                         loop {
-                            let _e745 = phi_812_;
-                            let _e747 = phi_815_;
-                            local_2 = _e747;
-                            local_3 = _e747;
-                            local_4 = _e747;
-                            let _e748 = (_e745 < 8u);
-                            if _e748 {
-                                let _e750 = (_e745 >> bitcast<u32>(2i));
-                                let _e751 = (_e745 & 3u);
-                                if (_e750 == 0u) {
-                                    phi_829_ = _e597.unnamed.root;
+                            let _e742 = phi_824_;
+                            let _e744 = phi_827_;
+                            local_2 = _e744;
+                            local_3 = _e744;
+                            local_4 = _e744;
+                            let _e745 = (_e742 < 8u);
+                            if _e745 {
+                                let _e747 = (_e742 >> bitcast<u32>(2i));
+                                let _e748 = (_e742 & 3u);
+                                if (_e747 == 0u) {
+                                    phi_841_ = _e594.unnamed.word;
                                 } else {
-                                    phi_829_ = _e597.unnamed.first_primitive;
+                                    phi_841_ = _e594.unnamed.shift;
                                 }
-                                let _e754 = phi_829_;
-                                if (_e750 == 0u) {
-                                    phi_839_ = _e666.unnamed.root;
+                                let _e751 = phi_841_;
+                                if (_e747 == 0u) {
+                                    phi_851_ = _e663.unnamed.word;
                                 } else {
-                                    phi_839_ = _e666.unnamed.first_primitive;
+                                    phi_851_ = _e663.unnamed.shift;
                                 }
-                                let _e763 = phi_839_;
-                                if (_e750 == 0u) {
-                                    phi_849_ = _e735.unnamed.root;
+                                let _e760 = phi_851_;
+                                if (_e747 == 0u) {
+                                    phi_861_ = _e732.unnamed.word;
                                 } else {
-                                    phi_849_ = _e735.unnamed.first_primitive;
+                                    phi_861_ = _e732.unnamed.shift;
                                 }
-                                let _e772 = phi_849_;
-                                let _e785 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e754 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e510) + (_e528 - _e318)), ((f32(((_e763 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e511) + (_e529 - _e319)));
-                                let _e786 = core_intrinsics_maximum_number_nsz_f32_(_e785, ((f32(((_e772 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e512) + (_e530 - _e320)));
-                                if (_e750 == 0u) {
-                                    phi_867_ = _e597.unnamed_1.root;
+                                let _e769 = phi_861_;
+                                let _e782 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e751 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e315)), ((f32(((_e760 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 - _e316)));
+                                let _e783 = core_intrinsics_maximum_number_nsz_f32_(_e782, ((f32(((_e769 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e317)));
+                                if (_e747 == 0u) {
+                                    phi_879_ = _e594.unnamed_1.word;
                                 } else {
-                                    phi_867_ = _e597.unnamed_1.first_primitive;
+                                    phi_879_ = _e594.unnamed_1.shift;
                                 }
-                                let _e789 = phi_867_;
-                                if (_e750 == 0u) {
-                                    phi_877_ = _e666.unnamed_1.root;
+                                let _e786 = phi_879_;
+                                if (_e747 == 0u) {
+                                    phi_889_ = _e663.unnamed_1.word;
                                 } else {
-                                    phi_877_ = _e666.unnamed_1.first_primitive;
+                                    phi_889_ = _e663.unnamed_1.shift;
                                 }
-                                let _e798 = phi_877_;
-                                if (_e750 == 0u) {
-                                    phi_887_ = _e735.unnamed_1.root;
+                                let _e795 = phi_889_;
+                                if (_e747 == 0u) {
+                                    phi_899_ = _e732.unnamed_1.word;
                                 } else {
-                                    phi_887_ = _e735.unnamed_1.first_primitive;
+                                    phi_899_ = _e732.unnamed_1.shift;
                                 }
-                                let _e807 = phi_887_;
-                                let _e820 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e789 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e510) + (_e528 + _e318)), ((f32(((_e798 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e511) + (_e529 + _e319)));
-                                let _e821 = core_intrinsics_minimum_number_nsz_f32_(_e820, ((f32(((_e807 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u)) * _e512) + (_e530 + _e320)));
-                                if (_e786 <= _e821) {
-                                    if (_e786 <= _e122) {
-                                        if (_e821 >= 0f) {
-                                            if (_e750 == 0u) {
-                                                let _e828 = nodes.member[(0u + _e476)].links[2u];
-                                                phi_923_ = _e828;
+                                let _e804 = phi_899_;
+                                let _e817 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e786 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e315)), ((f32(((_e795 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 + _e316)));
+                                let _e818 = core_intrinsics_minimum_number_nsz_f32_(_e817, ((f32(((_e804 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 + _e317)));
+                                if (_e783 <= _e818) {
+                                    if (_e783 <= _e123) {
+                                        if (_e818 >= 0f) {
+                                            if (_e747 == 0u) {
+                                                let _e825 = nodes.member[(0u + _e473)].links[2u];
+                                                phi_935_ = _e825;
                                             } else {
-                                                let _e831 = nodes.member[(0u + _e476)].links[3u];
-                                                phi_923_ = _e831;
+                                                let _e828 = nodes.member[(0u + _e473)].links[3u];
+                                                phi_935_ = _e828;
                                             }
-                                            let _e833 = phi_923_;
-                                            let _e838 = ((_e833 >> bitcast<u32>(((_e751 * 8u) & 31u))) & 255u);
-                                            let _e839 = (_e838 & 31u);
-                                            if (_e839 >= 24u) {
-                                                phi_936_ = (24u + ((_e839 - 24u) ^ _e338));
+                                            let _e830 = phi_935_;
+                                            let _e835 = ((_e830 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u);
+                                            let _e836 = (_e835 & 31u);
+                                            if (_e836 >= 24u) {
+                                                phi_948_ = (24u + ((_e836 - 24u) ^ _e335));
                                             } else {
-                                                phi_936_ = _e839;
+                                                phi_948_ = _e836;
                                             }
-                                            let _e845 = phi_936_;
-                                            phi_941_ = (_e747 | ((_e838 >> bitcast<u32>(5i)) << bitcast<u32>((_e845 & 31u))));
+                                            let _e842 = phi_948_;
+                                            phi_953_ = (_e744 | ((_e835 >> bitcast<u32>(5i)) << bitcast<u32>((_e842 & 31u))));
                                         } else {
-                                            phi_941_ = _e747;
+                                            phi_953_ = _e744;
                                         }
-                                        let _e853 = phi_941_;
-                                        phi_942_ = _e853;
+                                        let _e850 = phi_953_;
+                                        phi_954_ = _e850;
                                     } else {
-                                        phi_942_ = _e747;
+                                        phi_954_ = _e744;
                                     }
-                                    let _e855 = phi_942_;
-                                    phi_943_ = _e855;
+                                    let _e852 = phi_954_;
+                                    phi_955_ = _e852;
                                 } else {
-                                    phi_943_ = _e747;
+                                    phi_955_ = _e744;
                                 }
-                                let _e857 = phi_943_;
-                                phi_813_ = (_e745 + 1u);
-                                phi_816_ = _e857;
+                                let _e854 = phi_955_;
+                                phi_825_ = (_e742 + 1u);
+                                phi_828_ = _e854;
                             } else {
-                                phi_813_ = u32();
-                                phi_816_ = u32();
+                                phi_825_ = u32();
+                                phi_828_ = u32();
                             }
-                            let _e860 = phi_813_;
-                            let _e862 = phi_816_;
+                            let _e857 = phi_825_;
+                            let _e859 = phi_828_;
                             continue;
                             continuing {
-                                phi_812_ = _e860;
-                                phi_815_ = _e862;
-                                break if !(_e748);
+                                phi_824_ = _e857;
+                                phi_827_ = _e859;
+                                break if !(_e745);
                             }
                         }
-                        let _e866 = nodes.member[(0u + _e476)].links[0u];
-                        let _e870 = nodes.member[(0u + _e476)].frame[3u];
-                        let _e874 = local_2;
-                        if ((_e874 & 4278190080u) == 0u) {
+                        let _e863 = nodes.member[(0u + _e473)].links[0u];
+                        let _e867 = nodes.member[(0u + _e473)].frame[3u];
+                        let _e871 = local_2;
+                        if ((_e871 & 4278190080u) == 0u) {
                         } else {
-                            let _e878 = local_1.group_mask;
-                            if ((_e878 & 4278190080u) == 0u) {
+                            let _e875 = local_1.group_mask;
+                            if ((_e875 & 4278190080u) == 0u) {
                             } else {
-                                let _e882 = local_1.len;
-                                if (_e882 < 32u) {
-                                    let _e885 = local_1.group;
-                                    let _e887 = local_1.len;
-                                    if (_e887 < 32u) {
+                                let _e879 = local_1.len;
+                                if (_e879 < 32u) {
+                                    let _e882 = local_1.group;
+                                    let _e884 = local_1.len;
+                                    if (_e884 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e887)] = _e885;
-                                    let _e893 = local_1.group_mask;
-                                    let _e895 = local_1.len;
-                                    if (_e895 < 32u) {
+                                    local_1.first[(0u + _e884)] = _e882;
+                                    let _e890 = local_1.group_mask;
+                                    let _e892 = local_1.len;
+                                    if (_e892 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e895)] = _e893;
-                                    let _e902 = local_1.len;
-                                    local_1.len = (_e902 + 1u);
+                                    local_1.mask[(0u + _e892)] = _e890;
+                                    let _e899 = local_1.len;
+                                    local_1.len = (_e899 + 1u);
                                 }
                             }
-                            local_1.group = (_e92 + _e866);
-                            let _e906 = local_3;
-                            local_1.group_mask = ((_e906 & 4278190080u) | (_e870 >> bitcast<u32>(24i)));
+                            local_1.group = (_e93 + _e863);
+                            let _e903 = local_3;
+                            local_1.group_mask = ((_e903 & 4278190080u) | (_e867 >> bitcast<u32>(24i)));
                         }
-                        let _e911 = local_4;
-                        phi_1001_ = (_e911 & 16777215u);
-                        phi_1004_ = _e478;
+                        let _e908 = local_4;
+                        phi_1013_ = (_e908 & 16777215u);
+                        phi_1016_ = _e475;
                         loop {
-                            let _e914 = phi_1001_;
-                            let _e916 = phi_1004_;
-                            local_15 = _e916;
-                            let _e917 = (_e914 == 0u);
-                            local_10 = _e917;
-                            local_16 = _e917;
-                            if _e917 {
-                                phi_1002_ = u32();
-                                phi_1005_ = bool();
-                                phi_2648_ = false;
+                            let _e911 = phi_1013_;
+                            let _e913 = phi_1016_;
+                            local_15 = _e913;
+                            let _e914 = (_e911 == 0u);
+                            local_10 = _e914;
+                            local_16 = _e914;
+                            if _e914 {
+                                phi_1014_ = u32();
+                                phi_1017_ = bool();
+                                phi_2667_ = false;
                             } else {
-                                let _e920 = nodes.member[(0u + _e476)].links[1u];
-                                let _e924 = (_e920 + select(firstTrailingBit(_e914), 32u, (_e914 == 0u)));
-                                if (_e924 < arrayLength((&instances.member))) {
+                                let _e917 = nodes.member[(0u + _e473)].links[1u];
+                                let _e921 = (_e917 + select(firstTrailingBit(_e911), 32u, (_e911 == 0u)));
+                                if (_e921 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e931 = instances.member[(0u + _e924)].low_world;
-                                let _e933 = instances.member[(0u + _e924)].high_world;
-                                let _e940 = ((_e931.x - _e112) * _e270);
-                                let _e941 = ((_e931.y - _e114) * _e280);
-                                let _e942 = ((_e931.z - _e116) * _e290);
-                                let _e949 = ((_e933.x - _e112) * _e270);
-                                let _e950 = ((_e933.y - _e114) * _e280);
-                                let _e951 = ((_e933.z - _e116) * _e290);
-                                if (_e940 < _e949) {
-                                    phi_1053_ = _e940;
+                                let _e928 = instances.member[(0u + _e921)].low_world;
+                                let _e930 = instances.member[(0u + _e921)].high_world;
+                                let _e937 = ((_e928.x - _e113) * _e263);
+                                let _e938 = ((_e928.y - _e115) * _e273);
+                                let _e939 = ((_e928.z - _e117) * _e283);
+                                let _e946 = ((_e930.x - _e113) * _e263);
+                                let _e947 = ((_e930.y - _e115) * _e273);
+                                let _e948 = ((_e930.z - _e117) * _e283);
+                                if (_e937 < _e946) {
+                                    phi_1065_ = _e937;
                                 } else {
-                                    phi_1053_ = _e949;
+                                    phi_1065_ = _e946;
                                 }
-                                let _e954 = phi_1053_;
-                                if (_e941 < _e950) {
-                                    phi_1058_ = _e941;
+                                let _e951 = phi_1065_;
+                                if (_e938 < _e947) {
+                                    phi_1070_ = _e938;
                                 } else {
-                                    phi_1058_ = _e950;
+                                    phi_1070_ = _e947;
                                 }
-                                let _e957 = phi_1058_;
-                                if (_e942 < _e951) {
-                                    phi_1063_ = _e942;
+                                let _e954 = phi_1070_;
+                                if (_e939 < _e948) {
+                                    phi_1075_ = _e939;
                                 } else {
-                                    phi_1063_ = _e951;
+                                    phi_1075_ = _e948;
                                 }
-                                let _e960 = phi_1063_;
-                                if (_e940 > _e949) {
-                                    phi_1071_ = _e940;
+                                let _e957 = phi_1075_;
+                                if (_e937 > _e946) {
+                                    phi_1083_ = _e937;
                                 } else {
-                                    phi_1071_ = _e949;
+                                    phi_1083_ = _e946;
                                 }
-                                let _e966 = phi_1071_;
-                                if (_e941 > _e950) {
-                                    phi_1076_ = _e941;
+                                let _e963 = phi_1083_;
+                                if (_e938 > _e947) {
+                                    phi_1088_ = _e938;
                                 } else {
-                                    phi_1076_ = _e950;
+                                    phi_1088_ = _e947;
                                 }
-                                let _e969 = phi_1076_;
-                                if (_e942 > _e951) {
-                                    phi_1081_ = _e942;
+                                let _e966 = phi_1088_;
+                                if (_e939 > _e948) {
+                                    phi_1093_ = _e939;
                                 } else {
-                                    phi_1081_ = _e951;
+                                    phi_1093_ = _e948;
                                 }
-                                let _e972 = phi_1081_;
-                                let _e976 = core_intrinsics_maximum_number_nsz_f32_((_e954 - _e325), (_e957 - _e326));
-                                let _e977 = core_intrinsics_maximum_number_nsz_f32_(_e976, (_e960 - _e327));
-                                let _e978 = core_intrinsics_minimum_number_nsz_f32_((_e966 + _e325), (_e969 + _e326));
-                                let _e979 = core_intrinsics_minimum_number_nsz_f32_(_e978, (_e972 + _e327));
-                                if (_e977 <= _e979) {
-                                    if (_e977 <= _e122) {
-                                        if (_e979 >= 0f) {
-                                            let _e985 = instances.member[(0u + _e924)].world_to_object[0u];
-                                            let _e996 = ((((_e985.x * _e112) + (_e985.y * _e114)) + (_e985.z * _e116)) + (_e985.w * 1f));
-                                            let _e998 = instances.member[(0u + _e924)].world_to_object[1u];
-                                            let _e1009 = ((((_e998.x * _e112) + (_e998.y * _e114)) + (_e998.z * _e116)) + (_e998.w * 1f));
-                                            let _e1011 = instances.member[(0u + _e924)].world_to_object[2u];
-                                            let _e1022 = ((((_e1011.x * _e112) + (_e1011.y * _e114)) + (_e1011.z * _e116)) + (_e1011.w * 1f));
-                                            let _e1025 = instances.member[(0u + _e924)].world_to_object[0u];
-                                            let _e1036 = ((((_e1025.x * _e130) + (_e1025.y * _e131)) + (_e1025.z * _e132)) + (_e1025.w * 0f));
-                                            let _e1038 = instances.member[(0u + _e924)].world_to_object[1u];
-                                            let _e1049 = ((((_e1038.x * _e130) + (_e1038.y * _e131)) + (_e1038.z * _e132)) + (_e1038.w * 0f));
-                                            let _e1051 = instances.member[(0u + _e924)].world_to_object[2u];
-                                            let _e1062 = ((((_e1051.x * _e130) + (_e1051.y * _e131)) + (_e1051.z * _e132)) + (_e1051.w * 0f));
-                                            let _e1065 = instances.member[(0u + _e924)].root;
-                                            let _e1067 = instances.member[(0u + _e924)].first_triangle;
-                                            let _e1071 = abs(_e1036);
-                                            let _e1072 = abs(_e1049);
-                                            let _e1073 = abs(_e1062);
-                                            if (abs(_e996) < 1000000000000000f) {
-                                                if (abs(_e1009) < 1000000000000000f) {
-                                                    if (abs(_e1022) < 1000000000000000f) {
-                                                        if (_e1071 < 1000000000000000f) {
-                                                            if (_e1072 < 1000000000000000f) {
-                                                                if (_e1073 < 1000000000000000f) {
-                                                                    if (_e1071 > 0f) {
-                                                                        phi_1226_ = bool();
-                                                                        phi_1227_ = true;
-                                                                    } else {
-                                                                        let _e1081 = (_e1072 > 0f);
-                                                                        if _e1081 {
-                                                                            phi_1225_ = bool();
-                                                                        } else {
-                                                                            phi_1225_ = (_e1073 > 0f);
-                                                                        }
-                                                                        let _e1084 = phi_1225_;
-                                                                        phi_1226_ = _e1084;
-                                                                        phi_1227_ = _e1081;
-                                                                    }
-                                                                    let _e1086 = phi_1226_;
-                                                                    let _e1088 = phi_1227_;
-                                                                    if _e1088 {
-                                                                        phi_1231_ = true;
-                                                                    } else {
-                                                                        phi_1231_ = _e1086;
-                                                                    }
-                                                                    let _e1090 = phi_1231_;
-                                                                    phi_1232_ = _e1090;
-                                                                    phi_1233_ = false;
-                                                                } else {
-                                                                    phi_1232_ = bool();
-                                                                    phi_1233_ = true;
-                                                                }
-                                                                let _e1092 = phi_1232_;
-                                                                let _e1094 = phi_1233_;
-                                                                phi_1234_ = _e1092;
-                                                                phi_1235_ = false;
-                                                                phi_1236_ = _e1094;
-                                                            } else {
-                                                                phi_1234_ = bool();
-                                                                phi_1235_ = true;
-                                                                phi_1236_ = false;
-                                                            }
-                                                            let _e1096 = phi_1234_;
-                                                            let _e1098 = phi_1235_;
-                                                            let _e1100 = phi_1236_;
-                                                            phi_1237_ = _e1096;
-                                                            phi_1238_ = _e1098;
-                                                            phi_1239_ = _e1100;
-                                                        } else {
-                                                            phi_1237_ = bool();
-                                                            phi_1238_ = true;
-                                                            phi_1239_ = false;
-                                                        }
-                                                        let _e1102 = phi_1237_;
-                                                        let _e1104 = phi_1238_;
-                                                        let _e1106 = phi_1239_;
-                                                        phi_1240_ = _e1102;
-                                                        phi_1241_ = _e1104;
-                                                        phi_1242_ = _e1106;
-                                                    } else {
-                                                        phi_1240_ = bool();
-                                                        phi_1241_ = true;
-                                                        phi_1242_ = false;
-                                                    }
-                                                    let _e1108 = phi_1240_;
-                                                    let _e1110 = phi_1241_;
-                                                    let _e1112 = phi_1242_;
-                                                    phi_1243_ = _e1108;
-                                                    phi_1244_ = _e1110;
-                                                    phi_1245_ = _e1112;
+                                let _e969 = phi_1093_;
+                                let _e973 = core_intrinsics_maximum_number_nsz_f32_((_e951 - _e322), (_e954 - _e323));
+                                let _e974 = core_intrinsics_maximum_number_nsz_f32_(_e973, (_e957 - _e324));
+                                let _e975 = core_intrinsics_minimum_number_nsz_f32_((_e963 + _e322), (_e966 + _e323));
+                                let _e976 = core_intrinsics_minimum_number_nsz_f32_(_e975, (_e969 + _e324));
+                                if (_e974 <= _e976) {
+                                    if (_e974 <= _e123) {
+                                        if (_e976 >= 0f) {
+                                            let _e982 = instances.member[(0u + _e921)].world_to_object[0u];
+                                            let _e993 = ((((_e982.x * _e113) + (_e982.y * _e115)) + (_e982.z * _e117)) + (_e982.w * 1f));
+                                            let _e995 = instances.member[(0u + _e921)].world_to_object[1u];
+                                            let _e1006 = ((((_e995.x * _e113) + (_e995.y * _e115)) + (_e995.z * _e117)) + (_e995.w * 1f));
+                                            let _e1008 = instances.member[(0u + _e921)].world_to_object[2u];
+                                            let _e1019 = ((((_e1008.x * _e113) + (_e1008.y * _e115)) + (_e1008.z * _e117)) + (_e1008.w * 1f));
+                                            let _e1022 = instances.member[(0u + _e921)].world_to_object[0u];
+                                            let _e1033 = ((((_e1022.x * _e131) + (_e1022.y * _e132)) + (_e1022.z * _e133)) + (_e1022.w * 0f));
+                                            let _e1035 = instances.member[(0u + _e921)].world_to_object[1u];
+                                            let _e1046 = ((((_e1035.x * _e131) + (_e1035.y * _e132)) + (_e1035.z * _e133)) + (_e1035.w * 0f));
+                                            let _e1048 = instances.member[(0u + _e921)].world_to_object[2u];
+                                            let _e1059 = ((((_e1048.x * _e131) + (_e1048.y * _e132)) + (_e1048.z * _e133)) + (_e1048.w * 0f));
+                                            let _e1062 = instances.member[(0u + _e921)].root;
+                                            let _e1064 = instances.member[(0u + _e921)].first_triangle;
+                                            let _e1065 = abs(_e1033);
+                                            let _e1066 = abs(_e1046);
+                                            let _e1067 = abs(_e1059);
+                                            if (abs(_e993) < 1000000000000000f) {
+                                                if (abs(_e1006) < 1000000000000000f) {
+                                                    phi_1213_ = (abs(_e1019) < 1000000000000000f);
+                                                    phi_1214_ = false;
                                                 } else {
-                                                    phi_1243_ = bool();
-                                                    phi_1244_ = true;
-                                                    phi_1245_ = false;
+                                                    phi_1213_ = bool();
+                                                    phi_1214_ = true;
                                                 }
-                                                let _e1114 = phi_1243_;
-                                                let _e1116 = phi_1244_;
-                                                let _e1118 = phi_1245_;
-                                                phi_1246_ = _e1114;
-                                                phi_1247_ = _e1116;
-                                                phi_1248_ = _e1118;
+                                                let _e1075 = phi_1213_;
+                                                let _e1077 = phi_1214_;
+                                                phi_1215_ = _e1075;
+                                                phi_1216_ = _e1077;
                                             } else {
-                                                phi_1246_ = bool();
-                                                phi_1247_ = true;
-                                                phi_1248_ = false;
+                                                phi_1215_ = bool();
+                                                phi_1216_ = true;
                                             }
-                                            let _e1120 = phi_1246_;
-                                            let _e1122 = phi_1247_;
-                                            let _e1124 = phi_1248_;
-                                            if _e1122 {
-                                                phi_1252_ = true;
+                                            let _e1079 = phi_1215_;
+                                            let _e1081 = phi_1216_;
+                                            if _e1081 {
+                                                phi_1220_ = false;
                                             } else {
-                                                phi_1252_ = _e1124;
+                                                phi_1220_ = _e1079;
                                             }
-                                            let _e1126 = phi_1252_;
-                                            if _e1126 {
-                                                phi_1256_ = false;
-                                            } else {
-                                                phi_1256_ = _e1120;
-                                            }
-                                            let _e1128 = phi_1256_;
-                                            if _e1128 {
-                                                let _e1129 = (_e1065 >= _e62);
-                                                if _e1129 {
-                                                    phi_2628_ = bool();
+                                            let _e1083 = phi_1220_;
+                                            if _e1083 {
+                                                if (_e1065 < 1000000000000000f) {
+                                                    if (_e1066 < 1000000000000000f) {
+                                                        phi_1233_ = (_e1067 < 1000000000000000f);
+                                                        phi_1234_ = false;
+                                                    } else {
+                                                        phi_1233_ = bool();
+                                                        phi_1234_ = true;
+                                                    }
+                                                    let _e1088 = phi_1233_;
+                                                    let _e1090 = phi_1234_;
+                                                    phi_1235_ = _e1088;
+                                                    phi_1236_ = _e1090;
                                                 } else {
-                                                    if (_e1065 < _e62) {
+                                                    phi_1235_ = bool();
+                                                    phi_1236_ = true;
+                                                }
+                                                let _e1092 = phi_1235_;
+                                                let _e1094 = phi_1236_;
+                                                if _e1094 {
+                                                    phi_1240_ = false;
+                                                } else {
+                                                    phi_1240_ = _e1092;
+                                                }
+                                                let _e1096 = phi_1240_;
+                                                if _e1096 {
+                                                    if (_e1065 > 0f) {
+                                                        phi_1254_ = bool();
+                                                        phi_1255_ = true;
+                                                    } else {
+                                                        let _e1098 = (_e1066 > 0f);
+                                                        if _e1098 {
+                                                            phi_1253_ = bool();
+                                                        } else {
+                                                            phi_1253_ = (_e1067 > 0f);
+                                                        }
+                                                        let _e1101 = phi_1253_;
+                                                        phi_1254_ = _e1101;
+                                                        phi_1255_ = _e1098;
+                                                    }
+                                                    let _e1103 = phi_1254_;
+                                                    let _e1105 = phi_1255_;
+                                                    if _e1105 {
+                                                        phi_1259_ = true;
+                                                    } else {
+                                                        phi_1259_ = _e1103;
+                                                    }
+                                                    let _e1107 = phi_1259_;
+                                                    phi_1260_ = _e1107;
+                                                    phi_1261_ = false;
+                                                } else {
+                                                    phi_1260_ = bool();
+                                                    phi_1261_ = true;
+                                                }
+                                                let _e1109 = phi_1260_;
+                                                let _e1111 = phi_1261_;
+                                                phi_1262_ = _e1109;
+                                                phi_1263_ = _e1111;
+                                            } else {
+                                                phi_1262_ = bool();
+                                                phi_1263_ = true;
+                                            }
+                                            let _e1113 = phi_1262_;
+                                            let _e1115 = phi_1263_;
+                                            if _e1115 {
+                                                phi_1267_ = false;
+                                            } else {
+                                                phi_1267_ = _e1113;
+                                            }
+                                            let _e1117 = phi_1267_;
+                                            if _e1117 {
+                                                let _e1118 = (_e1062 >= _e63);
+                                                if _e1118 {
+                                                    phi_2647_ = bool();
+                                                } else {
+                                                    if (_e1062 < _e63) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1135 = nodes.member[(0u + _e1065)].frame[0u];
-                                                    let _e1139 = nodes.member[(0u + _e1065)].frame[1u];
-                                                    let _e1143 = nodes.member[(0u + _e1065)].frame[2u];
-                                                    let _e1147 = nodes.member[(0u + _e1065)].frame[0u];
-                                                    let _e1151 = nodes.member[(0u + _e1065)].frame[1u];
-                                                    let _e1155 = nodes.member[(0u + _e1065)].frame[2u];
-                                                    let _e1159 = nodes.member[(0u + _e1065)].frame[3u];
-                                                    let _e1193 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1036), abs(_e1049));
-                                                    let _e1194 = core_intrinsics_maximum_number_nsz_f32_(_e1193, abs(_e1062));
-                                                    let _e1195 = (_e1194 * 0.0000000000009094947f);
-                                                    if (abs(_e1036) < _e1195) {
-                                                        phi_1326_ = _e1195;
+                                                    let _e1124 = nodes.member[(0u + _e1062)].frame[0u];
+                                                    let _e1128 = nodes.member[(0u + _e1062)].frame[1u];
+                                                    let _e1132 = nodes.member[(0u + _e1062)].frame[2u];
+                                                    let _e1136 = nodes.member[(0u + _e1062)].frame[0u];
+                                                    let _e1140 = nodes.member[(0u + _e1062)].frame[1u];
+                                                    let _e1144 = nodes.member[(0u + _e1062)].frame[2u];
+                                                    let _e1148 = nodes.member[(0u + _e1062)].frame[3u];
+                                                    let _e1182 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1033), abs(_e1046));
+                                                    let _e1183 = core_intrinsics_maximum_number_nsz_f32_(_e1182, abs(_e1059));
+                                                    let _e1184 = (_e1183 * 0.0000000000009094947f);
+                                                    if (abs(_e1033) < _e1184) {
+                                                        phi_1337_ = _e1184;
                                                     } else {
-                                                        phi_1326_ = abs(_e1036);
+                                                        phi_1337_ = abs(_e1033);
                                                     }
-                                                    let _e1200 = phi_1326_;
-                                                    if (_e1036 < 0f) {
-                                                        phi_1333_ = (-1f / _e1200);
+                                                    let _e1189 = phi_1337_;
+                                                    if (_e1033 < 0f) {
+                                                        phi_1344_ = (-1f / _e1189);
                                                     } else {
-                                                        phi_1333_ = (1f / _e1200);
+                                                        phi_1344_ = (1f / _e1189);
                                                     }
-                                                    let _e1205 = phi_1333_;
-                                                    if (abs(_e1049) < _e1195) {
-                                                        phi_1340_ = _e1195;
+                                                    let _e1194 = phi_1344_;
+                                                    if (abs(_e1046) < _e1184) {
+                                                        phi_1351_ = _e1184;
                                                     } else {
-                                                        phi_1340_ = abs(_e1049);
+                                                        phi_1351_ = abs(_e1046);
                                                     }
-                                                    let _e1210 = phi_1340_;
-                                                    if (_e1049 < 0f) {
-                                                        phi_1347_ = (-1f / _e1210);
+                                                    let _e1199 = phi_1351_;
+                                                    if (_e1046 < 0f) {
+                                                        phi_1358_ = (-1f / _e1199);
                                                     } else {
-                                                        phi_1347_ = (1f / _e1210);
+                                                        phi_1358_ = (1f / _e1199);
                                                     }
-                                                    let _e1215 = phi_1347_;
-                                                    if (abs(_e1062) < _e1195) {
-                                                        phi_1354_ = _e1195;
+                                                    let _e1204 = phi_1358_;
+                                                    if (abs(_e1059) < _e1184) {
+                                                        phi_1365_ = _e1184;
                                                     } else {
-                                                        phi_1354_ = abs(_e1062);
+                                                        phi_1365_ = abs(_e1059);
                                                     }
-                                                    let _e1220 = phi_1354_;
-                                                    if (_e1062 < 0f) {
-                                                        phi_1361_ = (-1f / _e1220);
+                                                    let _e1209 = phi_1365_;
+                                                    if (_e1059 < 0f) {
+                                                        phi_1372_ = (-1f / _e1209);
                                                     } else {
-                                                        phi_1361_ = (1f / _e1220);
+                                                        phi_1372_ = (1f / _e1209);
                                                     }
-                                                    let _e1225 = phi_1361_;
-                                                    let _e1229 = abs((bitcast<f32>(_e1135) - _e996));
-                                                    let _e1230 = abs((bitcast<f32>(_e1139) - _e1009));
-                                                    let _e1231 = abs((bitcast<f32>(_e1143) - _e1022));
-                                                    let _e1235 = abs(((bitcast<f32>(_e1147) + (bitcast<f32>((((_e1159 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e996));
-                                                    let _e1236 = abs(((bitcast<f32>(_e1151) + (bitcast<f32>((((_e1159 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1009));
-                                                    let _e1237 = abs(((bitcast<f32>(_e1155) + (bitcast<f32>((((_e1159 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1022));
-                                                    if (_e1229 > _e1235) {
-                                                        phi_1378_ = _e1229;
+                                                    let _e1214 = phi_1372_;
+                                                    let _e1218 = abs((bitcast<f32>(_e1124) - _e993));
+                                                    let _e1219 = abs((bitcast<f32>(_e1128) - _e1006));
+                                                    let _e1220 = abs((bitcast<f32>(_e1132) - _e1019));
+                                                    let _e1224 = abs(((bitcast<f32>(_e1136) + (bitcast<f32>((((_e1148 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e993));
+                                                    let _e1225 = abs(((bitcast<f32>(_e1140) + (bitcast<f32>((((_e1148 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1006));
+                                                    let _e1226 = abs(((bitcast<f32>(_e1144) + (bitcast<f32>((((_e1148 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1019));
+                                                    if (_e1218 > _e1224) {
+                                                        phi_1389_ = _e1218;
                                                     } else {
-                                                        phi_1378_ = _e1235;
+                                                        phi_1389_ = _e1224;
                                                     }
-                                                    let _e1240 = phi_1378_;
-                                                    if (_e1230 > _e1236) {
-                                                        phi_1383_ = _e1230;
+                                                    let _e1229 = phi_1389_;
+                                                    if (_e1219 > _e1225) {
+                                                        phi_1394_ = _e1219;
                                                     } else {
-                                                        phi_1383_ = _e1236;
+                                                        phi_1394_ = _e1225;
                                                     }
-                                                    let _e1243 = phi_1383_;
-                                                    if (_e1231 > _e1237) {
-                                                        phi_1388_ = _e1231;
+                                                    let _e1232 = phi_1394_;
+                                                    if (_e1220 > _e1226) {
+                                                        phi_1399_ = _e1220;
                                                     } else {
-                                                        phi_1388_ = _e1237;
+                                                        phi_1399_ = _e1226;
                                                     }
-                                                    let _e1246 = phi_1388_;
-                                                    let _e1247 = core_intrinsics_maximum_number_nsz_f32_(_e1240, _e1243);
-                                                    let _e1248 = core_intrinsics_maximum_number_nsz_f32_(_e1247, _e1246);
-                                                    let _e1252 = (_e1248 * 0.0000019073486f);
-                                                    let _e1253 = (abs(_e1205) * _e1252);
-                                                    let _e1254 = (abs(_e1215) * _e1252);
-                                                    let _e1255 = (abs(_e1225) * _e1252);
-                                                    let _e1259 = (_e1248 * 0.0000009536743f);
-                                                    let _e1260 = (abs(_e1205) * _e1259);
-                                                    let _e1261 = (abs(_e1215) * _e1259);
-                                                    let _e1262 = (abs(_e1225) * _e1259);
-                                                    let _e1263 = abs(_e1036);
-                                                    let _e1264 = abs(_e1049);
-                                                    let _e1265 = abs(_e1062);
-                                                    if (_e1263 >= _e1264) {
-                                                        if (_e1263 >= _e1265) {
-                                                            phi_1416_ = false;
+                                                    let _e1235 = phi_1399_;
+                                                    if (_e1229 > _e1232) {
+                                                        phi_1404_ = _e1229;
+                                                    } else {
+                                                        phi_1404_ = _e1232;
+                                                    }
+                                                    let _e1238 = phi_1404_;
+                                                    if (_e1238 > _e1235) {
+                                                        phi_1409_ = _e1238;
+                                                    } else {
+                                                        phi_1409_ = _e1235;
+                                                    }
+                                                    let _e1241 = phi_1409_;
+                                                    let _e1245 = (_e1241 * 0.0000019073486f);
+                                                    let _e1246 = (abs(_e1194) * _e1245);
+                                                    let _e1247 = (abs(_e1204) * _e1245);
+                                                    let _e1248 = (abs(_e1214) * _e1245);
+                                                    let _e1252 = (_e1241 * 0.0000009536743f);
+                                                    let _e1253 = (abs(_e1194) * _e1252);
+                                                    let _e1254 = (abs(_e1204) * _e1252);
+                                                    let _e1255 = (abs(_e1214) * _e1252);
+                                                    let _e1256 = abs(_e1033);
+                                                    let _e1257 = abs(_e1046);
+                                                    let _e1258 = abs(_e1059);
+                                                    if (_e1256 >= _e1257) {
+                                                        if (_e1256 >= _e1258) {
+                                                            phi_1435_ = false;
                                                         } else {
-                                                            phi_1416_ = true;
+                                                            phi_1435_ = true;
                                                         }
-                                                        let _e1269 = phi_1416_;
-                                                        phi_1417_ = _e1269;
+                                                        let _e1262 = phi_1435_;
+                                                        phi_1436_ = _e1262;
                                                     } else {
-                                                        phi_1417_ = true;
+                                                        phi_1436_ = true;
                                                     }
-                                                    let _e1271 = phi_1417_;
-                                                    if _e1271 {
-                                                        if (_e1264 >= _e1265) {
-                                                            phi_1425_ = 1u;
+                                                    let _e1264 = phi_1436_;
+                                                    if _e1264 {
+                                                        if (_e1257 >= _e1258) {
+                                                            phi_1444_ = 1u;
                                                         } else {
-                                                            phi_1425_ = 2u;
+                                                            phi_1444_ = 2u;
                                                         }
-                                                        let _e1274 = phi_1425_;
-                                                        phi_1426_ = _e1274;
+                                                        let _e1267 = phi_1444_;
+                                                        phi_1445_ = _e1267;
                                                     } else {
-                                                        phi_1426_ = 0u;
+                                                        phi_1445_ = 0u;
                                                     }
-                                                    let _e1276 = phi_1426_;
-                                                    if (_e1276 == 0u) {
-                                                        phi_1438_ = vec3<f32>(_e1049, _e1062, _e1036);
+                                                    let _e1269 = phi_1445_;
+                                                    if (_e1269 == 0u) {
+                                                        phi_1457_ = vec3<f32>(_e1046, _e1059, _e1033);
                                                     } else {
-                                                        if (_e1276 == 1u) {
-                                                            phi_1437_ = vec3<f32>(_e1062, _e1036, _e1049);
+                                                        if (_e1269 == 1u) {
+                                                            phi_1456_ = vec3<f32>(_e1059, _e1033, _e1046);
                                                         } else {
-                                                            phi_1437_ = vec3<f32>(_e1036, _e1049, _e1062);
+                                                            phi_1456_ = vec3<f32>(_e1033, _e1046, _e1059);
                                                         }
-                                                        let _e1282 = phi_1437_;
-                                                        phi_1438_ = _e1282;
+                                                        let _e1275 = phi_1456_;
+                                                        phi_1457_ = _e1275;
                                                     }
-                                                    let _e1284 = phi_1438_;
-                                                    let _e1287 = (_e1284.x / _e1284.z);
-                                                    let _e1290 = (_e1284.y / _e1284.z);
-                                                    if (_e1205 < 0f) {
-                                                        phi_1451_ = 0u;
+                                                    let _e1277 = phi_1457_;
+                                                    let _e1280 = (_e1277.x / _e1277.z);
+                                                    let _e1283 = (_e1277.y / _e1277.z);
+                                                    if (_e1194 < 0f) {
+                                                        phi_1470_ = 0u;
                                                     } else {
-                                                        phi_1451_ = 1u;
+                                                        phi_1470_ = 1u;
                                                     }
-                                                    let _e1295 = phi_1451_;
-                                                    if (_e1215 < 0f) {
-                                                        phi_1456_ = 0u;
+                                                    let _e1288 = phi_1470_;
+                                                    if (_e1204 < 0f) {
+                                                        phi_1475_ = 0u;
                                                     } else {
-                                                        phi_1456_ = 2u;
+                                                        phi_1475_ = 2u;
                                                     }
-                                                    let _e1298 = phi_1456_;
-                                                    if (_e1225 < 0f) {
-                                                        phi_1461_ = 0u;
+                                                    let _e1291 = phi_1475_;
+                                                    if (_e1214 < 0f) {
+                                                        phi_1480_ = 0u;
                                                     } else {
-                                                        phi_1461_ = 4u;
+                                                        phi_1480_ = 4u;
                                                     }
-                                                    let _e1301 = phi_1461_;
-                                                    let _e1303 = ((_e1295 | _e1298) | _e1301);
-                                                    let _e1304 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1065, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1304.first[0], _e1304.first[1], _e1304.first[2], _e1304.first[3], _e1304.first[4], _e1304.first[5], _e1304.first[6], _e1304.first[7], _e1304.first[8], _e1304.first[9], _e1304.first[10], _e1304.first[11], _e1304.first[12], _e1304.first[13], _e1304.first[14], _e1304.first[15], _e1304.first[16], _e1304.first[17], _e1304.first[18], _e1304.first[19], _e1304.first[20], _e1304.first[21], _e1304.first[22], _e1304.first[23], _e1304.first[24], _e1304.first[25], _e1304.first[26], _e1304.first[27], _e1304.first[28], _e1304.first[29], _e1304.first[30], _e1304.first[31]), array<u32, 32>(_e1304.mask[0], _e1304.mask[1], _e1304.mask[2], _e1304.mask[3], _e1304.mask[4], _e1304.mask[5], _e1304.mask[6], _e1304.mask[7], _e1304.mask[8], _e1304.mask[9], _e1304.mask[10], _e1304.mask[11], _e1304.mask[12], _e1304.mask[13], _e1304.mask[14], _e1304.mask[15], _e1304.mask[16], _e1304.mask[17], _e1304.mask[18], _e1304.mask[19], _e1304.mask[20], _e1304.mask[21], _e1304.mask[22], _e1304.mask[23], _e1304.mask[24], _e1304.mask[25], _e1304.mask[26], _e1304.mask[27], _e1304.mask[28], _e1304.mask[29], _e1304.mask[30], _e1304.mask[31]), _e1304.len, _e1304.group, _e1304.group_mask);
-                                                    let _e1378 = local.group_mask;
-                                                    if ((_e1378 & 4278190080u) == 0u) {
-                                                        let _e1382 = local.len;
-                                                        if (_e1382 == 0u) {
-                                                            phi_1575_ = false;
+                                                    let _e1294 = phi_1480_;
+                                                    let _e1296 = ((_e1288 | _e1291) | _e1294);
+                                                    let _e1297 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1062, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1297.first[0], _e1297.first[1], _e1297.first[2], _e1297.first[3], _e1297.first[4], _e1297.first[5], _e1297.first[6], _e1297.first[7], _e1297.first[8], _e1297.first[9], _e1297.first[10], _e1297.first[11], _e1297.first[12], _e1297.first[13], _e1297.first[14], _e1297.first[15], _e1297.first[16], _e1297.first[17], _e1297.first[18], _e1297.first[19], _e1297.first[20], _e1297.first[21], _e1297.first[22], _e1297.first[23], _e1297.first[24], _e1297.first[25], _e1297.first[26], _e1297.first[27], _e1297.first[28], _e1297.first[29], _e1297.first[30], _e1297.first[31]), array<u32, 32>(_e1297.mask[0], _e1297.mask[1], _e1297.mask[2], _e1297.mask[3], _e1297.mask[4], _e1297.mask[5], _e1297.mask[6], _e1297.mask[7], _e1297.mask[8], _e1297.mask[9], _e1297.mask[10], _e1297.mask[11], _e1297.mask[12], _e1297.mask[13], _e1297.mask[14], _e1297.mask[15], _e1297.mask[16], _e1297.mask[17], _e1297.mask[18], _e1297.mask[19], _e1297.mask[20], _e1297.mask[21], _e1297.mask[22], _e1297.mask[23], _e1297.mask[24], _e1297.mask[25], _e1297.mask[26], _e1297.mask[27], _e1297.mask[28], _e1297.mask[29], _e1297.mask[30], _e1297.mask[31]), _e1297.len, _e1297.group, _e1297.group_mask);
+                                                    let _e1371 = local.group_mask;
+                                                    if ((_e1371 & 4278190080u) == 0u) {
+                                                        let _e1375 = local.len;
+                                                        if (_e1375 == 0u) {
+                                                            phi_1594_ = false;
                                                         } else {
-                                                            let _e1386 = local.len;
-                                                            local.len = (_e1386 - 1u);
-                                                            let _e1389 = local.len;
-                                                            if (_e1389 < 32u) {
+                                                            let _e1379 = local.len;
+                                                            local.len = (_e1379 - 1u);
+                                                            let _e1382 = local.len;
+                                                            if (_e1382 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1394 = local.first[(0u + _e1389)];
-                                                            local.group = _e1394;
-                                                            let _e1397 = local.len;
-                                                            if (_e1397 < 32u) {
+                                                            let _e1387 = local.first[(0u + _e1382)];
+                                                            local.group = _e1387;
+                                                            let _e1390 = local.len;
+                                                            if (_e1390 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1402 = local.mask[(0u + _e1397)];
-                                                            local.group_mask = _e1402;
-                                                            phi_1575_ = true;
+                                                            let _e1395 = local.mask[(0u + _e1390)];
+                                                            local.group_mask = _e1395;
+                                                            phi_1594_ = true;
                                                         }
-                                                        let _e1405 = phi_1575_;
-                                                        phi_1576_ = _e1405;
+                                                        let _e1398 = phi_1594_;
+                                                        phi_1595_ = _e1398;
                                                     } else {
-                                                        phi_1576_ = true;
+                                                        phi_1595_ = true;
                                                     }
-                                                    let _e1407 = phi_1576_;
-                                                    if _e1407 {
-                                                        let _e1409 = local.group_mask;
-                                                        let _e1415 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1409)), 32u, (_e1409 == 0u)));
-                                                        let _e1419 = local.group_mask;
-                                                        let _e1433 = local.group_mask;
-                                                        local.group_mask = (_e1433 & ~((1u << bitcast<u32>((_e1415 & 31u)))));
-                                                        let _e1436 = local.group;
-                                                        phi_1607_ = (_e1436 + countOneBits(((_e1419 & ~((4294967295u << bitcast<u32>((((_e1415 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1400 = phi_1595_;
+                                                    if _e1400 {
+                                                        let _e1402 = local.group_mask;
+                                                        let _e1408 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1402)), 32u, (_e1402 == 0u)));
+                                                        let _e1412 = local.group_mask;
+                                                        let _e1426 = local.group_mask;
+                                                        local.group_mask = (_e1426 & ~((1u << bitcast<u32>((_e1408 & 31u)))));
+                                                        let _e1429 = local.group;
+                                                        phi_1626_ = (_e1429 + countOneBits(((_e1412 & ~((4294967295u << bitcast<u32>((((_e1408 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1607_ = 4294967295u;
+                                                        phi_1626_ = 4294967295u;
                                                     }
-                                                    let _e1439 = phi_1607_;
-                                                    phi_1609_ = _e1439;
-                                                    phi_1612_ = _e916;
+                                                    let _e1432 = phi_1626_;
+                                                    phi_1628_ = _e1432;
+                                                    phi_1631_ = _e913;
                                                     loop {
-                                                        let _e1441 = phi_1609_;
-                                                        let _e1443 = phi_1612_;
-                                                        local_14 = _e1443;
-                                                        if (_e1441 != 4294967295u) {
-                                                            if (_e1441 < _e62) {
+                                                        let _e1434 = phi_1628_;
+                                                        let _e1436 = phi_1631_;
+                                                        local_14 = _e1436;
+                                                        if (_e1434 != 4294967295u) {
+                                                            if (_e1434 < _e63) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1450 = nodes.member[(0u + _e1441)].frame[3u];
-                                                            let _e1475 = (bitcast<f32>((((_e1450 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1205);
-                                                            let _e1476 = (bitcast<f32>((((_e1450 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1215);
-                                                            let _e1477 = (bitcast<f32>((((_e1450 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1225);
-                                                            let _e1480 = nodes.member[(0u + _e1441)].frame[0u];
-                                                            let _e1484 = nodes.member[(0u + _e1441)].frame[1u];
-                                                            let _e1488 = nodes.member[(0u + _e1441)].frame[2u];
-                                                            let _e1493 = ((bitcast<f32>(_e1480) - _e996) * _e1205);
-                                                            let _e1494 = ((bitcast<f32>(_e1484) - _e1009) * _e1215);
-                                                            let _e1495 = ((bitcast<f32>(_e1488) - _e1022) * _e1225);
-                                                            let _e1503 = nodes.member[(0u + _e1441)].x;
-                                                            if (_e1205 < 0f) {
-                                                                let _e1514 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1503.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1520 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1514.unnamed.root, _e1503.w), _e1514.unnamed_1);
-                                                                let _e1526 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1520.unnamed, lt_bvh_traverse_Tree(_e1503.x, _e1520.unnamed_1.first_primitive));
-                                                                phi_1692_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1526.unnamed, lt_bvh_traverse_Tree(_e1526.unnamed_1.root, _e1503.y));
+                                                            let _e1443 = nodes.member[(0u + _e1434)].frame[3u];
+                                                            let _e1468 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1194);
+                                                            let _e1469 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1204);
+                                                            let _e1470 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1214);
+                                                            let _e1473 = nodes.member[(0u + _e1434)].frame[0u];
+                                                            let _e1477 = nodes.member[(0u + _e1434)].frame[1u];
+                                                            let _e1481 = nodes.member[(0u + _e1434)].frame[2u];
+                                                            let _e1486 = ((bitcast<f32>(_e1473) - _e993) * _e1194);
+                                                            let _e1487 = ((bitcast<f32>(_e1477) - _e1006) * _e1204);
+                                                            let _e1488 = ((bitcast<f32>(_e1481) - _e1019) * _e1214);
+                                                            let _e1496 = nodes.member[(0u + _e1434)].x;
+                                                            if (_e1194 < 0f) {
+                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1496.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1507.unnamed.word, _e1496.w), _e1507.unnamed_1);
+                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_mask_LightPlace(_e1496.x, _e1513.unnamed_1.shift));
+                                                                phi_1711_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_mask_LightPlace(_e1519.unnamed_1.word, _e1496.y));
                                                             } else {
-                                                                let _e1542 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1503.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1542.unnamed.root, _e1503.y), _e1542.unnamed_1);
-                                                                let _e1554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1548.unnamed, lt_bvh_traverse_Tree(_e1503.z, _e1548.unnamed_1.first_primitive));
-                                                                phi_1692_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1554.unnamed, lt_bvh_traverse_Tree(_e1554.unnamed_1.root, _e1503.w));
+                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1496.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1535.unnamed.word, _e1496.y), _e1535.unnamed_1);
+                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_mask_LightPlace(_e1496.z, _e1541.unnamed_1.shift));
+                                                                phi_1711_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_mask_LightPlace(_e1547.unnamed_1.word, _e1496.w));
                                                             }
-                                                            let _e1562 = phi_1692_;
-                                                            let _e1572 = nodes.member[(0u + _e1441)].y;
-                                                            if (_e1215 < 0f) {
-                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1572.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1583.unnamed.root, _e1572.w), _e1583.unnamed_1);
-                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1589.unnamed, lt_bvh_traverse_Tree(_e1572.x, _e1589.unnamed_1.first_primitive));
-                                                                phi_1719_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1595.unnamed, lt_bvh_traverse_Tree(_e1595.unnamed_1.root, _e1572.y));
+                                                            let _e1555 = phi_1711_;
+                                                            let _e1565 = nodes.member[(0u + _e1434)].y;
+                                                            if (_e1204 < 0f) {
+                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1565.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.unnamed.word, _e1565.w), _e1576.unnamed_1);
+                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_mask_LightPlace(_e1565.x, _e1582.unnamed_1.shift));
+                                                                phi_1738_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_mask_LightPlace(_e1588.unnamed_1.word, _e1565.y));
                                                             } else {
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1572.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1611.unnamed.root, _e1572.y), _e1611.unnamed_1);
-                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1572.z, _e1617.unnamed_1.first_primitive));
-                                                                phi_1719_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1623.unnamed, lt_bvh_traverse_Tree(_e1623.unnamed_1.root, _e1572.w));
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1565.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1604.unnamed.word, _e1565.y), _e1604.unnamed_1);
+                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_mask_LightPlace(_e1565.z, _e1610.unnamed_1.shift));
+                                                                phi_1738_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_mask_LightPlace(_e1616.unnamed_1.word, _e1565.w));
                                                             }
-                                                            let _e1631 = phi_1719_;
-                                                            let _e1641 = nodes.member[(0u + _e1441)].z;
-                                                            if (_e1225 < 0f) {
-                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1652.unnamed.root, _e1641.w), _e1652.unnamed_1);
-                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1658.unnamed, lt_bvh_traverse_Tree(_e1641.x, _e1658.unnamed_1.first_primitive));
-                                                                phi_1746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1664.unnamed, lt_bvh_traverse_Tree(_e1664.unnamed_1.root, _e1641.y));
+                                                            let _e1624 = phi_1738_;
+                                                            let _e1634 = nodes.member[(0u + _e1434)].z;
+                                                            if (_e1214 < 0f) {
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1634.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.unnamed.word, _e1634.w), _e1645.unnamed_1);
+                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_mask_LightPlace(_e1634.x, _e1651.unnamed_1.shift));
+                                                                phi_1765_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_mask_LightPlace(_e1657.unnamed_1.word, _e1634.y));
                                                             } else {
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1680.unnamed.root, _e1641.y), _e1680.unnamed_1);
-                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1641.z, _e1686.unnamed_1.first_primitive));
-                                                                phi_1746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1692.unnamed, lt_bvh_traverse_Tree(_e1692.unnamed_1.root, _e1641.w));
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1634.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1673.unnamed.word, _e1634.y), _e1673.unnamed_1);
+                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1634.z, _e1679.unnamed_1.shift));
+                                                                phi_1765_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_mask_LightPlace(_e1685.unnamed_1.word, _e1634.w));
                                                             }
-                                                            let _e1700 = phi_1746_;
-                                                            phi_1752_ = 0u;
-                                                            phi_1755_ = 0u;
+                                                            let _e1693 = phi_1765_;
+                                                            phi_1771_ = 0u;
+                                                            phi_1774_ = 0u;
                                                             loop {
-                                                                let _e1710 = phi_1752_;
-                                                                let _e1712 = phi_1755_;
-                                                                local_5 = _e1712;
-                                                                local_6 = _e1712;
-                                                                local_7 = _e1712;
-                                                                let _e1713 = (_e1710 < 8u);
-                                                                if _e1713 {
-                                                                    let _e1715 = (_e1710 >> bitcast<u32>(2i));
-                                                                    let _e1716 = (_e1710 & 3u);
-                                                                    if (_e1715 == 0u) {
-                                                                        phi_1769_ = _e1562.unnamed.root;
+                                                                let _e1703 = phi_1771_;
+                                                                let _e1705 = phi_1774_;
+                                                                local_5 = _e1705;
+                                                                local_6 = _e1705;
+                                                                local_7 = _e1705;
+                                                                let _e1706 = (_e1703 < 8u);
+                                                                if _e1706 {
+                                                                    let _e1708 = (_e1703 >> bitcast<u32>(2i));
+                                                                    let _e1709 = (_e1703 & 3u);
+                                                                    if (_e1708 == 0u) {
+                                                                        phi_1788_ = _e1555.unnamed.word;
                                                                     } else {
-                                                                        phi_1769_ = _e1562.unnamed.first_primitive;
+                                                                        phi_1788_ = _e1555.unnamed.shift;
                                                                     }
-                                                                    let _e1719 = phi_1769_;
-                                                                    if (_e1715 == 0u) {
-                                                                        phi_1779_ = _e1631.unnamed.root;
+                                                                    let _e1712 = phi_1788_;
+                                                                    if (_e1708 == 0u) {
+                                                                        phi_1798_ = _e1624.unnamed.word;
                                                                     } else {
-                                                                        phi_1779_ = _e1631.unnamed.first_primitive;
+                                                                        phi_1798_ = _e1624.unnamed.shift;
                                                                     }
-                                                                    let _e1728 = phi_1779_;
-                                                                    if (_e1715 == 0u) {
-                                                                        phi_1789_ = _e1700.unnamed.root;
+                                                                    let _e1721 = phi_1798_;
+                                                                    if (_e1708 == 0u) {
+                                                                        phi_1808_ = _e1693.unnamed.word;
                                                                     } else {
-                                                                        phi_1789_ = _e1700.unnamed.first_primitive;
+                                                                        phi_1808_ = _e1693.unnamed.shift;
                                                                     }
-                                                                    let _e1737 = phi_1789_;
-                                                                    let _e1750 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1719 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 - _e1253)), ((f32(((_e1728 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 - _e1254)));
-                                                                    let _e1751 = core_intrinsics_maximum_number_nsz_f32_(_e1750, ((f32(((_e1737 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1477) + (_e1495 - _e1255)));
-                                                                    if (_e1715 == 0u) {
-                                                                        phi_1807_ = _e1562.unnamed_1.root;
+                                                                    let _e1730 = phi_1808_;
+                                                                    let _e1743 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1712 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 - _e1246)), ((f32(((_e1721 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 - _e1247)));
+                                                                    let _e1744 = core_intrinsics_maximum_number_nsz_f32_(_e1743, ((f32(((_e1730 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)));
+                                                                    if (_e1708 == 0u) {
+                                                                        phi_1826_ = _e1555.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1807_ = _e1562.unnamed_1.first_primitive;
+                                                                        phi_1826_ = _e1555.unnamed_1.shift;
                                                                     }
-                                                                    let _e1754 = phi_1807_;
-                                                                    if (_e1715 == 0u) {
-                                                                        phi_1817_ = _e1631.unnamed_1.root;
+                                                                    let _e1747 = phi_1826_;
+                                                                    if (_e1708 == 0u) {
+                                                                        phi_1836_ = _e1624.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1817_ = _e1631.unnamed_1.first_primitive;
+                                                                        phi_1836_ = _e1624.unnamed_1.shift;
                                                                     }
-                                                                    let _e1763 = phi_1817_;
-                                                                    if (_e1715 == 0u) {
-                                                                        phi_1827_ = _e1700.unnamed_1.root;
+                                                                    let _e1756 = phi_1836_;
+                                                                    if (_e1708 == 0u) {
+                                                                        phi_1846_ = _e1693.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1827_ = _e1700.unnamed_1.first_primitive;
+                                                                        phi_1846_ = _e1693.unnamed_1.shift;
                                                                     }
-                                                                    let _e1772 = phi_1827_;
-                                                                    let _e1785 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1754 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 + _e1253)), ((f32(((_e1763 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 + _e1254)));
-                                                                    let _e1786 = core_intrinsics_minimum_number_nsz_f32_(_e1785, ((f32(((_e1772 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u)) * _e1477) + (_e1495 + _e1255)));
-                                                                    if (_e1751 <= _e1786) {
-                                                                        if (_e1751 <= _e122) {
-                                                                            if (_e1786 >= 0f) {
-                                                                                if (_e1715 == 0u) {
-                                                                                    let _e1793 = nodes.member[(0u + _e1441)].links[2u];
-                                                                                    phi_1863_ = _e1793;
+                                                                    let _e1765 = phi_1846_;
+                                                                    let _e1778 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1747 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 + _e1246)), ((f32(((_e1756 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 + _e1247)));
+                                                                    let _e1779 = core_intrinsics_minimum_number_nsz_f32_(_e1778, ((f32(((_e1765 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1248)));
+                                                                    if (_e1744 <= _e1779) {
+                                                                        if (_e1744 <= _e123) {
+                                                                            if (_e1779 >= 0f) {
+                                                                                if (_e1708 == 0u) {
+                                                                                    let _e1786 = nodes.member[(0u + _e1434)].links[2u];
+                                                                                    phi_1882_ = _e1786;
                                                                                 } else {
-                                                                                    let _e1796 = nodes.member[(0u + _e1441)].links[3u];
-                                                                                    phi_1863_ = _e1796;
+                                                                                    let _e1789 = nodes.member[(0u + _e1434)].links[3u];
+                                                                                    phi_1882_ = _e1789;
                                                                                 }
-                                                                                let _e1798 = phi_1863_;
-                                                                                let _e1803 = ((_e1798 >> bitcast<u32>(((_e1716 * 8u) & 31u))) & 255u);
-                                                                                let _e1804 = (_e1803 & 31u);
-                                                                                if (_e1804 >= 24u) {
-                                                                                    phi_1876_ = (24u + ((_e1804 - 24u) ^ _e1303));
+                                                                                let _e1791 = phi_1882_;
+                                                                                let _e1796 = ((_e1791 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u);
+                                                                                let _e1797 = (_e1796 & 31u);
+                                                                                if (_e1797 >= 24u) {
+                                                                                    phi_1895_ = (24u + ((_e1797 - 24u) ^ _e1296));
                                                                                 } else {
-                                                                                    phi_1876_ = _e1804;
+                                                                                    phi_1895_ = _e1797;
                                                                                 }
-                                                                                let _e1810 = phi_1876_;
-                                                                                phi_1881_ = (_e1712 | ((_e1803 >> bitcast<u32>(5i)) << bitcast<u32>((_e1810 & 31u))));
+                                                                                let _e1803 = phi_1895_;
+                                                                                phi_1900_ = (_e1705 | ((_e1796 >> bitcast<u32>(5i)) << bitcast<u32>((_e1803 & 31u))));
                                                                             } else {
-                                                                                phi_1881_ = _e1712;
+                                                                                phi_1900_ = _e1705;
                                                                             }
-                                                                            let _e1818 = phi_1881_;
-                                                                            phi_1882_ = _e1818;
+                                                                            let _e1811 = phi_1900_;
+                                                                            phi_1901_ = _e1811;
                                                                         } else {
-                                                                            phi_1882_ = _e1712;
+                                                                            phi_1901_ = _e1705;
                                                                         }
-                                                                        let _e1820 = phi_1882_;
-                                                                        phi_1883_ = _e1820;
+                                                                        let _e1813 = phi_1901_;
+                                                                        phi_1902_ = _e1813;
                                                                     } else {
-                                                                        phi_1883_ = _e1712;
+                                                                        phi_1902_ = _e1705;
                                                                     }
-                                                                    let _e1822 = phi_1883_;
-                                                                    phi_1753_ = (_e1710 + 1u);
-                                                                    phi_1756_ = _e1822;
+                                                                    let _e1815 = phi_1902_;
+                                                                    phi_1772_ = (_e1703 + 1u);
+                                                                    phi_1775_ = _e1815;
                                                                 } else {
-                                                                    phi_1753_ = u32();
-                                                                    phi_1756_ = u32();
+                                                                    phi_1772_ = u32();
+                                                                    phi_1775_ = u32();
                                                                 }
-                                                                let _e1825 = phi_1753_;
-                                                                let _e1827 = phi_1756_;
+                                                                let _e1818 = phi_1772_;
+                                                                let _e1820 = phi_1775_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1752_ = _e1825;
-                                                                    phi_1755_ = _e1827;
-                                                                    break if !(_e1713);
+                                                                    phi_1771_ = _e1818;
+                                                                    phi_1774_ = _e1820;
+                                                                    break if !(_e1706);
                                                                 }
                                                             }
-                                                            let _e1831 = nodes.member[(0u + _e1441)].links[0u];
-                                                            let _e1835 = nodes.member[(0u + _e1441)].frame[3u];
-                                                            let _e1839 = local_5;
-                                                            if ((_e1839 & 4278190080u) == 0u) {
+                                                            let _e1824 = nodes.member[(0u + _e1434)].links[0u];
+                                                            let _e1828 = nodes.member[(0u + _e1434)].frame[3u];
+                                                            let _e1832 = local_5;
+                                                            if ((_e1832 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1843 = local.group_mask;
-                                                                if ((_e1843 & 4278190080u) == 0u) {
+                                                                let _e1836 = local.group_mask;
+                                                                if ((_e1836 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1847 = local.len;
-                                                                    if (_e1847 < 32u) {
-                                                                        let _e1850 = local.group;
-                                                                        let _e1852 = local.len;
-                                                                        if (_e1852 < 32u) {
+                                                                    let _e1840 = local.len;
+                                                                    if (_e1840 < 32u) {
+                                                                        let _e1843 = local.group;
+                                                                        let _e1845 = local.len;
+                                                                        if (_e1845 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1852)] = _e1850;
-                                                                        let _e1858 = local.group_mask;
+                                                                        local.first[(0u + _e1845)] = _e1843;
+                                                                        let _e1851 = local.group_mask;
+                                                                        let _e1853 = local.len;
+                                                                        if (_e1853 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local.mask[(0u + _e1853)] = _e1851;
                                                                         let _e1860 = local.len;
-                                                                        if (_e1860 < 32u) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        local.mask[(0u + _e1860)] = _e1858;
-                                                                        let _e1867 = local.len;
-                                                                        local.len = (_e1867 + 1u);
+                                                                        local.len = (_e1860 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1065 + _e1831);
-                                                                let _e1871 = local_6;
-                                                                local.group_mask = ((_e1871 & 4278190080u) | (_e1835 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1062 + _e1824);
+                                                                let _e1864 = local_6;
+                                                                local.group_mask = ((_e1864 & 4278190080u) | (_e1828 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1876 = local_7;
-                                                            phi_1941_ = (_e1876 & 16777215u);
-                                                            phi_1944_ = _e1443;
+                                                            let _e1869 = local_7;
+                                                            phi_1960_ = (_e1869 & 16777215u);
+                                                            phi_1963_ = _e1436;
                                                             loop {
-                                                                let _e1879 = phi_1941_;
-                                                                let _e1881 = phi_1944_;
-                                                                local_12 = _e1881;
-                                                                let _e1882 = (_e1879 == 0u);
-                                                                local_8 = _e1882;
-                                                                local_13 = _e1882;
-                                                                if _e1882 {
-                                                                    phi_1942_ = u32();
-                                                                    phi_1945_ = bool();
-                                                                    phi_2542_ = false;
+                                                                let _e1872 = phi_1960_;
+                                                                let _e1874 = phi_1963_;
+                                                                local_12 = _e1874;
+                                                                let _e1875 = (_e1872 == 0u);
+                                                                local_8 = _e1875;
+                                                                local_13 = _e1875;
+                                                                if _e1875 {
+                                                                    phi_1961_ = u32();
+                                                                    phi_1964_ = bool();
+                                                                    phi_2561_ = false;
                                                                 } else {
-                                                                    let _e1885 = nodes.member[(0u + _e1441)].links[1u];
-                                                                    let _e1890 = ((_e1067 + _e1885) + select(firstTrailingBit(_e1879), 32u, (_e1879 == 0u)));
-                                                                    if (_e1890 < arrayLength((&triangles.member))) {
+                                                                    let _e1878 = nodes.member[(0u + _e1434)].links[1u];
+                                                                    let _e1883 = ((_e1064 + _e1878) + select(firstTrailingBit(_e1872), 32u, (_e1872 == 0u)));
+                                                                    if (_e1883 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1897 = triangles.member[(0u + _e1890)].v0_;
-                                                                    let _e1899 = (_e1897.x - _e996);
-                                                                    let _e1901 = (_e1897.y - _e1009);
-                                                                    let _e1903 = (_e1897.z - _e1022);
-                                                                    if (_e1276 == 0u) {
-                                                                        phi_1989_ = vec3<f32>(_e1901, _e1903, _e1899);
+                                                                    let _e1890 = triangles.member[(0u + _e1883)].v0_;
+                                                                    let _e1892 = (_e1890.x - _e993);
+                                                                    let _e1894 = (_e1890.y - _e1006);
+                                                                    let _e1896 = (_e1890.z - _e1019);
+                                                                    if (_e1269 == 0u) {
+                                                                        phi_2008_ = vec3<f32>(_e1894, _e1896, _e1892);
                                                                     } else {
-                                                                        if (_e1276 == 1u) {
-                                                                            phi_1988_ = vec3<f32>(_e1903, _e1899, _e1901);
+                                                                        if (_e1269 == 1u) {
+                                                                            phi_2007_ = vec3<f32>(_e1896, _e1892, _e1894);
                                                                         } else {
-                                                                            phi_1988_ = (_e1897 - vec3<f32>(_e996, _e1009, _e1022));
+                                                                            phi_2007_ = (_e1890 - vec3<f32>(_e993, _e1006, _e1019));
                                                                         }
-                                                                        let _e1911 = phi_1988_;
-                                                                        phi_1989_ = _e1911;
+                                                                        let _e1904 = phi_2007_;
+                                                                        phi_2008_ = _e1904;
                                                                     }
-                                                                    let _e1913 = phi_1989_;
-                                                                    let _e1917 = (_e1913.x - (_e1287 * _e1913.z));
-                                                                    let _e1921 = (_e1913.y - (_e1290 * _e1913.z));
-                                                                    let _e1923 = triangles.member[(0u + _e1890)].v1_;
-                                                                    let _e1925 = (_e1923.x - _e996);
-                                                                    let _e1927 = (_e1923.y - _e1009);
-                                                                    let _e1929 = (_e1923.z - _e1022);
-                                                                    if (_e1276 == 0u) {
-                                                                        phi_2019_ = vec3<f32>(_e1927, _e1929, _e1925);
+                                                                    let _e1906 = phi_2008_;
+                                                                    let _e1910 = (_e1906.x - (_e1280 * _e1906.z));
+                                                                    let _e1914 = (_e1906.y - (_e1283 * _e1906.z));
+                                                                    let _e1916 = triangles.member[(0u + _e1883)].v1_;
+                                                                    let _e1918 = (_e1916.x - _e993);
+                                                                    let _e1920 = (_e1916.y - _e1006);
+                                                                    let _e1922 = (_e1916.z - _e1019);
+                                                                    if (_e1269 == 0u) {
+                                                                        phi_2038_ = vec3<f32>(_e1920, _e1922, _e1918);
                                                                     } else {
-                                                                        if (_e1276 == 1u) {
-                                                                            phi_2018_ = vec3<f32>(_e1929, _e1925, _e1927);
+                                                                        if (_e1269 == 1u) {
+                                                                            phi_2037_ = vec3<f32>(_e1922, _e1918, _e1920);
                                                                         } else {
-                                                                            phi_2018_ = (_e1923 - vec3<f32>(_e996, _e1009, _e1022));
+                                                                            phi_2037_ = (_e1916 - vec3<f32>(_e993, _e1006, _e1019));
                                                                         }
-                                                                        let _e1937 = phi_2018_;
-                                                                        phi_2019_ = _e1937;
+                                                                        let _e1930 = phi_2037_;
+                                                                        phi_2038_ = _e1930;
                                                                     }
-                                                                    let _e1939 = phi_2019_;
-                                                                    let _e1943 = (_e1939.x - (_e1287 * _e1939.z));
-                                                                    let _e1947 = (_e1939.y - (_e1290 * _e1939.z));
-                                                                    let _e1949 = triangles.member[(0u + _e1890)].v2_;
-                                                                    let _e1951 = (_e1949.x - _e996);
-                                                                    let _e1953 = (_e1949.y - _e1009);
-                                                                    let _e1955 = (_e1949.z - _e1022);
-                                                                    if (_e1276 == 0u) {
-                                                                        phi_2049_ = vec3<f32>(_e1953, _e1955, _e1951);
+                                                                    let _e1932 = phi_2038_;
+                                                                    let _e1936 = (_e1932.x - (_e1280 * _e1932.z));
+                                                                    let _e1940 = (_e1932.y - (_e1283 * _e1932.z));
+                                                                    let _e1942 = triangles.member[(0u + _e1883)].v2_;
+                                                                    let _e1944 = (_e1942.x - _e993);
+                                                                    let _e1946 = (_e1942.y - _e1006);
+                                                                    let _e1948 = (_e1942.z - _e1019);
+                                                                    if (_e1269 == 0u) {
+                                                                        phi_2068_ = vec3<f32>(_e1946, _e1948, _e1944);
                                                                     } else {
-                                                                        if (_e1276 == 1u) {
-                                                                            phi_2048_ = vec3<f32>(_e1955, _e1951, _e1953);
+                                                                        if (_e1269 == 1u) {
+                                                                            phi_2067_ = vec3<f32>(_e1948, _e1944, _e1946);
                                                                         } else {
-                                                                            phi_2048_ = (_e1949 - vec3<f32>(_e996, _e1009, _e1022));
+                                                                            phi_2067_ = (_e1942 - vec3<f32>(_e993, _e1006, _e1019));
                                                                         }
-                                                                        let _e1963 = phi_2048_;
-                                                                        phi_2049_ = _e1963;
+                                                                        let _e1956 = phi_2067_;
+                                                                        phi_2068_ = _e1956;
                                                                     }
-                                                                    let _e1965 = phi_2049_;
-                                                                    let _e1969 = (_e1965.x - (_e1287 * _e1965.z));
-                                                                    let _e1973 = (_e1965.y - (_e1290 * _e1965.z));
-                                                                    if (_e1943 < _e1969) {
-                                                                        phi_2068_ = true;
+                                                                    let _e1958 = phi_2068_;
+                                                                    let _e1962 = (_e1958.x - (_e1280 * _e1958.z));
+                                                                    let _e1966 = (_e1958.y - (_e1283 * _e1958.z));
+                                                                    if (_e1936 < _e1962) {
+                                                                        phi_2087_ = true;
                                                                     } else {
-                                                                        if (_e1943 == _e1969) {
-                                                                            phi_2067_ = (_e1947 < _e1973);
+                                                                        if (_e1936 == _e1962) {
+                                                                            phi_2086_ = (_e1940 < _e1966);
                                                                         } else {
-                                                                            phi_2067_ = false;
+                                                                            phi_2086_ = false;
                                                                         }
-                                                                        let _e1978 = phi_2067_;
-                                                                        phi_2068_ = _e1978;
+                                                                        let _e1971 = phi_2086_;
+                                                                        phi_2087_ = _e1971;
                                                                     }
-                                                                    let _e1980 = phi_2068_;
-                                                                    if _e1980 {
-                                                                        phi_2072_ = _e1973;
-                                                                        phi_2073_ = _e1969;
-                                                                        phi_2074_ = _e1947;
-                                                                        phi_2075_ = _e1943;
+                                                                    let _e1973 = phi_2087_;
+                                                                    if _e1973 {
+                                                                        phi_2091_ = _e1966;
+                                                                        phi_2092_ = _e1962;
+                                                                        phi_2093_ = _e1940;
+                                                                        phi_2094_ = _e1936;
                                                                     } else {
-                                                                        phi_2072_ = _e1947;
-                                                                        phi_2073_ = _e1943;
-                                                                        phi_2074_ = _e1973;
-                                                                        phi_2075_ = _e1969;
+                                                                        phi_2091_ = _e1940;
+                                                                        phi_2092_ = _e1936;
+                                                                        phi_2093_ = _e1966;
+                                                                        phi_2094_ = _e1962;
                                                                     }
-                                                                    let _e1982 = phi_2072_;
-                                                                    let _e1984 = phi_2073_;
-                                                                    let _e1986 = phi_2074_;
-                                                                    let _e1988 = phi_2075_;
-                                                                    let _e1991 = ((_e1988 * _e1982) - (_e1986 * _e1984));
-                                                                    if _e1980 {
-                                                                        phi_2083_ = -(_e1991);
+                                                                    let _e1975 = phi_2091_;
+                                                                    let _e1977 = phi_2092_;
+                                                                    let _e1979 = phi_2093_;
+                                                                    let _e1981 = phi_2094_;
+                                                                    let _e1984 = ((_e1981 * _e1975) - (_e1979 * _e1977));
+                                                                    if _e1973 {
+                                                                        phi_2102_ = -(_e1984);
                                                                     } else {
-                                                                        phi_2083_ = _e1991;
+                                                                        phi_2102_ = _e1984;
                                                                     }
-                                                                    let _e1994 = phi_2083_;
-                                                                    if (_e1969 < _e1917) {
-                                                                        phi_2094_ = true;
+                                                                    let _e1987 = phi_2102_;
+                                                                    if (_e1962 < _e1910) {
+                                                                        phi_2113_ = true;
                                                                     } else {
-                                                                        if (_e1969 == _e1917) {
-                                                                            phi_2093_ = (_e1973 < _e1921);
+                                                                        if (_e1962 == _e1910) {
+                                                                            phi_2112_ = (_e1966 < _e1914);
                                                                         } else {
-                                                                            phi_2093_ = false;
+                                                                            phi_2112_ = false;
                                                                         }
-                                                                        let _e1999 = phi_2093_;
-                                                                        phi_2094_ = _e1999;
+                                                                        let _e1992 = phi_2112_;
+                                                                        phi_2113_ = _e1992;
                                                                     }
-                                                                    let _e2001 = phi_2094_;
-                                                                    if _e2001 {
-                                                                        phi_2098_ = _e1921;
-                                                                        phi_2099_ = _e1917;
-                                                                        phi_2100_ = _e1973;
-                                                                        phi_2101_ = _e1969;
+                                                                    let _e1994 = phi_2113_;
+                                                                    if _e1994 {
+                                                                        phi_2117_ = _e1914;
+                                                                        phi_2118_ = _e1910;
+                                                                        phi_2119_ = _e1966;
+                                                                        phi_2120_ = _e1962;
                                                                     } else {
-                                                                        phi_2098_ = _e1973;
-                                                                        phi_2099_ = _e1969;
-                                                                        phi_2100_ = _e1921;
-                                                                        phi_2101_ = _e1917;
+                                                                        phi_2117_ = _e1966;
+                                                                        phi_2118_ = _e1962;
+                                                                        phi_2119_ = _e1914;
+                                                                        phi_2120_ = _e1910;
                                                                     }
-                                                                    let _e2003 = phi_2098_;
-                                                                    let _e2005 = phi_2099_;
-                                                                    let _e2007 = phi_2100_;
-                                                                    let _e2009 = phi_2101_;
-                                                                    let _e2012 = ((_e2009 * _e2003) - (_e2007 * _e2005));
-                                                                    if _e2001 {
-                                                                        phi_2109_ = -(_e2012);
+                                                                    let _e1996 = phi_2117_;
+                                                                    let _e1998 = phi_2118_;
+                                                                    let _e2000 = phi_2119_;
+                                                                    let _e2002 = phi_2120_;
+                                                                    let _e2005 = ((_e2002 * _e1996) - (_e2000 * _e1998));
+                                                                    if _e1994 {
+                                                                        phi_2128_ = -(_e2005);
                                                                     } else {
-                                                                        phi_2109_ = _e2012;
+                                                                        phi_2128_ = _e2005;
                                                                     }
-                                                                    let _e2015 = phi_2109_;
-                                                                    if (_e1917 < _e1943) {
-                                                                        phi_2120_ = true;
+                                                                    let _e2008 = phi_2128_;
+                                                                    if (_e1910 < _e1936) {
+                                                                        phi_2139_ = true;
                                                                     } else {
-                                                                        if (_e1917 == _e1943) {
-                                                                            phi_2119_ = (_e1921 < _e1947);
+                                                                        if (_e1910 == _e1936) {
+                                                                            phi_2138_ = (_e1914 < _e1940);
                                                                         } else {
-                                                                            phi_2119_ = false;
+                                                                            phi_2138_ = false;
                                                                         }
-                                                                        let _e2020 = phi_2119_;
-                                                                        phi_2120_ = _e2020;
+                                                                        let _e2013 = phi_2138_;
+                                                                        phi_2139_ = _e2013;
                                                                     }
-                                                                    let _e2022 = phi_2120_;
-                                                                    if _e2022 {
-                                                                        phi_2124_ = _e1947;
-                                                                        phi_2125_ = _e1943;
-                                                                        phi_2126_ = _e1921;
-                                                                        phi_2127_ = _e1917;
+                                                                    let _e2015 = phi_2139_;
+                                                                    if _e2015 {
+                                                                        phi_2143_ = _e1940;
+                                                                        phi_2144_ = _e1936;
+                                                                        phi_2145_ = _e1914;
+                                                                        phi_2146_ = _e1910;
                                                                     } else {
-                                                                        phi_2124_ = _e1921;
-                                                                        phi_2125_ = _e1917;
-                                                                        phi_2126_ = _e1947;
-                                                                        phi_2127_ = _e1943;
+                                                                        phi_2143_ = _e1914;
+                                                                        phi_2144_ = _e1910;
+                                                                        phi_2145_ = _e1940;
+                                                                        phi_2146_ = _e1936;
                                                                     }
-                                                                    let _e2024 = phi_2124_;
-                                                                    let _e2026 = phi_2125_;
-                                                                    let _e2028 = phi_2126_;
-                                                                    let _e2030 = phi_2127_;
-                                                                    let _e2033 = ((_e2030 * _e2024) - (_e2028 * _e2026));
-                                                                    if _e2022 {
-                                                                        phi_2135_ = -(_e2033);
+                                                                    let _e2017 = phi_2143_;
+                                                                    let _e2019 = phi_2144_;
+                                                                    let _e2021 = phi_2145_;
+                                                                    let _e2023 = phi_2146_;
+                                                                    let _e2026 = ((_e2023 * _e2017) - (_e2021 * _e2019));
+                                                                    if _e2015 {
+                                                                        phi_2154_ = -(_e2026);
                                                                     } else {
-                                                                        phi_2135_ = _e2033;
+                                                                        phi_2154_ = _e2026;
                                                                     }
-                                                                    let _e2036 = phi_2135_;
-                                                                    if (_e1994 >= 0f) {
-                                                                        if (_e2015 >= 0f) {
-                                                                            if (_e2036 >= 0f) {
-                                                                                phi_2150_ = ((_e1994 + _e2015) + _e2036);
-                                                                                phi_2151_ = false;
+                                                                    let _e2029 = phi_2154_;
+                                                                    if (_e1987 >= 0f) {
+                                                                        if (_e2008 >= 0f) {
+                                                                            if (_e2029 >= 0f) {
+                                                                                phi_2169_ = ((_e1987 + _e2008) + _e2029);
+                                                                                phi_2170_ = false;
                                                                             } else {
-                                                                                phi_2150_ = f32();
-                                                                                phi_2151_ = true;
+                                                                                phi_2169_ = f32();
+                                                                                phi_2170_ = true;
                                                                             }
-                                                                            let _e2043 = phi_2150_;
-                                                                            let _e2045 = phi_2151_;
-                                                                            phi_2152_ = _e2043;
-                                                                            phi_2153_ = _e2045;
+                                                                            let _e2036 = phi_2169_;
+                                                                            let _e2038 = phi_2170_;
+                                                                            phi_2171_ = _e2036;
+                                                                            phi_2172_ = _e2038;
                                                                         } else {
-                                                                            phi_2152_ = f32();
-                                                                            phi_2153_ = true;
+                                                                            phi_2171_ = f32();
+                                                                            phi_2172_ = true;
                                                                         }
-                                                                        let _e2047 = phi_2152_;
-                                                                        let _e2049 = phi_2153_;
-                                                                        phi_2154_ = _e2047;
-                                                                        phi_2155_ = _e2049;
+                                                                        let _e2040 = phi_2171_;
+                                                                        let _e2042 = phi_2172_;
+                                                                        phi_2173_ = _e2040;
+                                                                        phi_2174_ = _e2042;
                                                                     } else {
-                                                                        phi_2154_ = f32();
-                                                                        phi_2155_ = true;
+                                                                        phi_2173_ = f32();
+                                                                        phi_2174_ = true;
                                                                     }
-                                                                    let _e2051 = phi_2154_;
-                                                                    let _e2053 = phi_2155_;
-                                                                    if _e2053 {
-                                                                        if (_e1994 <= 0f) {
-                                                                            if (_e2015 <= 0f) {
-                                                                                let _e2056 = (_e2036 <= 0f);
-                                                                                if _e2056 {
+                                                                    let _e2044 = phi_2173_;
+                                                                    let _e2046 = phi_2174_;
+                                                                    if _e2046 {
+                                                                        if (_e1987 <= 0f) {
+                                                                            if (_e2008 <= 0f) {
+                                                                                let _e2049 = (_e2029 <= 0f);
+                                                                                if _e2049 {
                                                                                 }
-                                                                                phi_2173_ = ((_e1994 + _e2015) + _e2036);
-                                                                                phi_2174_ = false;
-                                                                                phi_2175_ = _e2056;
+                                                                                phi_2192_ = ((_e1987 + _e2008) + _e2029);
+                                                                                phi_2193_ = false;
+                                                                                phi_2194_ = _e2049;
                                                                             } else {
-                                                                                phi_2173_ = f32();
-                                                                                phi_2174_ = true;
-                                                                                phi_2175_ = false;
+                                                                                phi_2192_ = f32();
+                                                                                phi_2193_ = true;
+                                                                                phi_2194_ = false;
                                                                             }
-                                                                            let _e2060 = phi_2173_;
-                                                                            let _e2062 = phi_2174_;
-                                                                            let _e2064 = phi_2175_;
-                                                                            phi_2176_ = _e2060;
-                                                                            phi_2177_ = _e2062;
-                                                                            phi_2178_ = _e2064;
+                                                                            let _e2053 = phi_2192_;
+                                                                            let _e2055 = phi_2193_;
+                                                                            let _e2057 = phi_2194_;
+                                                                            phi_2195_ = _e2053;
+                                                                            phi_2196_ = _e2055;
+                                                                            phi_2197_ = _e2057;
                                                                         } else {
-                                                                            phi_2176_ = f32();
-                                                                            phi_2177_ = true;
-                                                                            phi_2178_ = false;
+                                                                            phi_2195_ = f32();
+                                                                            phi_2196_ = true;
+                                                                            phi_2197_ = false;
                                                                         }
-                                                                        let _e2066 = phi_2176_;
-                                                                        let _e2068 = phi_2177_;
-                                                                        let _e2070 = phi_2178_;
-                                                                        if _e2068 {
-                                                                            phi_2182_ = false;
+                                                                        let _e2059 = phi_2195_;
+                                                                        let _e2061 = phi_2196_;
+                                                                        let _e2063 = phi_2197_;
+                                                                        if _e2061 {
+                                                                            phi_2201_ = false;
                                                                         } else {
-                                                                            phi_2182_ = _e2070;
+                                                                            phi_2201_ = _e2063;
                                                                         }
-                                                                        let _e2072 = phi_2182_;
-                                                                        phi_2183_ = _e2066;
-                                                                        phi_2184_ = _e2072;
+                                                                        let _e2065 = phi_2201_;
+                                                                        phi_2202_ = _e2059;
+                                                                        phi_2203_ = _e2065;
                                                                     } else {
-                                                                        phi_2183_ = _e2051;
-                                                                        phi_2184_ = true;
+                                                                        phi_2202_ = _e2044;
+                                                                        phi_2203_ = true;
                                                                     }
-                                                                    let _e2074 = phi_2183_;
-                                                                    let _e2076 = phi_2184_;
-                                                                    if _e2076 {
-                                                                        let _e2077 = (_e2074 == 0f);
-                                                                        if _e2077 {
-                                                                            phi_2500_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2501_ = false;
+                                                                    let _e2067 = phi_2202_;
+                                                                    let _e2069 = phi_2203_;
+                                                                    if _e2069 {
+                                                                        let _e2070 = (_e2067 == 0f);
+                                                                        if _e2070 {
+                                                                            phi_2519_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2520_ = false;
                                                                         } else {
-                                                                            let _e2079 = triangles.member[(0u + _e1890)].v0_;
-                                                                            let _e2081 = (_e2079.x - _e996);
-                                                                            let _e2083 = (_e2079.y - _e1009);
-                                                                            let _e2085 = (_e2079.z - _e1022);
-                                                                            if (_e1276 == 0u) {
-                                                                                phi_2213_ = vec3<f32>(_e2083, _e2085, _e2081);
+                                                                            let _e2072 = triangles.member[(0u + _e1883)].v0_;
+                                                                            let _e2074 = (_e2072.x - _e993);
+                                                                            let _e2076 = (_e2072.y - _e1006);
+                                                                            let _e2078 = (_e2072.z - _e1019);
+                                                                            if (_e1269 == 0u) {
+                                                                                phi_2232_ = vec3<f32>(_e2076, _e2078, _e2074);
                                                                             } else {
-                                                                                if (_e1276 == 1u) {
-                                                                                    phi_2212_ = vec3<f32>(_e2085, _e2081, _e2083);
+                                                                                if (_e1269 == 1u) {
+                                                                                    phi_2231_ = vec3<f32>(_e2078, _e2074, _e2076);
                                                                                 } else {
-                                                                                    phi_2212_ = (_e2079 - vec3<f32>(_e996, _e1009, _e1022));
+                                                                                    phi_2231_ = (_e2072 - vec3<f32>(_e993, _e1006, _e1019));
                                                                                 }
-                                                                                let _e2093 = phi_2212_;
-                                                                                phi_2213_ = _e2093;
+                                                                                let _e2086 = phi_2231_;
+                                                                                phi_2232_ = _e2086;
                                                                             }
-                                                                            let _e2095 = phi_2213_;
-                                                                            let _e2097 = triangles.member[(0u + _e1890)].v1_;
-                                                                            let _e2099 = triangles.member[(0u + _e1890)].v0_;
-                                                                            let _e2102 = (_e2097.x - _e2099.x);
-                                                                            let _e2105 = (_e2097.y - _e2099.y);
-                                                                            let _e2108 = (_e2097.z - _e2099.z);
-                                                                            if (_e1276 == 0u) {
-                                                                                phi_2239_ = vec3<f32>(_e2105, _e2108, _e2102);
+                                                                            let _e2088 = phi_2232_;
+                                                                            let _e2090 = triangles.member[(0u + _e1883)].v1_;
+                                                                            let _e2092 = triangles.member[(0u + _e1883)].v0_;
+                                                                            let _e2095 = (_e2090.x - _e2092.x);
+                                                                            let _e2098 = (_e2090.y - _e2092.y);
+                                                                            let _e2101 = (_e2090.z - _e2092.z);
+                                                                            if (_e1269 == 0u) {
+                                                                                phi_2258_ = vec3<f32>(_e2098, _e2101, _e2095);
                                                                             } else {
-                                                                                if (_e1276 == 1u) {
-                                                                                    phi_2238_ = vec3<f32>(_e2108, _e2102, _e2105);
+                                                                                if (_e1269 == 1u) {
+                                                                                    phi_2257_ = vec3<f32>(_e2101, _e2095, _e2098);
                                                                                 } else {
-                                                                                    phi_2238_ = (_e2097 - _e2099);
+                                                                                    phi_2257_ = (_e2090 - _e2092);
                                                                                 }
-                                                                                let _e2115 = phi_2238_;
-                                                                                phi_2239_ = _e2115;
+                                                                                let _e2108 = phi_2257_;
+                                                                                phi_2258_ = _e2108;
                                                                             }
-                                                                            let _e2117 = phi_2239_;
-                                                                            let _e2119 = triangles.member[(0u + _e1890)].v2_;
-                                                                            let _e2121 = triangles.member[(0u + _e1890)].v0_;
-                                                                            let _e2124 = (_e2119.x - _e2121.x);
-                                                                            let _e2127 = (_e2119.y - _e2121.y);
-                                                                            let _e2130 = (_e2119.z - _e2121.z);
-                                                                            if (_e1276 == 0u) {
-                                                                                phi_2265_ = vec3<f32>(_e2127, _e2130, _e2124);
+                                                                            let _e2110 = phi_2258_;
+                                                                            let _e2112 = triangles.member[(0u + _e1883)].v2_;
+                                                                            let _e2114 = triangles.member[(0u + _e1883)].v0_;
+                                                                            let _e2117 = (_e2112.x - _e2114.x);
+                                                                            let _e2120 = (_e2112.y - _e2114.y);
+                                                                            let _e2123 = (_e2112.z - _e2114.z);
+                                                                            if (_e1269 == 0u) {
+                                                                                phi_2284_ = vec3<f32>(_e2120, _e2123, _e2117);
                                                                             } else {
-                                                                                if (_e1276 == 1u) {
-                                                                                    phi_2264_ = vec3<f32>(_e2130, _e2124, _e2127);
+                                                                                if (_e1269 == 1u) {
+                                                                                    phi_2283_ = vec3<f32>(_e2123, _e2117, _e2120);
                                                                                 } else {
-                                                                                    phi_2264_ = (_e2119 - _e2121);
+                                                                                    phi_2283_ = (_e2112 - _e2114);
                                                                                 }
-                                                                                let _e2137 = phi_2264_;
-                                                                                phi_2265_ = _e2137;
+                                                                                let _e2130 = phi_2283_;
+                                                                                phi_2284_ = _e2130;
                                                                             }
-                                                                            let _e2139 = phi_2265_;
-                                                                            let _e2146 = ((_e2117.y * _e2139.z) - (_e2117.z * _e2139.y));
-                                                                            let _e2153 = ((_e2117.z * _e2139.x) - (_e2117.x * _e2139.z));
-                                                                            let _e2160 = ((_e2117.x * _e2139.y) - (_e2117.y * _e2139.x));
-                                                                            let _e2174 = (((1f / _e1284.z) * (((_e2146 * _e2095.x) + (_e2153 * _e2095.y)) + (_e2160 * _e2095.z))) / (((_e2146 * _e1287) + (_e2153 * _e1290)) + _e2160));
-                                                                            if (_e2174 > 0f) {
-                                                                                if (_e2174 < _e122) {
-                                                                                    let _e2178 = triangles.member[(0u + _e1890)].v0_;
-                                                                                    let _e2180 = triangles.member[(0u + _e1890)].v1_;
-                                                                                    if (_e2178.x < _e2180.x) {
-                                                                                        phi_2321_ = _e2178.x;
+                                                                            let _e2132 = phi_2284_;
+                                                                            let _e2139 = ((_e2110.y * _e2132.z) - (_e2110.z * _e2132.y));
+                                                                            let _e2146 = ((_e2110.z * _e2132.x) - (_e2110.x * _e2132.z));
+                                                                            let _e2153 = ((_e2110.x * _e2132.y) - (_e2110.y * _e2132.x));
+                                                                            let _e2167 = (((1f / _e1277.z) * (((_e2139 * _e2088.x) + (_e2146 * _e2088.y)) + (_e2153 * _e2088.z))) / (((_e2139 * _e1280) + (_e2146 * _e1283)) + _e2153));
+                                                                            if (_e2167 > 0f) {
+                                                                                if (_e2167 < _e123) {
+                                                                                    let _e2171 = triangles.member[(0u + _e1883)].v0_;
+                                                                                    let _e2173 = triangles.member[(0u + _e1883)].v1_;
+                                                                                    if (_e2171.x < _e2173.x) {
+                                                                                        phi_2340_ = _e2171.x;
                                                                                     } else {
-                                                                                        phi_2321_ = _e2180.x;
+                                                                                        phi_2340_ = _e2173.x;
                                                                                     }
-                                                                                    let _e2187 = phi_2321_;
-                                                                                    if (_e2178.y < _e2180.y) {
-                                                                                        phi_2330_ = _e2178.y;
+                                                                                    let _e2180 = phi_2340_;
+                                                                                    if (_e2171.y < _e2173.y) {
+                                                                                        phi_2349_ = _e2171.y;
                                                                                     } else {
-                                                                                        phi_2330_ = _e2180.y;
+                                                                                        phi_2349_ = _e2173.y;
                                                                                     }
-                                                                                    let _e2194 = phi_2330_;
-                                                                                    if (_e2178.z < _e2180.z) {
-                                                                                        phi_2339_ = _e2178.z;
+                                                                                    let _e2187 = phi_2349_;
+                                                                                    if (_e2171.z < _e2173.z) {
+                                                                                        phi_2358_ = _e2171.z;
                                                                                     } else {
-                                                                                        phi_2339_ = _e2180.z;
+                                                                                        phi_2358_ = _e2173.z;
                                                                                     }
-                                                                                    let _e2201 = phi_2339_;
-                                                                                    let _e2203 = triangles.member[(0u + _e1890)].v2_;
-                                                                                    if (_e2187 < _e2203.x) {
-                                                                                        phi_2348_ = _e2187;
+                                                                                    let _e2194 = phi_2358_;
+                                                                                    let _e2196 = triangles.member[(0u + _e1883)].v2_;
+                                                                                    if (_e2180 < _e2196.x) {
+                                                                                        phi_2367_ = _e2180;
                                                                                     } else {
-                                                                                        phi_2348_ = _e2203.x;
+                                                                                        phi_2367_ = _e2196.x;
                                                                                     }
-                                                                                    let _e2208 = phi_2348_;
-                                                                                    if (_e2194 < _e2203.y) {
-                                                                                        phi_2355_ = _e2194;
+                                                                                    let _e2201 = phi_2367_;
+                                                                                    if (_e2187 < _e2196.y) {
+                                                                                        phi_2374_ = _e2187;
                                                                                     } else {
-                                                                                        phi_2355_ = _e2203.y;
+                                                                                        phi_2374_ = _e2196.y;
                                                                                     }
-                                                                                    let _e2213 = phi_2355_;
-                                                                                    if (_e2201 < _e2203.z) {
-                                                                                        phi_2362_ = _e2201;
+                                                                                    let _e2206 = phi_2374_;
+                                                                                    if (_e2194 < _e2196.z) {
+                                                                                        phi_2381_ = _e2194;
                                                                                     } else {
-                                                                                        phi_2362_ = _e2203.z;
+                                                                                        phi_2381_ = _e2196.z;
                                                                                     }
-                                                                                    let _e2218 = phi_2362_;
-                                                                                    let _e2220 = triangles.member[(0u + _e1890)].v0_;
-                                                                                    let _e2222 = triangles.member[(0u + _e1890)].v1_;
-                                                                                    if (_e2220.x > _e2222.x) {
-                                                                                        phi_2375_ = _e2220.x;
+                                                                                    let _e2211 = phi_2381_;
+                                                                                    let _e2213 = triangles.member[(0u + _e1883)].v0_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1883)].v1_;
+                                                                                    if (_e2213.x > _e2215.x) {
+                                                                                        phi_2394_ = _e2213.x;
                                                                                     } else {
-                                                                                        phi_2375_ = _e2222.x;
+                                                                                        phi_2394_ = _e2215.x;
                                                                                     }
-                                                                                    let _e2229 = phi_2375_;
-                                                                                    if (_e2220.y > _e2222.y) {
-                                                                                        phi_2384_ = _e2220.y;
+                                                                                    let _e2222 = phi_2394_;
+                                                                                    if (_e2213.y > _e2215.y) {
+                                                                                        phi_2403_ = _e2213.y;
                                                                                     } else {
-                                                                                        phi_2384_ = _e2222.y;
+                                                                                        phi_2403_ = _e2215.y;
                                                                                     }
-                                                                                    let _e2236 = phi_2384_;
-                                                                                    if (_e2220.z > _e2222.z) {
-                                                                                        phi_2393_ = _e2220.z;
+                                                                                    let _e2229 = phi_2403_;
+                                                                                    if (_e2213.z > _e2215.z) {
+                                                                                        phi_2412_ = _e2213.z;
                                                                                     } else {
-                                                                                        phi_2393_ = _e2222.z;
+                                                                                        phi_2412_ = _e2215.z;
                                                                                     }
-                                                                                    let _e2243 = phi_2393_;
-                                                                                    let _e2245 = triangles.member[(0u + _e1890)].v2_;
-                                                                                    if (_e2229 > _e2245.x) {
-                                                                                        phi_2402_ = _e2229;
+                                                                                    let _e2236 = phi_2412_;
+                                                                                    let _e2238 = triangles.member[(0u + _e1883)].v2_;
+                                                                                    if (_e2222 > _e2238.x) {
+                                                                                        phi_2421_ = _e2222;
                                                                                     } else {
-                                                                                        phi_2402_ = _e2245.x;
+                                                                                        phi_2421_ = _e2238.x;
                                                                                     }
-                                                                                    let _e2250 = phi_2402_;
-                                                                                    if (_e2236 > _e2245.y) {
-                                                                                        phi_2409_ = _e2236;
+                                                                                    let _e2243 = phi_2421_;
+                                                                                    if (_e2229 > _e2238.y) {
+                                                                                        phi_2428_ = _e2229;
                                                                                     } else {
-                                                                                        phi_2409_ = _e2245.y;
+                                                                                        phi_2428_ = _e2238.y;
                                                                                     }
-                                                                                    let _e2255 = phi_2409_;
-                                                                                    if (_e2243 > _e2245.z) {
-                                                                                        phi_2416_ = _e2243;
+                                                                                    let _e2248 = phi_2428_;
+                                                                                    if (_e2236 > _e2238.z) {
+                                                                                        phi_2435_ = _e2236;
                                                                                     } else {
-                                                                                        phi_2416_ = _e2245.z;
+                                                                                        phi_2435_ = _e2238.z;
                                                                                     }
-                                                                                    let _e2260 = phi_2416_;
-                                                                                    let _e2264 = ((_e2208 - _e996) * _e1205);
-                                                                                    let _e2265 = ((_e2213 - _e1009) * _e1215);
-                                                                                    let _e2266 = ((_e2218 - _e1022) * _e1225);
-                                                                                    let _e2270 = ((_e2250 - _e996) * _e1205);
-                                                                                    let _e2271 = ((_e2255 - _e1009) * _e1215);
-                                                                                    let _e2272 = ((_e2260 - _e1022) * _e1225);
-                                                                                    if (_e2264 < _e2270) {
-                                                                                        phi_2433_ = _e2264;
+                                                                                    let _e2253 = phi_2435_;
+                                                                                    let _e2257 = ((_e2201 - _e993) * _e1194);
+                                                                                    let _e2258 = ((_e2206 - _e1006) * _e1204);
+                                                                                    let _e2259 = ((_e2211 - _e1019) * _e1214);
+                                                                                    let _e2263 = ((_e2243 - _e993) * _e1194);
+                                                                                    let _e2264 = ((_e2248 - _e1006) * _e1204);
+                                                                                    let _e2265 = ((_e2253 - _e1019) * _e1214);
+                                                                                    if (_e2257 < _e2263) {
+                                                                                        phi_2452_ = _e2257;
                                                                                     } else {
-                                                                                        phi_2433_ = _e2270;
+                                                                                        phi_2452_ = _e2263;
                                                                                     }
-                                                                                    let _e2275 = phi_2433_;
-                                                                                    if (_e2265 < _e2271) {
-                                                                                        phi_2438_ = _e2265;
+                                                                                    let _e2268 = phi_2452_;
+                                                                                    if (_e2258 < _e2264) {
+                                                                                        phi_2457_ = _e2258;
                                                                                     } else {
-                                                                                        phi_2438_ = _e2271;
+                                                                                        phi_2457_ = _e2264;
                                                                                     }
-                                                                                    let _e2278 = phi_2438_;
-                                                                                    if (_e2266 < _e2272) {
-                                                                                        phi_2443_ = _e2266;
+                                                                                    let _e2271 = phi_2457_;
+                                                                                    if (_e2259 < _e2265) {
+                                                                                        phi_2462_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2443_ = _e2272;
+                                                                                        phi_2462_ = _e2265;
                                                                                     }
-                                                                                    let _e2281 = phi_2443_;
-                                                                                    if (_e2264 > _e2270) {
-                                                                                        phi_2451_ = _e2264;
+                                                                                    let _e2274 = phi_2462_;
+                                                                                    if (_e2257 > _e2263) {
+                                                                                        phi_2470_ = _e2257;
                                                                                     } else {
-                                                                                        phi_2451_ = _e2270;
+                                                                                        phi_2470_ = _e2263;
                                                                                     }
-                                                                                    let _e2287 = phi_2451_;
-                                                                                    if (_e2265 > _e2271) {
-                                                                                        phi_2456_ = _e2265;
+                                                                                    let _e2280 = phi_2470_;
+                                                                                    if (_e2258 > _e2264) {
+                                                                                        phi_2475_ = _e2258;
                                                                                     } else {
-                                                                                        phi_2456_ = _e2271;
+                                                                                        phi_2475_ = _e2264;
                                                                                     }
-                                                                                    let _e2290 = phi_2456_;
-                                                                                    if (_e2266 > _e2272) {
-                                                                                        phi_2461_ = _e2266;
+                                                                                    let _e2283 = phi_2475_;
+                                                                                    if (_e2259 > _e2265) {
+                                                                                        phi_2480_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2461_ = _e2272;
+                                                                                        phi_2480_ = _e2265;
                                                                                     }
-                                                                                    let _e2293 = phi_2461_;
-                                                                                    let _e2297 = core_intrinsics_maximum_number_nsz_f32_((_e2275 - _e1260), (_e2278 - _e1261));
-                                                                                    let _e2298 = core_intrinsics_maximum_number_nsz_f32_(_e2297, (_e2281 - _e1262));
-                                                                                    let _e2299 = core_intrinsics_minimum_number_nsz_f32_((_e2287 + _e1260), (_e2290 + _e1261));
-                                                                                    let _e2300 = core_intrinsics_minimum_number_nsz_f32_(_e2299, (_e2293 + _e1262));
-                                                                                    if (_e2298 > _e977) {
-                                                                                        phi_2473_ = _e2298;
+                                                                                    let _e2286 = phi_2480_;
+                                                                                    let _e2290 = core_intrinsics_maximum_number_nsz_f32_((_e2268 - _e1253), (_e2271 - _e1254));
+                                                                                    let _e2291 = core_intrinsics_maximum_number_nsz_f32_(_e2290, (_e2274 - _e1255));
+                                                                                    let _e2292 = core_intrinsics_minimum_number_nsz_f32_((_e2280 + _e1253), (_e2283 + _e1254));
+                                                                                    let _e2293 = core_intrinsics_minimum_number_nsz_f32_(_e2292, (_e2286 + _e1255));
+                                                                                    if (_e2291 > _e974) {
+                                                                                        phi_2492_ = _e2291;
                                                                                     } else {
-                                                                                        phi_2473_ = _e977;
+                                                                                        phi_2492_ = _e974;
                                                                                     }
-                                                                                    let _e2303 = phi_2473_;
-                                                                                    if (_e2300 < _e979) {
-                                                                                        phi_2478_ = _e2300;
+                                                                                    let _e2296 = phi_2492_;
+                                                                                    if (_e2293 < _e976) {
+                                                                                        phi_2497_ = _e2293;
                                                                                     } else {
-                                                                                        phi_2478_ = _e979;
+                                                                                        phi_2497_ = _e976;
                                                                                     }
-                                                                                    let _e2306 = phi_2478_;
-                                                                                    if (_e2174 < _e2303) {
-                                                                                        phi_2483_ = _e2303;
+                                                                                    let _e2299 = phi_2497_;
+                                                                                    if (_e2167 < _e2296) {
+                                                                                        phi_2502_ = _e2296;
                                                                                     } else {
-                                                                                        phi_2483_ = _e2174;
+                                                                                        phi_2502_ = _e2167;
                                                                                     }
-                                                                                    let _e2309 = phi_2483_;
-                                                                                    if (_e2309 > _e2306) {
-                                                                                        phi_2488_ = _e2306;
+                                                                                    let _e2302 = phi_2502_;
+                                                                                    if (_e2302 > _e2299) {
+                                                                                        phi_2507_ = _e2299;
                                                                                     } else {
-                                                                                        phi_2488_ = _e2309;
+                                                                                        phi_2507_ = _e2302;
                                                                                     }
-                                                                                    let _e2312 = phi_2488_;
-                                                                                    phi_2493_ = lt_bvh_triangle_Intersection(_e2312, (_e2015 / _e2074), (_e2036 / _e2074), (_e2303 <= _e2306));
-                                                                                    phi_2494_ = false;
+                                                                                    let _e2305 = phi_2507_;
+                                                                                    phi_2512_ = lt_bvh_triangle_Intersection(_e2305, (_e2008 / _e2067), (_e2029 / _e2067), (_e2296 <= _e2299));
+                                                                                    phi_2513_ = false;
                                                                                 } else {
-                                                                                    phi_2493_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2494_ = true;
+                                                                                    phi_2512_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2513_ = true;
                                                                                 }
-                                                                                let _e2318 = phi_2493_;
-                                                                                let _e2320 = phi_2494_;
-                                                                                phi_2495_ = _e2318;
-                                                                                phi_2496_ = _e2320;
+                                                                                let _e2311 = phi_2512_;
+                                                                                let _e2313 = phi_2513_;
+                                                                                phi_2514_ = _e2311;
+                                                                                phi_2515_ = _e2313;
                                                                             } else {
-                                                                                phi_2495_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2496_ = true;
+                                                                                phi_2514_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2515_ = true;
                                                                             }
-                                                                            let _e2322 = phi_2495_;
-                                                                            let _e2324 = phi_2496_;
-                                                                            if _e2324 {
+                                                                            let _e2315 = phi_2514_;
+                                                                            let _e2317 = phi_2515_;
+                                                                            if _e2317 {
                                                                             }
-                                                                            phi_2500_ = _e2322;
-                                                                            phi_2501_ = _e2324;
+                                                                            phi_2519_ = _e2315;
+                                                                            phi_2520_ = _e2317;
                                                                         }
-                                                                        let _e2326 = phi_2500_;
-                                                                        let _e2328 = phi_2501_;
-                                                                        phi_2502_ = _e2326;
-                                                                        phi_2503_ = _e2077;
-                                                                        phi_2504_ = _e2328;
+                                                                        let _e2319 = phi_2519_;
+                                                                        let _e2321 = phi_2520_;
+                                                                        phi_2521_ = _e2319;
+                                                                        phi_2522_ = _e2070;
+                                                                        phi_2523_ = _e2321;
                                                                     } else {
-                                                                        phi_2502_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2503_ = true;
-                                                                        phi_2504_ = false;
+                                                                        phi_2521_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2522_ = true;
+                                                                        phi_2523_ = false;
                                                                     }
-                                                                    let _e2330 = phi_2502_;
-                                                                    let _e2332 = phi_2503_;
-                                                                    let _e2334 = phi_2504_;
-                                                                    if _e2332 {
-                                                                        phi_2508_ = true;
+                                                                    let _e2323 = phi_2521_;
+                                                                    let _e2325 = phi_2522_;
+                                                                    let _e2327 = phi_2523_;
+                                                                    if _e2325 {
+                                                                        phi_2527_ = true;
                                                                     } else {
-                                                                        phi_2508_ = _e2334;
+                                                                        phi_2527_ = _e2327;
                                                                     }
-                                                                    let _e2336 = phi_2508_;
-                                                                    if _e2336 {
-                                                                        phi_2512_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2329 = phi_2527_;
+                                                                    if _e2329 {
+                                                                        phi_2531_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2512_ = _e2330;
+                                                                        phi_2531_ = _e2323;
                                                                     }
-                                                                    let _e2338 = phi_2512_;
-                                                                    if _e2338.is_hit {
-                                                                        if (_e2338.t > 0f) {
-                                                                            if (_e2338.t < _e122) {
+                                                                    let _e2331 = phi_2531_;
+                                                                    if _e2331.is_hit {
+                                                                        if (_e2331.t > 0f) {
+                                                                            if (_e2331.t < _e123) {
                                                                                 if true {
-                                                                                    phi_2532_ = false;
+                                                                                    phi_2551_ = false;
                                                                                 } else {
-                                                                                    phi_2532_ = true;
+                                                                                    phi_2551_ = true;
                                                                                 }
-                                                                                let _e2347 = phi_2532_;
-                                                                                phi_2533_ = true;
-                                                                                phi_2534_ = _e2347;
+                                                                                let _e2340 = phi_2551_;
+                                                                                phi_2552_ = true;
+                                                                                phi_2553_ = _e2340;
                                                                             } else {
-                                                                                phi_2533_ = _e1881;
-                                                                                phi_2534_ = true;
+                                                                                phi_2552_ = _e1874;
+                                                                                phi_2553_ = true;
                                                                             }
-                                                                            let _e2349 = phi_2533_;
-                                                                            let _e2351 = phi_2534_;
-                                                                            phi_2535_ = _e2349;
-                                                                            phi_2536_ = _e2351;
+                                                                            let _e2342 = phi_2552_;
+                                                                            let _e2344 = phi_2553_;
+                                                                            phi_2554_ = _e2342;
+                                                                            phi_2555_ = _e2344;
                                                                         } else {
-                                                                            phi_2535_ = _e1881;
-                                                                            phi_2536_ = true;
+                                                                            phi_2554_ = _e1874;
+                                                                            phi_2555_ = true;
                                                                         }
-                                                                        let _e2353 = phi_2535_;
-                                                                        let _e2355 = phi_2536_;
-                                                                        phi_2537_ = _e2353;
-                                                                        phi_2538_ = _e2355;
+                                                                        let _e2346 = phi_2554_;
+                                                                        let _e2348 = phi_2555_;
+                                                                        phi_2556_ = _e2346;
+                                                                        phi_2557_ = _e2348;
                                                                     } else {
-                                                                        phi_2537_ = _e1881;
-                                                                        phi_2538_ = true;
+                                                                        phi_2556_ = _e1874;
+                                                                        phi_2557_ = true;
                                                                     }
-                                                                    let _e2357 = phi_2537_;
-                                                                    let _e2359 = phi_2538_;
-                                                                    if _e2359 {
+                                                                    let _e2350 = phi_2556_;
+                                                                    let _e2352 = phi_2557_;
+                                                                    if _e2352 {
                                                                     }
-                                                                    phi_1942_ = (_e1879 & (_e1879 - 1u));
-                                                                    phi_1945_ = _e2357;
-                                                                    phi_2542_ = _e2359;
+                                                                    phi_1961_ = (_e1872 & (_e1872 - 1u));
+                                                                    phi_1964_ = _e2350;
+                                                                    phi_2561_ = _e2352;
                                                                 }
-                                                                let _e2361 = phi_1942_;
-                                                                let _e2363 = phi_1945_;
-                                                                let _e2365 = phi_2542_;
+                                                                let _e2354 = phi_1961_;
+                                                                let _e2356 = phi_1964_;
+                                                                let _e2358 = phi_2561_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1941_ = _e2361;
-                                                                    phi_1944_ = _e2363;
-                                                                    break if !(_e2365);
+                                                                    phi_1960_ = _e2354;
+                                                                    phi_1963_ = _e2356;
+                                                                    break if !(_e2358);
                                                                 }
                                                             }
-                                                            let _e2368 = local_8;
-                                                            if _e2368 {
-                                                                let _e2370 = local.group_mask;
-                                                                if ((_e2370 & 4278190080u) == 0u) {
-                                                                    let _e2374 = local.len;
-                                                                    if (_e2374 == 0u) {
-                                                                        phi_2584_ = false;
+                                                            let _e2361 = local_8;
+                                                            if _e2361 {
+                                                                let _e2363 = local.group_mask;
+                                                                if ((_e2363 & 4278190080u) == 0u) {
+                                                                    let _e2367 = local.len;
+                                                                    if (_e2367 == 0u) {
+                                                                        phi_2603_ = false;
                                                                     } else {
-                                                                        let _e2378 = local.len;
-                                                                        local.len = (_e2378 - 1u);
-                                                                        let _e2381 = local.len;
-                                                                        if (_e2381 < 32u) {
+                                                                        let _e2371 = local.len;
+                                                                        local.len = (_e2371 - 1u);
+                                                                        let _e2374 = local.len;
+                                                                        if (_e2374 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2386 = local.first[(0u + _e2381)];
-                                                                        local.group = _e2386;
-                                                                        let _e2389 = local.len;
-                                                                        if (_e2389 < 32u) {
+                                                                        let _e2379 = local.first[(0u + _e2374)];
+                                                                        local.group = _e2379;
+                                                                        let _e2382 = local.len;
+                                                                        if (_e2382 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2394 = local.mask[(0u + _e2389)];
-                                                                        local.group_mask = _e2394;
-                                                                        phi_2584_ = true;
+                                                                        let _e2387 = local.mask[(0u + _e2382)];
+                                                                        local.group_mask = _e2387;
+                                                                        phi_2603_ = true;
                                                                     }
-                                                                    let _e2397 = phi_2584_;
-                                                                    phi_2585_ = _e2397;
+                                                                    let _e2390 = phi_2603_;
+                                                                    phi_2604_ = _e2390;
                                                                 } else {
-                                                                    phi_2585_ = true;
+                                                                    phi_2604_ = true;
                                                                 }
-                                                                let _e2399 = phi_2585_;
-                                                                if _e2399 {
-                                                                    let _e2401 = local.group_mask;
-                                                                    let _e2407 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2401)), 32u, (_e2401 == 0u)));
-                                                                    let _e2411 = local.group_mask;
-                                                                    let _e2425 = local.group_mask;
-                                                                    local.group_mask = (_e2425 & ~((1u << bitcast<u32>((_e2407 & 31u)))));
-                                                                    let _e2428 = local.group;
-                                                                    phi_2616_ = (_e2428 + countOneBits(((_e2411 & ~((4294967295u << bitcast<u32>((((_e2407 - 24u) ^ _e1303) & 31u))))) & 255u)));
+                                                                let _e2392 = phi_2604_;
+                                                                if _e2392 {
+                                                                    let _e2394 = local.group_mask;
+                                                                    let _e2400 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2394)), 32u, (_e2394 == 0u)));
+                                                                    let _e2404 = local.group_mask;
+                                                                    let _e2418 = local.group_mask;
+                                                                    local.group_mask = (_e2418 & ~((1u << bitcast<u32>((_e2400 & 31u)))));
+                                                                    let _e2421 = local.group;
+                                                                    phi_2635_ = (_e2421 + countOneBits(((_e2404 & ~((4294967295u << bitcast<u32>((((_e2400 - 24u) ^ _e1296) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2616_ = 4294967295u;
+                                                                    phi_2635_ = 4294967295u;
                                                                 }
-                                                                let _e2431 = phi_2616_;
-                                                                phi_2617_ = _e2431;
+                                                                let _e2424 = phi_2635_;
+                                                                phi_2636_ = _e2424;
                                                             } else {
-                                                                phi_2617_ = u32();
+                                                                phi_2636_ = u32();
                                                             }
-                                                            let _e2433 = phi_2617_;
-                                                            phi_1610_ = _e2433;
-                                                            let _e2839 = local_12;
-                                                            phi_1613_ = _e2839;
-                                                            let _e2842 = local_13;
-                                                            phi_2618_ = _e2842;
-                                                            phi_2619_ = false;
+                                                            let _e2426 = phi_2636_;
+                                                            phi_1629_ = _e2426;
+                                                            let _e2892 = local_12;
+                                                            phi_1632_ = _e2892;
+                                                            let _e2895 = local_13;
+                                                            phi_2637_ = _e2895;
+                                                            phi_2638_ = false;
                                                         } else {
-                                                            phi_1610_ = u32();
-                                                            phi_1613_ = bool();
-                                                            phi_2618_ = false;
-                                                            phi_2619_ = true;
+                                                            phi_1629_ = u32();
+                                                            phi_1632_ = bool();
+                                                            phi_2637_ = false;
+                                                            phi_2638_ = true;
                                                         }
-                                                        let _e2435 = phi_1610_;
-                                                        let _e2437 = phi_1613_;
-                                                        let _e2439 = phi_2618_;
-                                                        let _e2441 = phi_2619_;
-                                                        local_9 = _e2441;
+                                                        let _e2428 = phi_1629_;
+                                                        let _e2430 = phi_1632_;
+                                                        let _e2432 = phi_2637_;
+                                                        let _e2434 = phi_2638_;
+                                                        local_9 = _e2434;
                                                         continue;
                                                         continuing {
-                                                            phi_1609_ = _e2435;
-                                                            phi_1612_ = _e2437;
-                                                            break if !(_e2439);
+                                                            phi_1628_ = _e2428;
+                                                            phi_1631_ = _e2430;
+                                                            break if !(_e2432);
                                                         }
                                                     }
-                                                    let _e2444 = local_9;
-                                                    if _e2444 {
-                                                        phi_2623_ = false;
+                                                    let _e2437 = local_9;
+                                                    if _e2437 {
+                                                        phi_2642_ = false;
                                                     } else {
-                                                        phi_2623_ = true;
+                                                        phi_2642_ = true;
                                                     }
-                                                    let _e2446 = phi_2623_;
-                                                    if _e2446 {
-                                                        phi_2627_ = true;
+                                                    let _e2439 = phi_2642_;
+                                                    if _e2439 {
+                                                        phi_2646_ = true;
                                                     } else {
-                                                        let _e2848 = local_14;
-                                                        phi_2627_ = _e2848;
+                                                        let _e2901 = local_14;
+                                                        phi_2646_ = _e2901;
                                                     }
-                                                    let _e2448 = phi_2627_;
-                                                    phi_2628_ = _e2448;
+                                                    let _e2441 = phi_2646_;
+                                                    phi_2647_ = _e2441;
                                                 }
-                                                let _e2450 = phi_2628_;
-                                                phi_2629_ = _e2450;
-                                                phi_2630_ = _e1129;
+                                                let _e2443 = phi_2647_;
+                                                phi_2648_ = _e2443;
+                                                phi_2649_ = _e1118;
                                             } else {
-                                                phi_2629_ = bool();
-                                                phi_2630_ = true;
+                                                phi_2648_ = bool();
+                                                phi_2649_ = true;
                                             }
-                                            let _e2452 = phi_2629_;
-                                            let _e2454 = phi_2630_;
-                                            if _e2454 {
-                                                phi_2634_ = _e916;
+                                            let _e2445 = phi_2648_;
+                                            let _e2447 = phi_2649_;
+                                            if _e2447 {
+                                                phi_2653_ = _e913;
                                             } else {
-                                                phi_2634_ = _e2452;
+                                                phi_2653_ = _e2445;
                                             }
-                                            let _e2456 = phi_2634_;
-                                            if _e2456 {
-                                                phi_2638_ = false;
+                                            let _e2449 = phi_2653_;
+                                            if _e2449 {
+                                                phi_2657_ = false;
                                             } else {
-                                                phi_2638_ = true;
+                                                phi_2657_ = true;
                                             }
-                                            let _e2458 = phi_2638_;
-                                            phi_2639_ = _e2456;
-                                            phi_2640_ = _e2458;
+                                            let _e2451 = phi_2657_;
+                                            phi_2658_ = _e2449;
+                                            phi_2659_ = _e2451;
                                         } else {
-                                            phi_2639_ = _e916;
-                                            phi_2640_ = true;
+                                            phi_2658_ = _e913;
+                                            phi_2659_ = true;
                                         }
-                                        let _e2460 = phi_2639_;
-                                        let _e2462 = phi_2640_;
-                                        phi_2641_ = _e2460;
-                                        phi_2642_ = _e2462;
+                                        let _e2453 = phi_2658_;
+                                        let _e2455 = phi_2659_;
+                                        phi_2660_ = _e2453;
+                                        phi_2661_ = _e2455;
                                     } else {
-                                        phi_2641_ = _e916;
-                                        phi_2642_ = true;
+                                        phi_2660_ = _e913;
+                                        phi_2661_ = true;
                                     }
-                                    let _e2464 = phi_2641_;
-                                    let _e2466 = phi_2642_;
-                                    phi_2643_ = _e2464;
-                                    phi_2644_ = _e2466;
+                                    let _e2457 = phi_2660_;
+                                    let _e2459 = phi_2661_;
+                                    phi_2662_ = _e2457;
+                                    phi_2663_ = _e2459;
                                 } else {
-                                    phi_2643_ = _e916;
-                                    phi_2644_ = true;
+                                    phi_2662_ = _e913;
+                                    phi_2663_ = true;
                                 }
-                                let _e2468 = phi_2643_;
-                                let _e2470 = phi_2644_;
-                                if _e2470 {
+                                let _e2461 = phi_2662_;
+                                let _e2463 = phi_2663_;
+                                if _e2463 {
                                 }
-                                phi_1002_ = (_e914 & (_e914 - 1u));
-                                phi_1005_ = _e2468;
-                                phi_2648_ = _e2470;
+                                phi_1014_ = (_e911 & (_e911 - 1u));
+                                phi_1017_ = _e2461;
+                                phi_2667_ = _e2463;
                             }
-                            let _e2472 = phi_1002_;
-                            let _e2474 = phi_1005_;
-                            let _e2476 = phi_2648_;
+                            let _e2465 = phi_1014_;
+                            let _e2467 = phi_1017_;
+                            let _e2469 = phi_2667_;
                             continue;
                             continuing {
-                                phi_1001_ = _e2472;
-                                phi_1004_ = _e2474;
-                                break if !(_e2476);
+                                phi_1013_ = _e2465;
+                                phi_1016_ = _e2467;
+                                break if !(_e2469);
                             }
                         }
-                        let _e2479 = local_10;
-                        if _e2479 {
-                            let _e2481 = local_1.group_mask;
-                            if ((_e2481 & 4278190080u) == 0u) {
-                                let _e2485 = local_1.len;
-                                if (_e2485 == 0u) {
-                                    phi_2690_ = false;
+                        let _e2472 = local_10;
+                        if _e2472 {
+                            let _e2474 = local_1.group_mask;
+                            if ((_e2474 & 4278190080u) == 0u) {
+                                let _e2478 = local_1.len;
+                                if (_e2478 == 0u) {
+                                    phi_2709_ = false;
                                 } else {
-                                    let _e2489 = local_1.len;
-                                    local_1.len = (_e2489 - 1u);
-                                    let _e2492 = local_1.len;
-                                    if (_e2492 < 32u) {
+                                    let _e2482 = local_1.len;
+                                    local_1.len = (_e2482 - 1u);
+                                    let _e2485 = local_1.len;
+                                    if (_e2485 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2497 = local_1.first[(0u + _e2492)];
-                                    local_1.group = _e2497;
-                                    let _e2500 = local_1.len;
-                                    if (_e2500 < 32u) {
+                                    let _e2490 = local_1.first[(0u + _e2485)];
+                                    local_1.group = _e2490;
+                                    let _e2493 = local_1.len;
+                                    if (_e2493 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2505 = local_1.mask[(0u + _e2500)];
-                                    local_1.group_mask = _e2505;
-                                    phi_2690_ = true;
+                                    let _e2498 = local_1.mask[(0u + _e2493)];
+                                    local_1.group_mask = _e2498;
+                                    phi_2709_ = true;
                                 }
-                                let _e2508 = phi_2690_;
-                                phi_2691_ = _e2508;
+                                let _e2501 = phi_2709_;
+                                phi_2710_ = _e2501;
                             } else {
-                                phi_2691_ = true;
+                                phi_2710_ = true;
                             }
-                            let _e2510 = phi_2691_;
-                            if _e2510 {
-                                let _e2512 = local_1.group_mask;
-                                let _e2518 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2512)), 32u, (_e2512 == 0u)));
-                                let _e2522 = local_1.group_mask;
-                                let _e2536 = local_1.group_mask;
-                                local_1.group_mask = (_e2536 & ~((1u << bitcast<u32>((_e2518 & 31u)))));
-                                let _e2539 = local_1.group;
-                                phi_2722_ = (_e2539 + countOneBits(((_e2522 & ~((4294967295u << bitcast<u32>((((_e2518 - 24u) ^ _e338) & 31u))))) & 255u)));
+                            let _e2503 = phi_2710_;
+                            if _e2503 {
+                                let _e2505 = local_1.group_mask;
+                                let _e2511 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2505)), 32u, (_e2505 == 0u)));
+                                let _e2515 = local_1.group_mask;
+                                let _e2529 = local_1.group_mask;
+                                local_1.group_mask = (_e2529 & ~((1u << bitcast<u32>((_e2511 & 31u)))));
+                                let _e2532 = local_1.group;
+                                phi_2741_ = (_e2532 + countOneBits(((_e2515 & ~((4294967295u << bitcast<u32>((((_e2511 - 24u) ^ _e335) & 31u))))) & 255u)));
                             } else {
-                                phi_2722_ = 4294967295u;
+                                phi_2741_ = 4294967295u;
                             }
-                            let _e2542 = phi_2722_;
-                            phi_2723_ = _e2542;
+                            let _e2535 = phi_2741_;
+                            phi_2742_ = _e2535;
                         } else {
-                            phi_2723_ = u32();
+                            phi_2742_ = u32();
                         }
-                        let _e2544 = phi_2723_;
-                        phi_670_ = _e2544;
-                        let _e2871 = local_15;
-                        phi_673_ = _e2871;
-                        let _e2874 = local_16;
-                        phi_2724_ = _e2874;
-                        phi_2725_ = false;
+                        let _e2537 = phi_2742_;
+                        phi_682_ = _e2537;
+                        let _e2924 = local_15;
+                        phi_685_ = _e2924;
+                        let _e2927 = local_16;
+                        phi_2743_ = _e2927;
+                        phi_2744_ = false;
                     } else {
-                        phi_670_ = u32();
-                        phi_673_ = bool();
-                        phi_2724_ = false;
-                        phi_2725_ = true;
+                        phi_682_ = u32();
+                        phi_685_ = bool();
+                        phi_2743_ = false;
+                        phi_2744_ = true;
                     }
-                    let _e2546 = phi_670_;
-                    let _e2548 = phi_673_;
-                    let _e2550 = phi_2724_;
-                    let _e2552 = phi_2725_;
-                    local_11 = _e2552;
+                    let _e2539 = phi_682_;
+                    let _e2541 = phi_685_;
+                    let _e2543 = phi_2743_;
+                    let _e2545 = phi_2744_;
+                    local_11 = _e2545;
                     continue;
                     continuing {
-                        phi_669_ = _e2546;
-                        phi_672_ = _e2548;
-                        break if !(_e2550);
+                        phi_681_ = _e2539;
+                        phi_684_ = _e2541;
+                        break if !(_e2543);
                     }
                 }
-                let _e2555 = local_11;
-                if _e2555 {
-                    phi_2729_ = false;
+                let _e2548 = local_11;
+                if _e2548 {
+                    phi_2748_ = false;
                 } else {
-                    phi_2729_ = true;
+                    phi_2748_ = true;
                 }
-                let _e2557 = phi_2729_;
-                if _e2557 {
+                let _e2550 = phi_2748_;
+                if _e2550 {
                 }
-                phi_2733_ = _e2557;
+                phi_2752_ = _e2550;
             }
-            let _e2559 = phi_2733_;
-            phi_2734_ = _e194;
-            phi_2735_ = _e2559;
+            let _e2552 = phi_2752_;
+            phi_2753_ = _e187;
+            phi_2754_ = _e2552;
         } else {
-            phi_2734_ = true;
-            phi_2735_ = false;
+            phi_2753_ = true;
+            phi_2754_ = false;
         }
-        let _e2561 = phi_2734_;
-        let _e2563 = phi_2735_;
-        if _e2561 {
-            phi_2739_ = false;
-            phi_2740_ = true;
+        let _e2554 = phi_2753_;
+        let _e2556 = phi_2754_;
+        if _e2554 {
+            phi_2758_ = false;
+            phi_2759_ = true;
         } else {
-            phi_2739_ = true;
-            phi_2740_ = _e2563;
+            phi_2758_ = true;
+            phi_2759_ = _e2556;
         }
-        let _e2565 = phi_2739_;
-        let _e2567 = phi_2740_;
-        if _e2567 {
-            phi_2744_ = _e2565;
+        let _e2558 = phi_2758_;
+        let _e2560 = phi_2759_;
+        if _e2560 {
+            phi_2763_ = _e2558;
         } else {
-            phi_2744_ = false;
+            phi_2763_ = false;
         }
-        let _e2569 = phi_2744_;
-        if _e2569 {
-            phi_2748_ = 0f;
+        let _e2562 = phi_2763_;
+        if _e2562 {
+            phi_2767_ = 0f;
         } else {
-            phi_2748_ = 1f;
+            phi_2767_ = 1f;
         }
-        let _e2571 = phi_2748_;
-        if (_e90 < _e68) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e90)] = _e2571;
-        if (_e90 < _e74) {
+        let _e2564 = phi_2767_;
+        if (_e91 < _e69) {
         } else {
             return;
         }
-        let _e2578 = bits.member[(0u + _e90)];
-        if ((_e2578 & 2u) == 0u) {
-            phi_2769_ = (_e2578 & 1u);
-        } else {
-            phi_2769_ = (_e2578 & 7u);
-        }
-        let _e2584 = phi_2769_;
-        if (_e90 < _e68) {
-        } else {
-            return;
-        }
-        let _e2588 = visibility.member[(0u + _e90)];
-        if ((_e2584 & 1u) != 0u) {
-            phi_2784_ = (2u | 1u);
-        } else {
-            phi_2784_ = 2u;
-        }
-        let _e2594 = phi_2784_;
-        if (_e2588 < 0.5f) {
-            phi_2789_ = (_e2594 | 4u);
-        } else {
-            phi_2789_ = _e2594;
-        }
-        let _e2597 = phi_2789_;
-        if (_e90 < _e74) {
+        visibility.member[(0u + _e91)] = _e2564;
+        let _e2570 = p.member.light.number;
+        let _e2571 = (_e2570 * 3u);
+        let _e2572 = (_e2571 / 32u);
+        let _e2573 = (_e2571 % 32u);
+        let _e2575 = p.member.light.mask_words;
+        if (_e91 < _e69) {
         } else {
             return;
         }
-        bits.member[(0u + _e90)] = _e2597;
+        let _e2579 = visibility.member[(0u + _e91)];
+        let _e2581 = ((_e91 * _e2575) + _e2572);
+        if (_e2573 > 29u) {
+            let _e2583 = (_e2581 + 1u);
+            if (_e2583 < _e75) {
+            } else {
+                return;
+            }
+            let _e2587 = bits.member[(0u + _e2583)];
+            phi_2808_ = _e2587;
+        } else {
+            phi_2808_ = 0u;
+        }
+        let _e2589 = phi_2808_;
+        if (_e2581 < _e75) {
+        } else {
+            return;
+        }
+        let _e2593 = bits.member[(0u + _e2581)];
+        let _e2596 = (_e2593 >> bitcast<u32>((_e2573 & 31u)));
+        if (_e2573 > 29u) {
+            phi_2827_ = (_e2596 | (_e2589 << bitcast<u32>(((32u - _e2573) & 31u))));
+        } else {
+            phi_2827_ = _e2596;
+        }
+        let _e2604 = phi_2827_;
+        if ((_e2604 & 2u) == 0u) {
+            phi_2835_ = (_e2604 & 1u);
+        } else {
+            phi_2835_ = (_e2604 & 7u);
+        }
+        let _e2610 = phi_2835_;
+        if ((_e2610 & 1u) != 0u) {
+            phi_2843_ = (2u | 1u);
+        } else {
+            phi_2843_ = 2u;
+        }
+        let _e2616 = phi_2843_;
+        if (_e2579 < 0.5f) {
+            phi_2848_ = (_e2616 | 4u);
+        } else {
+            phi_2848_ = _e2616;
+        }
+        let _e2619 = phi_2848_;
+        let _e2621 = ((_e91 * _e2575) + _e2572);
+        if (_e2621 < _e75) {
+        } else {
+            return;
+        }
+        let _e2625 = bits.member[(0u + _e2621)];
+        if (_e2621 < _e75) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e2621)] = ((_e2625 & ~((7u << bitcast<u32>((_e2573 & 31u))))) | (_e2619 << bitcast<u32>((_e2573 & 31u))));
+        if (_e2573 > 29u) {
+            let _e2639 = (_e2621 + 1u);
+            if (_e2639 < _e75) {
+            } else {
+                return;
+            }
+            let _e2643 = bits.member[(0u + _e2639)];
+            let _e2644 = (32u - _e2573);
+            let _e2654 = (_e2621 + 1u);
+            if (_e2654 < _e75) {
+            } else {
+                return;
+            }
+            bits.member[(0u + _e2654)] = ((_e2643 & ~((7u >> bitcast<u32>((_e2644 & 31u))))) | (_e2619 >> bitcast<u32>((_e2644 & 31u))));
+        }
     }
     return;
 }

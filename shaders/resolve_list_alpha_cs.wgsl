@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -125,8 +126,8 @@ struct type_48 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -564,192 +565,190 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var phi_675_: f32;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_736_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_739_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_745_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_713_: bool;
+    var phi_726_: bool;
+    var phi_727_: bool;
+    var phi_728_: bool;
+    var phi_729_: bool;
+    var phi_733_: bool;
     var phi_746_: bool;
     var phi_747_: bool;
     var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
     var phi_752_: bool;
     var phi_753_: bool;
-    var phi_757_: bool;
-    var phi_761_: bool;
-    var phi_831_: f32;
-    var phi_838_: f32;
-    var phi_845_: f32;
-    var phi_852_: f32;
-    var phi_859_: f32;
-    var phi_866_: f32;
-    var phi_883_: f32;
-    var phi_888_: f32;
-    var phi_893_: f32;
-    var phi_921_: bool;
-    var phi_922_: bool;
-    var phi_930_: u32;
-    var phi_931_: u32;
-    var phi_942_: vec3<f32>;
-    var phi_943_: vec3<f32>;
-    var phi_956_: u32;
-    var phi_961_: u32;
-    var phi_966_: u32;
-    var phi_1080_: bool;
-    var phi_1081_: bool;
-    var phi_1112_: u32;
-    var phi_1114_: u32;
-    var phi_1117_: bool;
-    var phi_1197_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1257_: u32;
-    var phi_1260_: u32;
-    var phi_1274_: u32;
-    var phi_1284_: u32;
-    var phi_1294_: u32;
-    var phi_1312_: u32;
-    var phi_1322_: u32;
-    var phi_1332_: u32;
-    var phi_1368_: u32;
-    var phi_1381_: u32;
-    var phi_1386_: u32;
-    var phi_1387_: u32;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_756_: bool;
+    var phi_760_: bool;
+    var phi_830_: f32;
+    var phi_837_: f32;
+    var phi_844_: f32;
+    var phi_851_: f32;
+    var phi_858_: f32;
+    var phi_865_: f32;
+    var phi_882_: f32;
+    var phi_887_: f32;
+    var phi_892_: f32;
+    var phi_897_: f32;
+    var phi_902_: f32;
+    var phi_928_: bool;
+    var phi_929_: bool;
+    var phi_937_: u32;
+    var phi_938_: u32;
+    var phi_949_: vec3<f32>;
+    var phi_950_: vec3<f32>;
+    var phi_963_: u32;
+    var phi_968_: u32;
+    var phi_973_: u32;
+    var phi_1087_: bool;
+    var phi_1088_: bool;
+    var phi_1119_: u32;
+    var phi_1121_: u32;
+    var phi_1124_: bool;
+    var phi_1204_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1231_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1258_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1264_: u32;
+    var phi_1267_: u32;
+    var phi_1281_: u32;
+    var phi_1291_: u32;
+    var phi_1301_: u32;
+    var phi_1319_: u32;
+    var phi_1329_: u32;
+    var phi_1339_: u32;
+    var phi_1375_: u32;
     var phi_1388_: u32;
-    var phi_1258_: u32;
-    var phi_1261_: u32;
+    var phi_1393_: u32;
+    var phi_1394_: u32;
+    var phi_1395_: u32;
+    var phi_1265_: u32;
+    var phi_1268_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1446_: u32;
-    var phi_1449_: bool;
-    var phi_1493_: vec3<f32>;
-    var phi_1494_: vec3<f32>;
-    var phi_1523_: vec3<f32>;
-    var phi_1524_: vec3<f32>;
-    var phi_1553_: vec3<f32>;
-    var phi_1554_: vec3<f32>;
-    var phi_1572_: bool;
-    var phi_1573_: bool;
-    var phi_1577_: f32;
-    var phi_1578_: f32;
-    var phi_1579_: f32;
-    var phi_1580_: f32;
-    var phi_1588_: f32;
-    var phi_1598_: bool;
-    var phi_1599_: bool;
-    var phi_1603_: f32;
-    var phi_1604_: f32;
-    var phi_1605_: f32;
-    var phi_1606_: f32;
-    var phi_1614_: f32;
-    var phi_1624_: bool;
-    var phi_1625_: bool;
-    var phi_1629_: f32;
-    var phi_1630_: f32;
-    var phi_1631_: f32;
-    var phi_1632_: f32;
-    var phi_1640_: f32;
-    var phi_1655_: f32;
-    var phi_1656_: bool;
-    var phi_1657_: f32;
-    var phi_1658_: bool;
-    var phi_1659_: f32;
-    var phi_1660_: bool;
-    var phi_1678_: f32;
-    var phi_1679_: bool;
-    var phi_1680_: bool;
-    var phi_1681_: f32;
-    var phi_1682_: bool;
-    var phi_1683_: bool;
+    var phi_1453_: u32;
+    var phi_1456_: bool;
+    var phi_1500_: vec3<f32>;
+    var phi_1501_: vec3<f32>;
+    var phi_1530_: vec3<f32>;
+    var phi_1531_: vec3<f32>;
+    var phi_1560_: vec3<f32>;
+    var phi_1561_: vec3<f32>;
+    var phi_1579_: bool;
+    var phi_1580_: bool;
+    var phi_1584_: f32;
+    var phi_1585_: f32;
+    var phi_1586_: f32;
+    var phi_1587_: f32;
+    var phi_1595_: f32;
+    var phi_1605_: bool;
+    var phi_1606_: bool;
+    var phi_1610_: f32;
+    var phi_1611_: f32;
+    var phi_1612_: f32;
+    var phi_1613_: f32;
+    var phi_1621_: f32;
+    var phi_1631_: bool;
+    var phi_1632_: bool;
+    var phi_1636_: f32;
+    var phi_1637_: f32;
+    var phi_1638_: f32;
+    var phi_1639_: f32;
+    var phi_1647_: f32;
+    var phi_1662_: f32;
+    var phi_1663_: bool;
+    var phi_1664_: f32;
+    var phi_1665_: bool;
+    var phi_1666_: f32;
+    var phi_1667_: bool;
+    var phi_1685_: f32;
+    var phi_1686_: bool;
     var phi_1687_: bool;
     var phi_1688_: f32;
     var phi_1689_: bool;
-    var phi_1717_: vec3<f32>;
-    var phi_1718_: vec3<f32>;
-    var phi_1743_: vec3<f32>;
-    var phi_1744_: vec3<f32>;
-    var phi_1769_: vec3<f32>;
-    var phi_1770_: vec3<f32>;
-    var phi_1826_: f32;
-    var phi_1835_: f32;
-    var phi_1844_: f32;
-    var phi_1853_: f32;
+    var phi_1690_: bool;
+    var phi_1694_: bool;
+    var phi_1695_: f32;
+    var phi_1696_: bool;
+    var phi_1724_: vec3<f32>;
+    var phi_1725_: vec3<f32>;
+    var phi_1750_: vec3<f32>;
+    var phi_1751_: vec3<f32>;
+    var phi_1776_: vec3<f32>;
+    var phi_1777_: vec3<f32>;
+    var phi_1833_: f32;
+    var phi_1842_: f32;
+    var phi_1851_: f32;
     var phi_1860_: f32;
     var phi_1867_: f32;
-    var phi_1880_: f32;
-    var phi_1889_: f32;
-    var phi_1898_: f32;
-    var phi_1907_: f32;
+    var phi_1874_: f32;
+    var phi_1887_: f32;
+    var phi_1896_: f32;
+    var phi_1905_: f32;
     var phi_1914_: f32;
     var phi_1921_: f32;
-    var phi_1938_: f32;
-    var phi_1943_: f32;
-    var phi_1948_: f32;
-    var phi_1956_: f32;
-    var phi_1961_: f32;
-    var phi_1966_: f32;
-    var phi_1978_: f32;
-    var phi_1983_: f32;
-    var phi_1988_: f32;
-    var phi_1993_: f32;
-    var phi_1998_: lt_bvh_triangle_Intersection;
-    var phi_1999_: bool;
-    var phi_2000_: lt_bvh_triangle_Intersection;
-    var phi_2001_: bool;
+    var phi_1928_: f32;
+    var phi_1945_: f32;
+    var phi_1950_: f32;
+    var phi_1955_: f32;
+    var phi_1963_: f32;
+    var phi_1968_: f32;
+    var phi_1973_: f32;
+    var phi_1985_: f32;
+    var phi_1990_: f32;
+    var phi_1995_: f32;
+    var phi_2000_: f32;
     var phi_2005_: lt_bvh_triangle_Intersection;
     var phi_2006_: bool;
     var phi_2007_: lt_bvh_triangle_Intersection;
     var phi_2008_: bool;
-    var phi_2009_: bool;
+    var phi_2012_: lt_bvh_triangle_Intersection;
     var phi_2013_: bool;
-    var phi_2017_: lt_bvh_triangle_Intersection;
-    var phi_2231_: f32;
-    var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2236_: bool;
-    var phi_2240_: bool;
+    var phi_2014_: lt_bvh_triangle_Intersection;
+    var phi_2015_: bool;
+    var phi_2016_: bool;
+    var phi_2020_: bool;
+    var phi_2024_: lt_bvh_triangle_Intersection;
+    var phi_2238_: f32;
     var phi_2241_: bool;
     var phi_2242_: bool;
     var phi_2243_: bool;
-    var phi_2244_: bool;
-    var phi_2245_: bool;
-    var phi_2246_: bool;
     var phi_2247_: bool;
     var phi_2248_: bool;
     var phi_2249_: bool;
-    var phi_1447_: u32;
-    var phi_1450_: bool;
+    var phi_2250_: bool;
+    var phi_2251_: bool;
+    var phi_2252_: bool;
     var phi_2253_: bool;
     var phi_2254_: bool;
+    var phi_2255_: bool;
+    var phi_2256_: bool;
+    var phi_1454_: u32;
+    var phi_1457_: bool;
+    var phi_2260_: bool;
+    var phi_2261_: bool;
     var local_5: bool;
-    var phi_2296_: bool;
-    var phi_2297_: bool;
-    var phi_2328_: u32;
-    var phi_2329_: u32;
-    var phi_1115_: u32;
-    var phi_1118_: bool;
-    var phi_2330_: bool;
-    var phi_2331_: bool;
-    var phi_2332_: bool;
+    var phi_2303_: bool;
+    var phi_2304_: bool;
+    var phi_2335_: u32;
+    var phi_2336_: u32;
+    var phi_1122_: u32;
+    var phi_1125_: bool;
+    var phi_2337_: bool;
+    var phi_2338_: bool;
+    var phi_2339_: bool;
     var local_6: bool;
-    var phi_2336_: bool;
-    var phi_2340_: bool;
-    var phi_2341_: bool;
-    var phi_2342_: bool;
     var phi_2343_: bool;
     var phi_2347_: bool;
-    var phi_2351_: f32;
+    var phi_2348_: bool;
+    var phi_2349_: bool;
+    var phi_2350_: bool;
+    var phi_2354_: bool;
+    var phi_2358_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -796,1267 +795,1268 @@ fn function_() {
         let _e144 = (_e132.x - (_e126 * _e132.w));
         let _e145 = (_e132.y - (_e128 * _e132.w));
         let _e146 = (_e132.z - (_e130 * _e132.w));
-        let _e151 = abs(_e144);
-        let _e152 = abs(_e145);
-        let _e153 = abs(_e146);
+        let _e148 = abs(_e144);
+        let _e149 = abs(_e145);
+        let _e150 = abs(_e146);
         if (abs(_e126) < 1000000000000000f) {
             if (abs(_e128) < 1000000000000000f) {
-                if (abs(_e130) < 1000000000000000f) {
-                    if (_e151 < 1000000000000000f) {
-                        if (_e152 < 1000000000000000f) {
-                            if (_e153 < 1000000000000000f) {
-                                if (_e151 > 0f) {
-                                    phi_731_ = bool();
-                                    phi_732_ = true;
-                                } else {
-                                    let _e161 = (_e152 > 0f);
-                                    if _e161 {
-                                        phi_730_ = bool();
-                                    } else {
-                                        phi_730_ = (_e153 > 0f);
-                                    }
-                                    let _e164 = phi_730_;
-                                    phi_731_ = _e164;
-                                    phi_732_ = _e161;
-                                }
-                                let _e166 = phi_731_;
-                                let _e168 = phi_732_;
-                                if _e168 {
-                                    phi_736_ = true;
-                                } else {
-                                    phi_736_ = _e166;
-                                }
-                                let _e170 = phi_736_;
-                                phi_737_ = _e170;
-                                phi_738_ = false;
-                            } else {
-                                phi_737_ = bool();
-                                phi_738_ = true;
-                            }
-                            let _e172 = phi_737_;
-                            let _e174 = phi_738_;
-                            phi_739_ = _e172;
-                            phi_740_ = false;
-                            phi_741_ = _e174;
-                        } else {
-                            phi_739_ = bool();
-                            phi_740_ = true;
-                            phi_741_ = false;
-                        }
-                        let _e176 = phi_739_;
-                        let _e178 = phi_740_;
-                        let _e180 = phi_741_;
-                        phi_742_ = _e176;
-                        phi_743_ = _e178;
-                        phi_744_ = _e180;
-                    } else {
-                        phi_742_ = bool();
-                        phi_743_ = true;
-                        phi_744_ = false;
-                    }
-                    let _e182 = phi_742_;
-                    let _e184 = phi_743_;
-                    let _e186 = phi_744_;
-                    phi_745_ = _e182;
-                    phi_746_ = _e184;
-                    phi_747_ = _e186;
-                } else {
-                    phi_745_ = bool();
-                    phi_746_ = true;
-                    phi_747_ = false;
-                }
-                let _e188 = phi_745_;
-                let _e190 = phi_746_;
-                let _e192 = phi_747_;
-                phi_748_ = _e188;
-                phi_749_ = _e190;
-                phi_750_ = _e192;
+                phi_706_ = (abs(_e130) < 1000000000000000f);
+                phi_707_ = false;
             } else {
-                phi_748_ = bool();
-                phi_749_ = true;
-                phi_750_ = false;
+                phi_706_ = bool();
+                phi_707_ = true;
             }
-            let _e194 = phi_748_;
-            let _e196 = phi_749_;
-            let _e198 = phi_750_;
-            phi_751_ = _e194;
-            phi_752_ = _e196;
-            phi_753_ = _e198;
+            let _e158 = phi_706_;
+            let _e160 = phi_707_;
+            phi_708_ = _e158;
+            phi_709_ = _e160;
         } else {
-            phi_751_ = bool();
-            phi_752_ = true;
-            phi_753_ = false;
+            phi_708_ = bool();
+            phi_709_ = true;
         }
-        let _e200 = phi_751_;
-        let _e202 = phi_752_;
-        let _e204 = phi_753_;
-        if _e202 {
-            phi_757_ = true;
+        let _e162 = phi_708_;
+        let _e164 = phi_709_;
+        if _e164 {
+            phi_713_ = false;
         } else {
-            phi_757_ = _e204;
+            phi_713_ = _e162;
         }
-        let _e206 = phi_757_;
-        if _e206 {
-            phi_761_ = false;
+        let _e166 = phi_713_;
+        if _e166 {
+            if (_e148 < 1000000000000000f) {
+                if (_e149 < 1000000000000000f) {
+                    phi_726_ = (_e150 < 1000000000000000f);
+                    phi_727_ = false;
+                } else {
+                    phi_726_ = bool();
+                    phi_727_ = true;
+                }
+                let _e171 = phi_726_;
+                let _e173 = phi_727_;
+                phi_728_ = _e171;
+                phi_729_ = _e173;
+            } else {
+                phi_728_ = bool();
+                phi_729_ = true;
+            }
+            let _e175 = phi_728_;
+            let _e177 = phi_729_;
+            if _e177 {
+                phi_733_ = false;
+            } else {
+                phi_733_ = _e175;
+            }
+            let _e179 = phi_733_;
+            if _e179 {
+                if (_e148 > 0f) {
+                    phi_747_ = bool();
+                    phi_748_ = true;
+                } else {
+                    let _e181 = (_e149 > 0f);
+                    if _e181 {
+                        phi_746_ = bool();
+                    } else {
+                        phi_746_ = (_e150 > 0f);
+                    }
+                    let _e184 = phi_746_;
+                    phi_747_ = _e184;
+                    phi_748_ = _e181;
+                }
+                let _e186 = phi_747_;
+                let _e188 = phi_748_;
+                if _e188 {
+                    phi_752_ = true;
+                } else {
+                    phi_752_ = _e186;
+                }
+                let _e190 = phi_752_;
+                phi_753_ = _e190;
+                phi_754_ = false;
+            } else {
+                phi_753_ = bool();
+                phi_754_ = true;
+            }
+            let _e192 = phi_753_;
+            let _e194 = phi_754_;
+            phi_755_ = _e192;
+            phi_756_ = _e194;
         } else {
-            phi_761_ = _e200;
+            phi_755_ = bool();
+            phi_756_ = true;
         }
-        let _e208 = phi_761_;
-        if _e208 {
-            let _e209 = (0u >= _e75);
-            if _e209 {
-                phi_2341_ = bool();
+        let _e196 = phi_755_;
+        let _e198 = phi_756_;
+        if _e198 {
+            phi_760_ = false;
+        } else {
+            phi_760_ = _e196;
+        }
+        let _e200 = phi_760_;
+        if _e200 {
+            let _e201 = (0u >= _e75);
+            if _e201 {
+                phi_2348_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e215 = nodes.member[(0u + 0u)].frame[0u];
-                let _e219 = nodes.member[(0u + 0u)].frame[1u];
-                let _e223 = nodes.member[(0u + 0u)].frame[2u];
-                let _e227 = nodes.member[(0u + 0u)].frame[0u];
-                let _e231 = nodes.member[(0u + 0u)].frame[1u];
-                let _e235 = nodes.member[(0u + 0u)].frame[2u];
-                let _e239 = nodes.member[(0u + 0u)].frame[3u];
-                let _e273 = core_intrinsics_maximum_number_nsz_f32_(abs(_e144), abs(_e145));
-                let _e274 = core_intrinsics_maximum_number_nsz_f32_(_e273, abs(_e146));
-                let _e275 = (_e274 * 0.0000000000009094947f);
-                if (abs(_e144) < _e275) {
-                    phi_831_ = _e275;
+                let _e207 = nodes.member[(0u + 0u)].frame[0u];
+                let _e211 = nodes.member[(0u + 0u)].frame[1u];
+                let _e215 = nodes.member[(0u + 0u)].frame[2u];
+                let _e219 = nodes.member[(0u + 0u)].frame[0u];
+                let _e223 = nodes.member[(0u + 0u)].frame[1u];
+                let _e227 = nodes.member[(0u + 0u)].frame[2u];
+                let _e231 = nodes.member[(0u + 0u)].frame[3u];
+                let _e265 = core_intrinsics_maximum_number_nsz_f32_(abs(_e144), abs(_e145));
+                let _e266 = core_intrinsics_maximum_number_nsz_f32_(_e265, abs(_e146));
+                let _e267 = (_e266 * 0.0000000000009094947f);
+                if (abs(_e144) < _e267) {
+                    phi_830_ = _e267;
                 } else {
-                    phi_831_ = abs(_e144);
+                    phi_830_ = abs(_e144);
                 }
-                let _e280 = phi_831_;
+                let _e272 = phi_830_;
                 if (_e144 < 0f) {
-                    phi_838_ = (-1f / _e280);
+                    phi_837_ = (-1f / _e272);
                 } else {
-                    phi_838_ = (1f / _e280);
+                    phi_837_ = (1f / _e272);
                 }
-                let _e285 = phi_838_;
-                if (abs(_e145) < _e275) {
-                    phi_845_ = _e275;
+                let _e277 = phi_837_;
+                if (abs(_e145) < _e267) {
+                    phi_844_ = _e267;
                 } else {
-                    phi_845_ = abs(_e145);
+                    phi_844_ = abs(_e145);
                 }
-                let _e290 = phi_845_;
+                let _e282 = phi_844_;
                 if (_e145 < 0f) {
-                    phi_852_ = (-1f / _e290);
+                    phi_851_ = (-1f / _e282);
                 } else {
-                    phi_852_ = (1f / _e290);
+                    phi_851_ = (1f / _e282);
                 }
-                let _e295 = phi_852_;
-                if (abs(_e146) < _e275) {
-                    phi_859_ = _e275;
+                let _e287 = phi_851_;
+                if (abs(_e146) < _e267) {
+                    phi_858_ = _e267;
                 } else {
-                    phi_859_ = abs(_e146);
+                    phi_858_ = abs(_e146);
                 }
-                let _e300 = phi_859_;
+                let _e292 = phi_858_;
                 if (_e146 < 0f) {
-                    phi_866_ = (-1f / _e300);
+                    phi_865_ = (-1f / _e292);
                 } else {
-                    phi_866_ = (1f / _e300);
+                    phi_865_ = (1f / _e292);
                 }
-                let _e305 = phi_866_;
-                let _e309 = abs((bitcast<f32>(_e215) - _e126));
-                let _e310 = abs((bitcast<f32>(_e219) - _e128));
-                let _e311 = abs((bitcast<f32>(_e223) - _e130));
-                let _e315 = abs(((bitcast<f32>(_e227) + (bitcast<f32>((((_e239 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
-                let _e316 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e239 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
-                let _e317 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e239 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
-                if (_e309 > _e315) {
-                    phi_883_ = _e309;
+                let _e297 = phi_865_;
+                let _e301 = abs((bitcast<f32>(_e207) - _e126));
+                let _e302 = abs((bitcast<f32>(_e211) - _e128));
+                let _e303 = abs((bitcast<f32>(_e215) - _e130));
+                let _e307 = abs(((bitcast<f32>(_e219) + (bitcast<f32>((((_e231 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
+                let _e308 = abs(((bitcast<f32>(_e223) + (bitcast<f32>((((_e231 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
+                let _e309 = abs(((bitcast<f32>(_e227) + (bitcast<f32>((((_e231 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
+                if (_e301 > _e307) {
+                    phi_882_ = _e301;
                 } else {
-                    phi_883_ = _e315;
+                    phi_882_ = _e307;
                 }
-                let _e320 = phi_883_;
-                if (_e310 > _e316) {
-                    phi_888_ = _e310;
+                let _e312 = phi_882_;
+                if (_e302 > _e308) {
+                    phi_887_ = _e302;
                 } else {
-                    phi_888_ = _e316;
+                    phi_887_ = _e308;
                 }
-                let _e323 = phi_888_;
-                if (_e311 > _e317) {
-                    phi_893_ = _e311;
+                let _e315 = phi_887_;
+                if (_e303 > _e309) {
+                    phi_892_ = _e303;
                 } else {
-                    phi_893_ = _e317;
+                    phi_892_ = _e309;
                 }
-                let _e326 = phi_893_;
-                let _e327 = core_intrinsics_maximum_number_nsz_f32_(_e320, _e323);
-                let _e328 = core_intrinsics_maximum_number_nsz_f32_(_e327, _e326);
-                let _e332 = (_e328 * 0.0000019073486f);
-                let _e333 = (abs(_e285) * _e332);
-                let _e334 = (abs(_e295) * _e332);
-                let _e335 = (abs(_e305) * _e332);
-                let _e339 = (_e328 * 0.0000009536743f);
-                let _e340 = (abs(_e285) * _e339);
-                let _e341 = (abs(_e295) * _e339);
-                let _e342 = (abs(_e305) * _e339);
-                let _e343 = abs(_e144);
-                let _e344 = abs(_e145);
-                let _e345 = abs(_e146);
-                if (_e343 >= _e344) {
-                    if (_e343 >= _e345) {
-                        phi_921_ = false;
+                let _e318 = phi_892_;
+                if (_e312 > _e315) {
+                    phi_897_ = _e312;
+                } else {
+                    phi_897_ = _e315;
+                }
+                let _e321 = phi_897_;
+                if (_e321 > _e318) {
+                    phi_902_ = _e321;
+                } else {
+                    phi_902_ = _e318;
+                }
+                let _e324 = phi_902_;
+                let _e328 = (_e324 * 0.0000019073486f);
+                let _e329 = (abs(_e277) * _e328);
+                let _e330 = (abs(_e287) * _e328);
+                let _e331 = (abs(_e297) * _e328);
+                let _e335 = (_e324 * 0.0000009536743f);
+                let _e336 = (abs(_e277) * _e335);
+                let _e337 = (abs(_e287) * _e335);
+                let _e338 = (abs(_e297) * _e335);
+                let _e339 = abs(_e144);
+                let _e340 = abs(_e145);
+                let _e341 = abs(_e146);
+                if (_e339 >= _e340) {
+                    if (_e339 >= _e341) {
+                        phi_928_ = false;
                     } else {
-                        phi_921_ = true;
+                        phi_928_ = true;
                     }
-                    let _e349 = phi_921_;
-                    phi_922_ = _e349;
+                    let _e345 = phi_928_;
+                    phi_929_ = _e345;
                 } else {
-                    phi_922_ = true;
+                    phi_929_ = true;
                 }
-                let _e351 = phi_922_;
-                if _e351 {
-                    if (_e344 >= _e345) {
-                        phi_930_ = 1u;
+                let _e347 = phi_929_;
+                if _e347 {
+                    if (_e340 >= _e341) {
+                        phi_937_ = 1u;
                     } else {
-                        phi_930_ = 2u;
+                        phi_937_ = 2u;
                     }
-                    let _e354 = phi_930_;
-                    phi_931_ = _e354;
+                    let _e350 = phi_937_;
+                    phi_938_ = _e350;
                 } else {
-                    phi_931_ = 0u;
+                    phi_938_ = 0u;
                 }
-                let _e356 = phi_931_;
-                if (_e356 == 0u) {
-                    phi_943_ = vec3<f32>(_e145, _e146, _e144);
+                let _e352 = phi_938_;
+                if (_e352 == 0u) {
+                    phi_950_ = vec3<f32>(_e145, _e146, _e144);
                 } else {
-                    if (_e356 == 1u) {
-                        phi_942_ = vec3<f32>(_e146, _e144, _e145);
+                    if (_e352 == 1u) {
+                        phi_949_ = vec3<f32>(_e146, _e144, _e145);
                     } else {
-                        phi_942_ = vec3<f32>(_e144, _e145, _e146);
+                        phi_949_ = vec3<f32>(_e144, _e145, _e146);
                     }
-                    let _e362 = phi_942_;
-                    phi_943_ = _e362;
+                    let _e358 = phi_949_;
+                    phi_950_ = _e358;
                 }
-                let _e364 = phi_943_;
-                let _e367 = (_e364.x / _e364.z);
-                let _e370 = (_e364.y / _e364.z);
-                if (_e285 < 0f) {
-                    phi_956_ = 0u;
+                let _e360 = phi_950_;
+                let _e363 = (_e360.x / _e360.z);
+                let _e366 = (_e360.y / _e360.z);
+                if (_e277 < 0f) {
+                    phi_963_ = 0u;
                 } else {
-                    phi_956_ = 1u;
+                    phi_963_ = 1u;
                 }
-                let _e375 = phi_956_;
-                if (_e295 < 0f) {
-                    phi_961_ = 0u;
+                let _e371 = phi_963_;
+                if (_e287 < 0f) {
+                    phi_968_ = 0u;
                 } else {
-                    phi_961_ = 2u;
+                    phi_968_ = 2u;
                 }
-                let _e378 = phi_961_;
-                if (_e305 < 0f) {
-                    phi_966_ = 0u;
+                let _e374 = phi_968_;
+                if (_e297 < 0f) {
+                    phi_973_ = 0u;
                 } else {
-                    phi_966_ = 4u;
+                    phi_973_ = 4u;
                 }
-                let _e381 = phi_966_;
-                let _e383 = ((_e375 | _e378) | _e381);
-                let _e384 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e384.first[0], _e384.first[1], _e384.first[2], _e384.first[3], _e384.first[4], _e384.first[5], _e384.first[6], _e384.first[7], _e384.first[8], _e384.first[9], _e384.first[10], _e384.first[11], _e384.first[12], _e384.first[13], _e384.first[14], _e384.first[15], _e384.first[16], _e384.first[17], _e384.first[18], _e384.first[19], _e384.first[20], _e384.first[21], _e384.first[22], _e384.first[23], _e384.first[24], _e384.first[25], _e384.first[26], _e384.first[27], _e384.first[28], _e384.first[29], _e384.first[30], _e384.first[31]), array<u32, 32>(_e384.mask[0], _e384.mask[1], _e384.mask[2], _e384.mask[3], _e384.mask[4], _e384.mask[5], _e384.mask[6], _e384.mask[7], _e384.mask[8], _e384.mask[9], _e384.mask[10], _e384.mask[11], _e384.mask[12], _e384.mask[13], _e384.mask[14], _e384.mask[15], _e384.mask[16], _e384.mask[17], _e384.mask[18], _e384.mask[19], _e384.mask[20], _e384.mask[21], _e384.mask[22], _e384.mask[23], _e384.mask[24], _e384.mask[25], _e384.mask[26], _e384.mask[27], _e384.mask[28], _e384.mask[29], _e384.mask[30], _e384.mask[31]), _e384.len, _e384.group, _e384.group_mask);
-                let _e458 = local_1.group_mask;
-                if ((_e458 & 4278190080u) == 0u) {
-                    let _e462 = local_1.len;
-                    if (_e462 == 0u) {
-                        phi_1080_ = false;
+                let _e377 = phi_973_;
+                let _e379 = ((_e371 | _e374) | _e377);
+                let _e380 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e380.first[0], _e380.first[1], _e380.first[2], _e380.first[3], _e380.first[4], _e380.first[5], _e380.first[6], _e380.first[7], _e380.first[8], _e380.first[9], _e380.first[10], _e380.first[11], _e380.first[12], _e380.first[13], _e380.first[14], _e380.first[15], _e380.first[16], _e380.first[17], _e380.first[18], _e380.first[19], _e380.first[20], _e380.first[21], _e380.first[22], _e380.first[23], _e380.first[24], _e380.first[25], _e380.first[26], _e380.first[27], _e380.first[28], _e380.first[29], _e380.first[30], _e380.first[31]), array<u32, 32>(_e380.mask[0], _e380.mask[1], _e380.mask[2], _e380.mask[3], _e380.mask[4], _e380.mask[5], _e380.mask[6], _e380.mask[7], _e380.mask[8], _e380.mask[9], _e380.mask[10], _e380.mask[11], _e380.mask[12], _e380.mask[13], _e380.mask[14], _e380.mask[15], _e380.mask[16], _e380.mask[17], _e380.mask[18], _e380.mask[19], _e380.mask[20], _e380.mask[21], _e380.mask[22], _e380.mask[23], _e380.mask[24], _e380.mask[25], _e380.mask[26], _e380.mask[27], _e380.mask[28], _e380.mask[29], _e380.mask[30], _e380.mask[31]), _e380.len, _e380.group, _e380.group_mask);
+                let _e454 = local_1.group_mask;
+                if ((_e454 & 4278190080u) == 0u) {
+                    let _e458 = local_1.len;
+                    if (_e458 == 0u) {
+                        phi_1087_ = false;
                     } else {
-                        let _e466 = local_1.len;
-                        local_1.len = (_e466 - 1u);
-                        let _e469 = local_1.len;
-                        if (_e469 < 32u) {
+                        let _e462 = local_1.len;
+                        local_1.len = (_e462 - 1u);
+                        let _e465 = local_1.len;
+                        if (_e465 < 32u) {
                         } else {
                             return;
                         }
-                        let _e474 = local_1.first[(0u + _e469)];
-                        local_1.group = _e474;
-                        let _e477 = local_1.len;
-                        if (_e477 < 32u) {
+                        let _e470 = local_1.first[(0u + _e465)];
+                        local_1.group = _e470;
+                        let _e473 = local_1.len;
+                        if (_e473 < 32u) {
                         } else {
                             return;
                         }
-                        let _e482 = local_1.mask[(0u + _e477)];
-                        local_1.group_mask = _e482;
-                        phi_1080_ = true;
+                        let _e478 = local_1.mask[(0u + _e473)];
+                        local_1.group_mask = _e478;
+                        phi_1087_ = true;
                     }
-                    let _e485 = phi_1080_;
-                    phi_1081_ = _e485;
+                    let _e481 = phi_1087_;
+                    phi_1088_ = _e481;
                 } else {
-                    phi_1081_ = true;
+                    phi_1088_ = true;
                 }
-                let _e487 = phi_1081_;
-                if _e487 {
-                    let _e489 = local_1.group_mask;
-                    let _e495 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e489)), 32u, (_e489 == 0u)));
-                    let _e499 = local_1.group_mask;
-                    let _e513 = local_1.group_mask;
-                    local_1.group_mask = (_e513 & ~((1u << bitcast<u32>((_e495 & 31u)))));
-                    let _e516 = local_1.group;
-                    phi_1112_ = (_e516 + countOneBits(((_e499 & ~((4294967295u << bitcast<u32>((((_e495 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e483 = phi_1088_;
+                if _e483 {
+                    let _e485 = local_1.group_mask;
+                    let _e491 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e485)), 32u, (_e485 == 0u)));
+                    let _e495 = local_1.group_mask;
+                    let _e509 = local_1.group_mask;
+                    local_1.group_mask = (_e509 & ~((1u << bitcast<u32>((_e491 & 31u)))));
+                    let _e512 = local_1.group;
+                    phi_1119_ = (_e512 + countOneBits(((_e495 & ~((4294967295u << bitcast<u32>((((_e491 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1112_ = 4294967295u;
+                    phi_1119_ = 4294967295u;
                 }
-                let _e519 = phi_1112_;
-                phi_1114_ = _e519;
-                phi_1117_ = false;
+                let _e515 = phi_1119_;
+                phi_1121_ = _e515;
+                phi_1124_ = false;
                 loop {
-                    let _e521 = phi_1114_;
-                    let _e523 = phi_1117_;
-                    local_11 = _e523;
-                    if (_e521 != 4294967295u) {
-                        if (_e521 < _e75) {
+                    let _e517 = phi_1121_;
+                    let _e519 = phi_1124_;
+                    local_11 = _e519;
+                    if (_e517 != 4294967295u) {
+                        if (_e517 < _e75) {
                         } else {
                             return;
                         }
-                        let _e530 = nodes.member[(0u + _e521)].frame[3u];
-                        let _e555 = (bitcast<f32>((((_e530 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
-                        let _e556 = (bitcast<f32>((((_e530 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e295);
-                        let _e557 = (bitcast<f32>((((_e530 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
-                        let _e560 = nodes.member[(0u + _e521)].frame[0u];
-                        let _e564 = nodes.member[(0u + _e521)].frame[1u];
-                        let _e568 = nodes.member[(0u + _e521)].frame[2u];
-                        let _e573 = ((bitcast<f32>(_e560) - _e126) * _e285);
-                        let _e574 = ((bitcast<f32>(_e564) - _e128) * _e295);
-                        let _e575 = ((bitcast<f32>(_e568) - _e130) * _e305);
-                        let _e583 = nodes.member[(0u + _e521)].x;
-                        if (_e285 < 0f) {
-                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e583.w), _e594.unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e583.x, _e600.unnamed_1.first_primitive));
-                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e583.y));
+                        let _e526 = nodes.member[(0u + _e517)].frame[3u];
+                        let _e551 = (bitcast<f32>((((_e526 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e277);
+                        let _e552 = (bitcast<f32>((((_e526 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e287);
+                        let _e553 = (bitcast<f32>((((_e526 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e297);
+                        let _e556 = nodes.member[(0u + _e517)].frame[0u];
+                        let _e560 = nodes.member[(0u + _e517)].frame[1u];
+                        let _e564 = nodes.member[(0u + _e517)].frame[2u];
+                        let _e569 = ((bitcast<f32>(_e556) - _e126) * _e277);
+                        let _e570 = ((bitcast<f32>(_e560) - _e128) * _e287);
+                        let _e571 = ((bitcast<f32>(_e564) - _e130) * _e297);
+                        let _e579 = nodes.member[(0u + _e517)].x;
+                        if (_e277 < 0f) {
+                            let _e590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e579.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e590.unnamed.word, _e579.w), _e590.unnamed_1);
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e596.unnamed, lt_mask_LightPlace(_e579.x, _e596.unnamed_1.shift));
+                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_mask_LightPlace(_e602.unnamed_1.word, _e579.y));
                         } else {
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.unnamed.root, _e583.y), _e622.unnamed_1);
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e583.z, _e628.unnamed_1.first_primitive));
-                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_bvh_traverse_Tree(_e634.unnamed_1.root, _e583.w));
+                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e579.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.unnamed.word, _e579.y), _e618.unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_mask_LightPlace(_e579.z, _e624.unnamed_1.shift));
+                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_mask_LightPlace(_e630.unnamed_1.word, _e579.w));
                         }
-                        let _e642 = phi_1197_;
-                        let _e652 = nodes.member[(0u + _e521)].y;
-                        if (_e295 < 0f) {
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e652.w), _e663.unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e652.x, _e669.unnamed_1.first_primitive));
-                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e652.y));
+                        let _e638 = phi_1204_;
+                        let _e648 = nodes.member[(0u + _e517)].y;
+                        if (_e287 < 0f) {
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.unnamed.word, _e648.w), _e659.unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e648.x, _e665.unnamed_1.shift));
+                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e671.unnamed_1.word, _e648.y));
                         } else {
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.unnamed.root, _e652.y), _e691.unnamed_1);
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e652.z, _e697.unnamed_1.first_primitive));
-                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e703.unnamed_1.root, _e652.w));
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.unnamed.word, _e648.y), _e687.unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_mask_LightPlace(_e648.z, _e693.unnamed_1.shift));
+                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e699.unnamed_1.word, _e648.w));
                         }
-                        let _e711 = phi_1224_;
-                        let _e721 = nodes.member[(0u + _e521)].z;
-                        if (_e305 < 0f) {
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e721.w), _e732.unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e721.x, _e738.unnamed_1.first_primitive));
-                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e721.y));
+                        let _e707 = phi_1231_;
+                        let _e717 = nodes.member[(0u + _e517)].z;
+                        if (_e297 < 0f) {
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.unnamed.word, _e717.w), _e728.unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e717.x, _e734.unnamed_1.shift));
+                            phi_1258_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e740.unnamed_1.word, _e717.y));
                         } else {
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.unnamed.root, _e721.y), _e760.unnamed_1);
-                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e721.z, _e766.unnamed_1.first_primitive));
-                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e772.unnamed_1.root, _e721.w));
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.unnamed.word, _e717.y), _e756.unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_mask_LightPlace(_e717.z, _e762.unnamed_1.shift));
+                            phi_1258_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e768.unnamed_1.word, _e717.w));
                         }
-                        let _e780 = phi_1251_;
-                        phi_1257_ = 0u;
-                        phi_1260_ = 0u;
+                        let _e776 = phi_1258_;
+                        phi_1264_ = 0u;
+                        phi_1267_ = 0u;
                         loop {
-                            let _e790 = phi_1257_;
-                            let _e792 = phi_1260_;
-                            local_2 = _e792;
-                            local_3 = _e792;
-                            local_4 = _e792;
-                            let _e793 = (_e790 < 8u);
-                            if _e793 {
-                                let _e795 = (_e790 >> bitcast<u32>(2i));
-                                let _e796 = (_e790 & 3u);
-                                if (_e795 == 0u) {
-                                    phi_1274_ = _e642.unnamed.root;
+                            let _e786 = phi_1264_;
+                            let _e788 = phi_1267_;
+                            local_2 = _e788;
+                            local_3 = _e788;
+                            local_4 = _e788;
+                            let _e789 = (_e786 < 8u);
+                            if _e789 {
+                                let _e791 = (_e786 >> bitcast<u32>(2i));
+                                let _e792 = (_e786 & 3u);
+                                if (_e791 == 0u) {
+                                    phi_1281_ = _e638.unnamed.word;
                                 } else {
-                                    phi_1274_ = _e642.unnamed.first_primitive;
+                                    phi_1281_ = _e638.unnamed.shift;
                                 }
-                                let _e799 = phi_1274_;
-                                if (_e795 == 0u) {
-                                    phi_1284_ = _e711.unnamed.root;
+                                let _e795 = phi_1281_;
+                                if (_e791 == 0u) {
+                                    phi_1291_ = _e707.unnamed.word;
                                 } else {
-                                    phi_1284_ = _e711.unnamed.first_primitive;
+                                    phi_1291_ = _e707.unnamed.shift;
                                 }
-                                let _e808 = phi_1284_;
-                                if (_e795 == 0u) {
-                                    phi_1294_ = _e780.unnamed.root;
+                                let _e804 = phi_1291_;
+                                if (_e791 == 0u) {
+                                    phi_1301_ = _e776.unnamed.word;
                                 } else {
-                                    phi_1294_ = _e780.unnamed.first_primitive;
+                                    phi_1301_ = _e776.unnamed.shift;
                                 }
-                                let _e817 = phi_1294_;
-                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e799 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)), ((f32(((_e808 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
-                                let _e831 = core_intrinsics_maximum_number_nsz_f32_(_e830, ((f32(((_e817 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e335)));
-                                if (_e795 == 0u) {
-                                    phi_1312_ = _e642.unnamed_1.root;
+                                let _e813 = phi_1301_;
+                                let _e826 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e795 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e551) + (_e569 - _e329)), ((f32(((_e804 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e330)));
+                                let _e827 = core_intrinsics_maximum_number_nsz_f32_(_e826, ((f32(((_e813 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e331)));
+                                if (_e791 == 0u) {
+                                    phi_1319_ = _e638.unnamed_1.word;
                                 } else {
-                                    phi_1312_ = _e642.unnamed_1.first_primitive;
+                                    phi_1319_ = _e638.unnamed_1.shift;
                                 }
-                                let _e834 = phi_1312_;
-                                if (_e795 == 0u) {
-                                    phi_1322_ = _e711.unnamed_1.root;
+                                let _e830 = phi_1319_;
+                                if (_e791 == 0u) {
+                                    phi_1329_ = _e707.unnamed_1.word;
                                 } else {
-                                    phi_1322_ = _e711.unnamed_1.first_primitive;
+                                    phi_1329_ = _e707.unnamed_1.shift;
                                 }
-                                let _e843 = phi_1322_;
-                                if (_e795 == 0u) {
-                                    phi_1332_ = _e780.unnamed_1.root;
+                                let _e839 = phi_1329_;
+                                if (_e791 == 0u) {
+                                    phi_1339_ = _e776.unnamed_1.word;
                                 } else {
-                                    phi_1332_ = _e780.unnamed_1.first_primitive;
+                                    phi_1339_ = _e776.unnamed_1.shift;
                                 }
-                                let _e852 = phi_1332_;
-                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e834 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)), ((f32(((_e843 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));
-                                let _e866 = core_intrinsics_minimum_number_nsz_f32_(_e865, ((f32(((_e852 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u)) * _e557) + (_e575 + _e335)));
-                                if (_e831 <= _e866) {
-                                    if (_e831 <= _e136) {
-                                        if (_e866 >= 0f) {
-                                            if (_e795 == 0u) {
-                                                let _e873 = nodes.member[(0u + _e521)].links[2u];
-                                                phi_1368_ = _e873;
+                                let _e848 = phi_1339_;
+                                let _e861 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e830 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e551) + (_e569 + _e329)), ((f32(((_e839 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e330)));
+                                let _e862 = core_intrinsics_minimum_number_nsz_f32_(_e861, ((f32(((_e848 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e331)));
+                                if (_e827 <= _e862) {
+                                    if (_e827 <= _e136) {
+                                        if (_e862 >= 0f) {
+                                            if (_e791 == 0u) {
+                                                let _e869 = nodes.member[(0u + _e517)].links[2u];
+                                                phi_1375_ = _e869;
                                             } else {
-                                                let _e876 = nodes.member[(0u + _e521)].links[3u];
-                                                phi_1368_ = _e876;
+                                                let _e872 = nodes.member[(0u + _e517)].links[3u];
+                                                phi_1375_ = _e872;
                                             }
-                                            let _e878 = phi_1368_;
-                                            let _e883 = ((_e878 >> bitcast<u32>(((_e796 * 8u) & 31u))) & 255u);
-                                            let _e884 = (_e883 & 31u);
-                                            if (_e884 >= 24u) {
-                                                phi_1381_ = (24u + ((_e884 - 24u) ^ _e383));
+                                            let _e874 = phi_1375_;
+                                            let _e879 = ((_e874 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u);
+                                            let _e880 = (_e879 & 31u);
+                                            if (_e880 >= 24u) {
+                                                phi_1388_ = (24u + ((_e880 - 24u) ^ _e379));
                                             } else {
-                                                phi_1381_ = _e884;
+                                                phi_1388_ = _e880;
                                             }
-                                            let _e890 = phi_1381_;
-                                            phi_1386_ = (_e792 | ((_e883 >> bitcast<u32>(5i)) << bitcast<u32>((_e890 & 31u))));
+                                            let _e886 = phi_1388_;
+                                            phi_1393_ = (_e788 | ((_e879 >> bitcast<u32>(5i)) << bitcast<u32>((_e886 & 31u))));
                                         } else {
-                                            phi_1386_ = _e792;
+                                            phi_1393_ = _e788;
                                         }
-                                        let _e898 = phi_1386_;
-                                        phi_1387_ = _e898;
+                                        let _e894 = phi_1393_;
+                                        phi_1394_ = _e894;
                                     } else {
-                                        phi_1387_ = _e792;
+                                        phi_1394_ = _e788;
                                     }
-                                    let _e900 = phi_1387_;
-                                    phi_1388_ = _e900;
+                                    let _e896 = phi_1394_;
+                                    phi_1395_ = _e896;
                                 } else {
-                                    phi_1388_ = _e792;
+                                    phi_1395_ = _e788;
                                 }
-                                let _e902 = phi_1388_;
-                                phi_1258_ = (_e790 + 1u);
-                                phi_1261_ = _e902;
+                                let _e898 = phi_1395_;
+                                phi_1265_ = (_e786 + 1u);
+                                phi_1268_ = _e898;
                             } else {
-                                phi_1258_ = u32();
-                                phi_1261_ = u32();
+                                phi_1265_ = u32();
+                                phi_1268_ = u32();
                             }
-                            let _e905 = phi_1258_;
-                            let _e907 = phi_1261_;
+                            let _e901 = phi_1265_;
+                            let _e903 = phi_1268_;
                             continue;
                             continuing {
-                                phi_1257_ = _e905;
-                                phi_1260_ = _e907;
-                                break if !(_e793);
+                                phi_1264_ = _e901;
+                                phi_1267_ = _e903;
+                                break if !(_e789);
                             }
                         }
-                        let _e911 = nodes.member[(0u + _e521)].links[0u];
-                        let _e915 = nodes.member[(0u + _e521)].frame[3u];
-                        let _e919 = local_2;
-                        if ((_e919 & 4278190080u) == 0u) {
+                        let _e907 = nodes.member[(0u + _e517)].links[0u];
+                        let _e911 = nodes.member[(0u + _e517)].frame[3u];
+                        let _e915 = local_2;
+                        if ((_e915 & 4278190080u) == 0u) {
                         } else {
-                            let _e923 = local_1.group_mask;
-                            if ((_e923 & 4278190080u) == 0u) {
+                            let _e919 = local_1.group_mask;
+                            if ((_e919 & 4278190080u) == 0u) {
                             } else {
-                                let _e927 = local_1.len;
-                                if (_e927 < 32u) {
-                                    let _e930 = local_1.group;
-                                    let _e932 = local_1.len;
-                                    if (_e932 < 32u) {
+                                let _e923 = local_1.len;
+                                if (_e923 < 32u) {
+                                    let _e926 = local_1.group;
+                                    let _e928 = local_1.len;
+                                    if (_e928 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e932)] = _e930;
-                                    let _e938 = local_1.group_mask;
-                                    let _e940 = local_1.len;
-                                    if (_e940 < 32u) {
+                                    local_1.first[(0u + _e928)] = _e926;
+                                    let _e934 = local_1.group_mask;
+                                    let _e936 = local_1.len;
+                                    if (_e936 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e940)] = _e938;
-                                    let _e947 = local_1.len;
-                                    local_1.len = (_e947 + 1u);
+                                    local_1.mask[(0u + _e936)] = _e934;
+                                    let _e943 = local_1.len;
+                                    local_1.len = (_e943 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e911);
-                            let _e951 = local_3;
-                            local_1.group_mask = ((_e951 & 4278190080u) | (_e915 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e907);
+                            let _e947 = local_3;
+                            local_1.group_mask = ((_e947 & 4278190080u) | (_e911 >> bitcast<u32>(24i)));
                         }
-                        let _e956 = local_4;
-                        phi_1446_ = (_e956 & 16777215u);
-                        phi_1449_ = _e523;
+                        let _e952 = local_4;
+                        phi_1453_ = (_e952 & 16777215u);
+                        phi_1456_ = _e519;
                         loop {
-                            let _e959 = phi_1446_;
-                            let _e961 = phi_1449_;
-                            local_7 = _e961;
-                            let _e962 = (_e959 == 0u);
-                            local_5 = _e962;
-                            local_9 = _e962;
-                            if _e962 {
-                                phi_1447_ = u32();
-                                phi_1450_ = bool();
-                                phi_2253_ = bool();
-                                phi_2254_ = false;
+                            let _e955 = phi_1453_;
+                            let _e957 = phi_1456_;
+                            local_7 = _e957;
+                            let _e958 = (_e955 == 0u);
+                            local_5 = _e958;
+                            local_9 = _e958;
+                            if _e958 {
+                                phi_1454_ = u32();
+                                phi_1457_ = bool();
+                                phi_2260_ = bool();
+                                phi_2261_ = false;
                             } else {
-                                let _e965 = nodes.member[(0u + _e521)].links[1u];
-                                let _e970 = ((0u + _e965) + select(firstTrailingBit(_e959), 32u, (_e959 == 0u)));
-                                if (_e970 < _e78) {
+                                let _e961 = nodes.member[(0u + _e517)].links[1u];
+                                let _e966 = ((0u + _e961) + select(firstTrailingBit(_e955), 32u, (_e955 == 0u)));
+                                if (_e966 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e977 = triangles.member[(0u + _e970)].v0_;
-                                let _e979 = (_e977.x - _e126);
-                                let _e981 = (_e977.y - _e128);
-                                let _e983 = (_e977.z - _e130);
-                                if (_e356 == 0u) {
-                                    phi_1494_ = vec3<f32>(_e981, _e983, _e979);
+                                let _e973 = triangles.member[(0u + _e966)].v0_;
+                                let _e975 = (_e973.x - _e126);
+                                let _e977 = (_e973.y - _e128);
+                                let _e979 = (_e973.z - _e130);
+                                if (_e352 == 0u) {
+                                    phi_1501_ = vec3<f32>(_e977, _e979, _e975);
                                 } else {
-                                    if (_e356 == 1u) {
-                                        phi_1493_ = vec3<f32>(_e983, _e979, _e981);
+                                    if (_e352 == 1u) {
+                                        phi_1500_ = vec3<f32>(_e979, _e975, _e977);
                                     } else {
-                                        phi_1493_ = (_e977 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1500_ = (_e973 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e991 = phi_1493_;
-                                    phi_1494_ = _e991;
+                                    let _e987 = phi_1500_;
+                                    phi_1501_ = _e987;
                                 }
-                                let _e993 = phi_1494_;
-                                let _e997 = (_e993.x - (_e367 * _e993.z));
-                                let _e1001 = (_e993.y - (_e370 * _e993.z));
-                                let _e1003 = triangles.member[(0u + _e970)].v1_;
-                                let _e1005 = (_e1003.x - _e126);
-                                let _e1007 = (_e1003.y - _e128);
-                                let _e1009 = (_e1003.z - _e130);
-                                if (_e356 == 0u) {
-                                    phi_1524_ = vec3<f32>(_e1007, _e1009, _e1005);
+                                let _e989 = phi_1501_;
+                                let _e993 = (_e989.x - (_e363 * _e989.z));
+                                let _e997 = (_e989.y - (_e366 * _e989.z));
+                                let _e999 = triangles.member[(0u + _e966)].v1_;
+                                let _e1001 = (_e999.x - _e126);
+                                let _e1003 = (_e999.y - _e128);
+                                let _e1005 = (_e999.z - _e130);
+                                if (_e352 == 0u) {
+                                    phi_1531_ = vec3<f32>(_e1003, _e1005, _e1001);
                                 } else {
-                                    if (_e356 == 1u) {
-                                        phi_1523_ = vec3<f32>(_e1009, _e1005, _e1007);
+                                    if (_e352 == 1u) {
+                                        phi_1530_ = vec3<f32>(_e1005, _e1001, _e1003);
                                     } else {
-                                        phi_1523_ = (_e1003 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1530_ = (_e999 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e1017 = phi_1523_;
-                                    phi_1524_ = _e1017;
+                                    let _e1013 = phi_1530_;
+                                    phi_1531_ = _e1013;
                                 }
-                                let _e1019 = phi_1524_;
-                                let _e1023 = (_e1019.x - (_e367 * _e1019.z));
-                                let _e1027 = (_e1019.y - (_e370 * _e1019.z));
-                                let _e1029 = triangles.member[(0u + _e970)].v2_;
-                                let _e1031 = (_e1029.x - _e126);
-                                let _e1033 = (_e1029.y - _e128);
-                                let _e1035 = (_e1029.z - _e130);
-                                if (_e356 == 0u) {
-                                    phi_1554_ = vec3<f32>(_e1033, _e1035, _e1031);
+                                let _e1015 = phi_1531_;
+                                let _e1019 = (_e1015.x - (_e363 * _e1015.z));
+                                let _e1023 = (_e1015.y - (_e366 * _e1015.z));
+                                let _e1025 = triangles.member[(0u + _e966)].v2_;
+                                let _e1027 = (_e1025.x - _e126);
+                                let _e1029 = (_e1025.y - _e128);
+                                let _e1031 = (_e1025.z - _e130);
+                                if (_e352 == 0u) {
+                                    phi_1561_ = vec3<f32>(_e1029, _e1031, _e1027);
                                 } else {
-                                    if (_e356 == 1u) {
-                                        phi_1553_ = vec3<f32>(_e1035, _e1031, _e1033);
+                                    if (_e352 == 1u) {
+                                        phi_1560_ = vec3<f32>(_e1031, _e1027, _e1029);
                                     } else {
-                                        phi_1553_ = (_e1029 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1560_ = (_e1025 - vec3<f32>(_e126, _e128, _e130));
                                     }
-                                    let _e1043 = phi_1553_;
-                                    phi_1554_ = _e1043;
+                                    let _e1039 = phi_1560_;
+                                    phi_1561_ = _e1039;
                                 }
-                                let _e1045 = phi_1554_;
-                                let _e1049 = (_e1045.x - (_e367 * _e1045.z));
-                                let _e1053 = (_e1045.y - (_e370 * _e1045.z));
-                                if (_e1023 < _e1049) {
-                                    phi_1573_ = true;
+                                let _e1041 = phi_1561_;
+                                let _e1045 = (_e1041.x - (_e363 * _e1041.z));
+                                let _e1049 = (_e1041.y - (_e366 * _e1041.z));
+                                if (_e1019 < _e1045) {
+                                    phi_1580_ = true;
                                 } else {
-                                    if (_e1023 == _e1049) {
-                                        phi_1572_ = (_e1027 < _e1053);
+                                    if (_e1019 == _e1045) {
+                                        phi_1579_ = (_e1023 < _e1049);
                                     } else {
-                                        phi_1572_ = false;
+                                        phi_1579_ = false;
                                     }
-                                    let _e1058 = phi_1572_;
-                                    phi_1573_ = _e1058;
+                                    let _e1054 = phi_1579_;
+                                    phi_1580_ = _e1054;
                                 }
-                                let _e1060 = phi_1573_;
-                                if _e1060 {
-                                    phi_1577_ = _e1053;
-                                    phi_1578_ = _e1049;
-                                    phi_1579_ = _e1027;
-                                    phi_1580_ = _e1023;
+                                let _e1056 = phi_1580_;
+                                if _e1056 {
+                                    phi_1584_ = _e1049;
+                                    phi_1585_ = _e1045;
+                                    phi_1586_ = _e1023;
+                                    phi_1587_ = _e1019;
                                 } else {
-                                    phi_1577_ = _e1027;
-                                    phi_1578_ = _e1023;
-                                    phi_1579_ = _e1053;
-                                    phi_1580_ = _e1049;
+                                    phi_1584_ = _e1023;
+                                    phi_1585_ = _e1019;
+                                    phi_1586_ = _e1049;
+                                    phi_1587_ = _e1045;
                                 }
-                                let _e1062 = phi_1577_;
-                                let _e1064 = phi_1578_;
-                                let _e1066 = phi_1579_;
-                                let _e1068 = phi_1580_;
-                                let _e1071 = ((_e1068 * _e1062) - (_e1066 * _e1064));
-                                if _e1060 {
-                                    phi_1588_ = -(_e1071);
+                                let _e1058 = phi_1584_;
+                                let _e1060 = phi_1585_;
+                                let _e1062 = phi_1586_;
+                                let _e1064 = phi_1587_;
+                                let _e1067 = ((_e1064 * _e1058) - (_e1062 * _e1060));
+                                if _e1056 {
+                                    phi_1595_ = -(_e1067);
                                 } else {
-                                    phi_1588_ = _e1071;
+                                    phi_1595_ = _e1067;
                                 }
-                                let _e1074 = phi_1588_;
-                                if (_e1049 < _e997) {
-                                    phi_1599_ = true;
+                                let _e1070 = phi_1595_;
+                                if (_e1045 < _e993) {
+                                    phi_1606_ = true;
                                 } else {
-                                    if (_e1049 == _e997) {
-                                        phi_1598_ = (_e1053 < _e1001);
+                                    if (_e1045 == _e993) {
+                                        phi_1605_ = (_e1049 < _e997);
                                     } else {
-                                        phi_1598_ = false;
+                                        phi_1605_ = false;
                                     }
-                                    let _e1079 = phi_1598_;
-                                    phi_1599_ = _e1079;
+                                    let _e1075 = phi_1605_;
+                                    phi_1606_ = _e1075;
                                 }
-                                let _e1081 = phi_1599_;
-                                if _e1081 {
-                                    phi_1603_ = _e1001;
-                                    phi_1604_ = _e997;
-                                    phi_1605_ = _e1053;
-                                    phi_1606_ = _e1049;
+                                let _e1077 = phi_1606_;
+                                if _e1077 {
+                                    phi_1610_ = _e997;
+                                    phi_1611_ = _e993;
+                                    phi_1612_ = _e1049;
+                                    phi_1613_ = _e1045;
                                 } else {
-                                    phi_1603_ = _e1053;
-                                    phi_1604_ = _e1049;
-                                    phi_1605_ = _e1001;
-                                    phi_1606_ = _e997;
+                                    phi_1610_ = _e1049;
+                                    phi_1611_ = _e1045;
+                                    phi_1612_ = _e997;
+                                    phi_1613_ = _e993;
                                 }
-                                let _e1083 = phi_1603_;
-                                let _e1085 = phi_1604_;
-                                let _e1087 = phi_1605_;
-                                let _e1089 = phi_1606_;
-                                let _e1092 = ((_e1089 * _e1083) - (_e1087 * _e1085));
-                                if _e1081 {
-                                    phi_1614_ = -(_e1092);
+                                let _e1079 = phi_1610_;
+                                let _e1081 = phi_1611_;
+                                let _e1083 = phi_1612_;
+                                let _e1085 = phi_1613_;
+                                let _e1088 = ((_e1085 * _e1079) - (_e1083 * _e1081));
+                                if _e1077 {
+                                    phi_1621_ = -(_e1088);
                                 } else {
-                                    phi_1614_ = _e1092;
+                                    phi_1621_ = _e1088;
                                 }
-                                let _e1095 = phi_1614_;
-                                if (_e997 < _e1023) {
-                                    phi_1625_ = true;
+                                let _e1091 = phi_1621_;
+                                if (_e993 < _e1019) {
+                                    phi_1632_ = true;
                                 } else {
-                                    if (_e997 == _e1023) {
-                                        phi_1624_ = (_e1001 < _e1027);
+                                    if (_e993 == _e1019) {
+                                        phi_1631_ = (_e997 < _e1023);
                                     } else {
-                                        phi_1624_ = false;
+                                        phi_1631_ = false;
                                     }
-                                    let _e1100 = phi_1624_;
-                                    phi_1625_ = _e1100;
+                                    let _e1096 = phi_1631_;
+                                    phi_1632_ = _e1096;
                                 }
-                                let _e1102 = phi_1625_;
-                                if _e1102 {
-                                    phi_1629_ = _e1027;
-                                    phi_1630_ = _e1023;
-                                    phi_1631_ = _e1001;
-                                    phi_1632_ = _e997;
+                                let _e1098 = phi_1632_;
+                                if _e1098 {
+                                    phi_1636_ = _e1023;
+                                    phi_1637_ = _e1019;
+                                    phi_1638_ = _e997;
+                                    phi_1639_ = _e993;
                                 } else {
-                                    phi_1629_ = _e1001;
-                                    phi_1630_ = _e997;
-                                    phi_1631_ = _e1027;
-                                    phi_1632_ = _e1023;
+                                    phi_1636_ = _e997;
+                                    phi_1637_ = _e993;
+                                    phi_1638_ = _e1023;
+                                    phi_1639_ = _e1019;
                                 }
-                                let _e1104 = phi_1629_;
-                                let _e1106 = phi_1630_;
-                                let _e1108 = phi_1631_;
-                                let _e1110 = phi_1632_;
-                                let _e1113 = ((_e1110 * _e1104) - (_e1108 * _e1106));
-                                if _e1102 {
-                                    phi_1640_ = -(_e1113);
+                                let _e1100 = phi_1636_;
+                                let _e1102 = phi_1637_;
+                                let _e1104 = phi_1638_;
+                                let _e1106 = phi_1639_;
+                                let _e1109 = ((_e1106 * _e1100) - (_e1104 * _e1102));
+                                if _e1098 {
+                                    phi_1647_ = -(_e1109);
                                 } else {
-                                    phi_1640_ = _e1113;
+                                    phi_1647_ = _e1109;
                                 }
-                                let _e1116 = phi_1640_;
-                                if (_e1074 >= 0f) {
-                                    if (_e1095 >= 0f) {
-                                        if (_e1116 >= 0f) {
-                                            phi_1655_ = ((_e1074 + _e1095) + _e1116);
-                                            phi_1656_ = false;
+                                let _e1112 = phi_1647_;
+                                if (_e1070 >= 0f) {
+                                    if (_e1091 >= 0f) {
+                                        if (_e1112 >= 0f) {
+                                            phi_1662_ = ((_e1070 + _e1091) + _e1112);
+                                            phi_1663_ = false;
                                         } else {
-                                            phi_1655_ = f32();
-                                            phi_1656_ = true;
+                                            phi_1662_ = f32();
+                                            phi_1663_ = true;
                                         }
-                                        let _e1123 = phi_1655_;
-                                        let _e1125 = phi_1656_;
-                                        phi_1657_ = _e1123;
-                                        phi_1658_ = _e1125;
+                                        let _e1119 = phi_1662_;
+                                        let _e1121 = phi_1663_;
+                                        phi_1664_ = _e1119;
+                                        phi_1665_ = _e1121;
                                     } else {
-                                        phi_1657_ = f32();
-                                        phi_1658_ = true;
+                                        phi_1664_ = f32();
+                                        phi_1665_ = true;
                                     }
-                                    let _e1127 = phi_1657_;
-                                    let _e1129 = phi_1658_;
-                                    phi_1659_ = _e1127;
-                                    phi_1660_ = _e1129;
+                                    let _e1123 = phi_1664_;
+                                    let _e1125 = phi_1665_;
+                                    phi_1666_ = _e1123;
+                                    phi_1667_ = _e1125;
                                 } else {
-                                    phi_1659_ = f32();
-                                    phi_1660_ = true;
+                                    phi_1666_ = f32();
+                                    phi_1667_ = true;
                                 }
-                                let _e1131 = phi_1659_;
-                                let _e1133 = phi_1660_;
-                                if _e1133 {
-                                    if (_e1074 <= 0f) {
-                                        if (_e1095 <= 0f) {
-                                            let _e1136 = (_e1116 <= 0f);
-                                            if _e1136 {
+                                let _e1127 = phi_1666_;
+                                let _e1129 = phi_1667_;
+                                if _e1129 {
+                                    if (_e1070 <= 0f) {
+                                        if (_e1091 <= 0f) {
+                                            let _e1132 = (_e1112 <= 0f);
+                                            if _e1132 {
                                             }
-                                            phi_1678_ = ((_e1074 + _e1095) + _e1116);
-                                            phi_1679_ = false;
-                                            phi_1680_ = _e1136;
+                                            phi_1685_ = ((_e1070 + _e1091) + _e1112);
+                                            phi_1686_ = false;
+                                            phi_1687_ = _e1132;
                                         } else {
-                                            phi_1678_ = f32();
-                                            phi_1679_ = true;
-                                            phi_1680_ = false;
+                                            phi_1685_ = f32();
+                                            phi_1686_ = true;
+                                            phi_1687_ = false;
                                         }
-                                        let _e1140 = phi_1678_;
-                                        let _e1142 = phi_1679_;
-                                        let _e1144 = phi_1680_;
-                                        phi_1681_ = _e1140;
-                                        phi_1682_ = _e1142;
-                                        phi_1683_ = _e1144;
+                                        let _e1136 = phi_1685_;
+                                        let _e1138 = phi_1686_;
+                                        let _e1140 = phi_1687_;
+                                        phi_1688_ = _e1136;
+                                        phi_1689_ = _e1138;
+                                        phi_1690_ = _e1140;
                                     } else {
-                                        phi_1681_ = f32();
-                                        phi_1682_ = true;
-                                        phi_1683_ = false;
+                                        phi_1688_ = f32();
+                                        phi_1689_ = true;
+                                        phi_1690_ = false;
                                     }
-                                    let _e1146 = phi_1681_;
-                                    let _e1148 = phi_1682_;
-                                    let _e1150 = phi_1683_;
-                                    if _e1148 {
-                                        phi_1687_ = false;
+                                    let _e1142 = phi_1688_;
+                                    let _e1144 = phi_1689_;
+                                    let _e1146 = phi_1690_;
+                                    if _e1144 {
+                                        phi_1694_ = false;
                                     } else {
-                                        phi_1687_ = _e1150;
+                                        phi_1694_ = _e1146;
                                     }
-                                    let _e1152 = phi_1687_;
-                                    phi_1688_ = _e1146;
-                                    phi_1689_ = _e1152;
+                                    let _e1148 = phi_1694_;
+                                    phi_1695_ = _e1142;
+                                    phi_1696_ = _e1148;
                                 } else {
-                                    phi_1688_ = _e1131;
-                                    phi_1689_ = true;
+                                    phi_1695_ = _e1127;
+                                    phi_1696_ = true;
                                 }
-                                let _e1154 = phi_1688_;
-                                let _e1156 = phi_1689_;
-                                if _e1156 {
-                                    let _e1157 = (_e1154 == 0f);
-                                    if _e1157 {
-                                        phi_2005_ = lt_bvh_triangle_Intersection();
-                                        phi_2006_ = false;
+                                let _e1150 = phi_1695_;
+                                let _e1152 = phi_1696_;
+                                if _e1152 {
+                                    let _e1153 = (_e1150 == 0f);
+                                    if _e1153 {
+                                        phi_2012_ = lt_bvh_triangle_Intersection();
+                                        phi_2013_ = false;
                                     } else {
-                                        let _e1159 = triangles.member[(0u + _e970)].v0_;
-                                        let _e1161 = (_e1159.x - _e126);
-                                        let _e1163 = (_e1159.y - _e128);
-                                        let _e1165 = (_e1159.z - _e130);
-                                        if (_e356 == 0u) {
-                                            phi_1718_ = vec3<f32>(_e1163, _e1165, _e1161);
+                                        let _e1155 = triangles.member[(0u + _e966)].v0_;
+                                        let _e1157 = (_e1155.x - _e126);
+                                        let _e1159 = (_e1155.y - _e128);
+                                        let _e1161 = (_e1155.z - _e130);
+                                        if (_e352 == 0u) {
+                                            phi_1725_ = vec3<f32>(_e1159, _e1161, _e1157);
                                         } else {
-                                            if (_e356 == 1u) {
-                                                phi_1717_ = vec3<f32>(_e1165, _e1161, _e1163);
+                                            if (_e352 == 1u) {
+                                                phi_1724_ = vec3<f32>(_e1161, _e1157, _e1159);
                                             } else {
-                                                phi_1717_ = (_e1159 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_1724_ = (_e1155 - vec3<f32>(_e126, _e128, _e130));
                                             }
-                                            let _e1173 = phi_1717_;
-                                            phi_1718_ = _e1173;
+                                            let _e1169 = phi_1724_;
+                                            phi_1725_ = _e1169;
                                         }
-                                        let _e1175 = phi_1718_;
-                                        let _e1177 = triangles.member[(0u + _e970)].v1_;
-                                        let _e1179 = triangles.member[(0u + _e970)].v0_;
-                                        let _e1182 = (_e1177.x - _e1179.x);
-                                        let _e1185 = (_e1177.y - _e1179.y);
-                                        let _e1188 = (_e1177.z - _e1179.z);
-                                        if (_e356 == 0u) {
-                                            phi_1744_ = vec3<f32>(_e1185, _e1188, _e1182);
+                                        let _e1171 = phi_1725_;
+                                        let _e1173 = triangles.member[(0u + _e966)].v1_;
+                                        let _e1175 = triangles.member[(0u + _e966)].v0_;
+                                        let _e1178 = (_e1173.x - _e1175.x);
+                                        let _e1181 = (_e1173.y - _e1175.y);
+                                        let _e1184 = (_e1173.z - _e1175.z);
+                                        if (_e352 == 0u) {
+                                            phi_1751_ = vec3<f32>(_e1181, _e1184, _e1178);
                                         } else {
-                                            if (_e356 == 1u) {
-                                                phi_1743_ = vec3<f32>(_e1188, _e1182, _e1185);
+                                            if (_e352 == 1u) {
+                                                phi_1750_ = vec3<f32>(_e1184, _e1178, _e1181);
                                             } else {
-                                                phi_1743_ = (_e1177 - _e1179);
+                                                phi_1750_ = (_e1173 - _e1175);
                                             }
-                                            let _e1195 = phi_1743_;
-                                            phi_1744_ = _e1195;
+                                            let _e1191 = phi_1750_;
+                                            phi_1751_ = _e1191;
                                         }
-                                        let _e1197 = phi_1744_;
-                                        let _e1199 = triangles.member[(0u + _e970)].v2_;
-                                        let _e1201 = triangles.member[(0u + _e970)].v0_;
-                                        let _e1204 = (_e1199.x - _e1201.x);
-                                        let _e1207 = (_e1199.y - _e1201.y);
-                                        let _e1210 = (_e1199.z - _e1201.z);
-                                        if (_e356 == 0u) {
-                                            phi_1770_ = vec3<f32>(_e1207, _e1210, _e1204);
+                                        let _e1193 = phi_1751_;
+                                        let _e1195 = triangles.member[(0u + _e966)].v2_;
+                                        let _e1197 = triangles.member[(0u + _e966)].v0_;
+                                        let _e1200 = (_e1195.x - _e1197.x);
+                                        let _e1203 = (_e1195.y - _e1197.y);
+                                        let _e1206 = (_e1195.z - _e1197.z);
+                                        if (_e352 == 0u) {
+                                            phi_1777_ = vec3<f32>(_e1203, _e1206, _e1200);
                                         } else {
-                                            if (_e356 == 1u) {
-                                                phi_1769_ = vec3<f32>(_e1210, _e1204, _e1207);
+                                            if (_e352 == 1u) {
+                                                phi_1776_ = vec3<f32>(_e1206, _e1200, _e1203);
                                             } else {
-                                                phi_1769_ = (_e1199 - _e1201);
+                                                phi_1776_ = (_e1195 - _e1197);
                                             }
-                                            let _e1217 = phi_1769_;
-                                            phi_1770_ = _e1217;
+                                            let _e1213 = phi_1776_;
+                                            phi_1777_ = _e1213;
                                         }
-                                        let _e1219 = phi_1770_;
-                                        let _e1226 = ((_e1197.y * _e1219.z) - (_e1197.z * _e1219.y));
-                                        let _e1233 = ((_e1197.z * _e1219.x) - (_e1197.x * _e1219.z));
-                                        let _e1240 = ((_e1197.x * _e1219.y) - (_e1197.y * _e1219.x));
-                                        let _e1254 = (((1f / _e364.z) * (((_e1226 * _e1175.x) + (_e1233 * _e1175.y)) + (_e1240 * _e1175.z))) / (((_e1226 * _e367) + (_e1233 * _e370)) + _e1240));
-                                        if (_e1254 > 0f) {
-                                            if (_e1254 < _e136) {
-                                                let _e1258 = triangles.member[(0u + _e970)].v0_;
-                                                let _e1260 = triangles.member[(0u + _e970)].v1_;
-                                                if (_e1258.x < _e1260.x) {
-                                                    phi_1826_ = _e1258.x;
+                                        let _e1215 = phi_1777_;
+                                        let _e1222 = ((_e1193.y * _e1215.z) - (_e1193.z * _e1215.y));
+                                        let _e1229 = ((_e1193.z * _e1215.x) - (_e1193.x * _e1215.z));
+                                        let _e1236 = ((_e1193.x * _e1215.y) - (_e1193.y * _e1215.x));
+                                        let _e1250 = (((1f / _e360.z) * (((_e1222 * _e1171.x) + (_e1229 * _e1171.y)) + (_e1236 * _e1171.z))) / (((_e1222 * _e363) + (_e1229 * _e366)) + _e1236));
+                                        if (_e1250 > 0f) {
+                                            if (_e1250 < _e136) {
+                                                let _e1254 = triangles.member[(0u + _e966)].v0_;
+                                                let _e1256 = triangles.member[(0u + _e966)].v1_;
+                                                if (_e1254.x < _e1256.x) {
+                                                    phi_1833_ = _e1254.x;
                                                 } else {
-                                                    phi_1826_ = _e1260.x;
+                                                    phi_1833_ = _e1256.x;
                                                 }
-                                                let _e1267 = phi_1826_;
-                                                if (_e1258.y < _e1260.y) {
-                                                    phi_1835_ = _e1258.y;
+                                                let _e1263 = phi_1833_;
+                                                if (_e1254.y < _e1256.y) {
+                                                    phi_1842_ = _e1254.y;
                                                 } else {
-                                                    phi_1835_ = _e1260.y;
+                                                    phi_1842_ = _e1256.y;
                                                 }
-                                                let _e1274 = phi_1835_;
-                                                if (_e1258.z < _e1260.z) {
-                                                    phi_1844_ = _e1258.z;
+                                                let _e1270 = phi_1842_;
+                                                if (_e1254.z < _e1256.z) {
+                                                    phi_1851_ = _e1254.z;
                                                 } else {
-                                                    phi_1844_ = _e1260.z;
+                                                    phi_1851_ = _e1256.z;
                                                 }
-                                                let _e1281 = phi_1844_;
-                                                let _e1283 = triangles.member[(0u + _e970)].v2_;
-                                                if (_e1267 < _e1283.x) {
-                                                    phi_1853_ = _e1267;
+                                                let _e1277 = phi_1851_;
+                                                let _e1279 = triangles.member[(0u + _e966)].v2_;
+                                                if (_e1263 < _e1279.x) {
+                                                    phi_1860_ = _e1263;
                                                 } else {
-                                                    phi_1853_ = _e1283.x;
+                                                    phi_1860_ = _e1279.x;
                                                 }
-                                                let _e1288 = phi_1853_;
-                                                if (_e1274 < _e1283.y) {
-                                                    phi_1860_ = _e1274;
+                                                let _e1284 = phi_1860_;
+                                                if (_e1270 < _e1279.y) {
+                                                    phi_1867_ = _e1270;
                                                 } else {
-                                                    phi_1860_ = _e1283.y;
+                                                    phi_1867_ = _e1279.y;
                                                 }
-                                                let _e1293 = phi_1860_;
-                                                if (_e1281 < _e1283.z) {
-                                                    phi_1867_ = _e1281;
+                                                let _e1289 = phi_1867_;
+                                                if (_e1277 < _e1279.z) {
+                                                    phi_1874_ = _e1277;
                                                 } else {
-                                                    phi_1867_ = _e1283.z;
+                                                    phi_1874_ = _e1279.z;
                                                 }
-                                                let _e1298 = phi_1867_;
-                                                let _e1300 = triangles.member[(0u + _e970)].v0_;
-                                                let _e1302 = triangles.member[(0u + _e970)].v1_;
-                                                if (_e1300.x > _e1302.x) {
-                                                    phi_1880_ = _e1300.x;
+                                                let _e1294 = phi_1874_;
+                                                let _e1296 = triangles.member[(0u + _e966)].v0_;
+                                                let _e1298 = triangles.member[(0u + _e966)].v1_;
+                                                if (_e1296.x > _e1298.x) {
+                                                    phi_1887_ = _e1296.x;
                                                 } else {
-                                                    phi_1880_ = _e1302.x;
+                                                    phi_1887_ = _e1298.x;
                                                 }
-                                                let _e1309 = phi_1880_;
-                                                if (_e1300.y > _e1302.y) {
-                                                    phi_1889_ = _e1300.y;
+                                                let _e1305 = phi_1887_;
+                                                if (_e1296.y > _e1298.y) {
+                                                    phi_1896_ = _e1296.y;
                                                 } else {
-                                                    phi_1889_ = _e1302.y;
+                                                    phi_1896_ = _e1298.y;
                                                 }
-                                                let _e1316 = phi_1889_;
-                                                if (_e1300.z > _e1302.z) {
-                                                    phi_1898_ = _e1300.z;
+                                                let _e1312 = phi_1896_;
+                                                if (_e1296.z > _e1298.z) {
+                                                    phi_1905_ = _e1296.z;
                                                 } else {
-                                                    phi_1898_ = _e1302.z;
+                                                    phi_1905_ = _e1298.z;
                                                 }
-                                                let _e1323 = phi_1898_;
-                                                let _e1325 = triangles.member[(0u + _e970)].v2_;
-                                                if (_e1309 > _e1325.x) {
-                                                    phi_1907_ = _e1309;
+                                                let _e1319 = phi_1905_;
+                                                let _e1321 = triangles.member[(0u + _e966)].v2_;
+                                                if (_e1305 > _e1321.x) {
+                                                    phi_1914_ = _e1305;
                                                 } else {
-                                                    phi_1907_ = _e1325.x;
+                                                    phi_1914_ = _e1321.x;
                                                 }
-                                                let _e1330 = phi_1907_;
-                                                if (_e1316 > _e1325.y) {
-                                                    phi_1914_ = _e1316;
+                                                let _e1326 = phi_1914_;
+                                                if (_e1312 > _e1321.y) {
+                                                    phi_1921_ = _e1312;
                                                 } else {
-                                                    phi_1914_ = _e1325.y;
+                                                    phi_1921_ = _e1321.y;
                                                 }
-                                                let _e1335 = phi_1914_;
-                                                if (_e1323 > _e1325.z) {
-                                                    phi_1921_ = _e1323;
+                                                let _e1331 = phi_1921_;
+                                                if (_e1319 > _e1321.z) {
+                                                    phi_1928_ = _e1319;
                                                 } else {
-                                                    phi_1921_ = _e1325.z;
+                                                    phi_1928_ = _e1321.z;
                                                 }
-                                                let _e1340 = phi_1921_;
-                                                let _e1344 = ((_e1288 - _e126) * _e285);
-                                                let _e1345 = ((_e1293 - _e128) * _e295);
-                                                let _e1346 = ((_e1298 - _e130) * _e305);
-                                                let _e1350 = ((_e1330 - _e126) * _e285);
-                                                let _e1351 = ((_e1335 - _e128) * _e295);
-                                                let _e1352 = ((_e1340 - _e130) * _e305);
-                                                if (_e1344 < _e1350) {
-                                                    phi_1938_ = _e1344;
+                                                let _e1336 = phi_1928_;
+                                                let _e1340 = ((_e1284 - _e126) * _e277);
+                                                let _e1341 = ((_e1289 - _e128) * _e287);
+                                                let _e1342 = ((_e1294 - _e130) * _e297);
+                                                let _e1346 = ((_e1326 - _e126) * _e277);
+                                                let _e1347 = ((_e1331 - _e128) * _e287);
+                                                let _e1348 = ((_e1336 - _e130) * _e297);
+                                                if (_e1340 < _e1346) {
+                                                    phi_1945_ = _e1340;
                                                 } else {
-                                                    phi_1938_ = _e1350;
+                                                    phi_1945_ = _e1346;
                                                 }
-                                                let _e1355 = phi_1938_;
-                                                if (_e1345 < _e1351) {
-                                                    phi_1943_ = _e1345;
+                                                let _e1351 = phi_1945_;
+                                                if (_e1341 < _e1347) {
+                                                    phi_1950_ = _e1341;
                                                 } else {
-                                                    phi_1943_ = _e1351;
+                                                    phi_1950_ = _e1347;
                                                 }
-                                                let _e1358 = phi_1943_;
-                                                if (_e1346 < _e1352) {
-                                                    phi_1948_ = _e1346;
+                                                let _e1354 = phi_1950_;
+                                                if (_e1342 < _e1348) {
+                                                    phi_1955_ = _e1342;
                                                 } else {
-                                                    phi_1948_ = _e1352;
+                                                    phi_1955_ = _e1348;
                                                 }
-                                                let _e1361 = phi_1948_;
-                                                if (_e1344 > _e1350) {
-                                                    phi_1956_ = _e1344;
+                                                let _e1357 = phi_1955_;
+                                                if (_e1340 > _e1346) {
+                                                    phi_1963_ = _e1340;
                                                 } else {
-                                                    phi_1956_ = _e1350;
+                                                    phi_1963_ = _e1346;
                                                 }
-                                                let _e1367 = phi_1956_;
-                                                if (_e1345 > _e1351) {
-                                                    phi_1961_ = _e1345;
+                                                let _e1363 = phi_1963_;
+                                                if (_e1341 > _e1347) {
+                                                    phi_1968_ = _e1341;
                                                 } else {
-                                                    phi_1961_ = _e1351;
+                                                    phi_1968_ = _e1347;
                                                 }
-                                                let _e1370 = phi_1961_;
-                                                if (_e1346 > _e1352) {
-                                                    phi_1966_ = _e1346;
+                                                let _e1366 = phi_1968_;
+                                                if (_e1342 > _e1348) {
+                                                    phi_1973_ = _e1342;
                                                 } else {
-                                                    phi_1966_ = _e1352;
+                                                    phi_1973_ = _e1348;
                                                 }
-                                                let _e1373 = phi_1966_;
-                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_((_e1355 - _e340), (_e1358 - _e341));
-                                                let _e1378 = core_intrinsics_maximum_number_nsz_f32_(_e1377, (_e1361 - _e342));
-                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_((_e1367 + _e340), (_e1370 + _e341));
-                                                let _e1380 = core_intrinsics_minimum_number_nsz_f32_(_e1379, (_e1373 + _e342));
-                                                if (_e1378 > -300000000000000000000000000000000000000f) {
-                                                    phi_1978_ = _e1378;
+                                                let _e1369 = phi_1973_;
+                                                let _e1373 = core_intrinsics_maximum_number_nsz_f32_((_e1351 - _e336), (_e1354 - _e337));
+                                                let _e1374 = core_intrinsics_maximum_number_nsz_f32_(_e1373, (_e1357 - _e338));
+                                                let _e1375 = core_intrinsics_minimum_number_nsz_f32_((_e1363 + _e336), (_e1366 + _e337));
+                                                let _e1376 = core_intrinsics_minimum_number_nsz_f32_(_e1375, (_e1369 + _e338));
+                                                if (_e1374 > -300000000000000000000000000000000000000f) {
+                                                    phi_1985_ = _e1374;
                                                 } else {
-                                                    phi_1978_ = -300000000000000000000000000000000000000f;
+                                                    phi_1985_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1383 = phi_1978_;
-                                                if (_e1380 < 300000000000000000000000000000000000000f) {
-                                                    phi_1983_ = _e1380;
+                                                let _e1379 = phi_1985_;
+                                                if (_e1376 < 300000000000000000000000000000000000000f) {
+                                                    phi_1990_ = _e1376;
                                                 } else {
-                                                    phi_1983_ = 300000000000000000000000000000000000000f;
+                                                    phi_1990_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1386 = phi_1983_;
-                                                if (_e1254 < _e1383) {
-                                                    phi_1988_ = _e1383;
+                                                let _e1382 = phi_1990_;
+                                                if (_e1250 < _e1379) {
+                                                    phi_1995_ = _e1379;
                                                 } else {
-                                                    phi_1988_ = _e1254;
+                                                    phi_1995_ = _e1250;
                                                 }
-                                                let _e1389 = phi_1988_;
-                                                if (_e1389 > _e1386) {
-                                                    phi_1993_ = _e1386;
+                                                let _e1385 = phi_1995_;
+                                                if (_e1385 > _e1382) {
+                                                    phi_2000_ = _e1382;
                                                 } else {
-                                                    phi_1993_ = _e1389;
+                                                    phi_2000_ = _e1385;
                                                 }
-                                                let _e1392 = phi_1993_;
-                                                phi_1998_ = lt_bvh_triangle_Intersection(_e1392, (_e1095 / _e1154), (_e1116 / _e1154), (_e1383 <= _e1386));
-                                                phi_1999_ = false;
+                                                let _e1388 = phi_2000_;
+                                                phi_2005_ = lt_bvh_triangle_Intersection(_e1388, (_e1091 / _e1150), (_e1112 / _e1150), (_e1379 <= _e1382));
+                                                phi_2006_ = false;
                                             } else {
-                                                phi_1998_ = lt_bvh_triangle_Intersection();
-                                                phi_1999_ = true;
+                                                phi_2005_ = lt_bvh_triangle_Intersection();
+                                                phi_2006_ = true;
                                             }
-                                            let _e1398 = phi_1998_;
-                                            let _e1400 = phi_1999_;
-                                            phi_2000_ = _e1398;
-                                            phi_2001_ = _e1400;
+                                            let _e1394 = phi_2005_;
+                                            let _e1396 = phi_2006_;
+                                            phi_2007_ = _e1394;
+                                            phi_2008_ = _e1396;
                                         } else {
-                                            phi_2000_ = lt_bvh_triangle_Intersection();
-                                            phi_2001_ = true;
+                                            phi_2007_ = lt_bvh_triangle_Intersection();
+                                            phi_2008_ = true;
                                         }
-                                        let _e1402 = phi_2000_;
-                                        let _e1404 = phi_2001_;
-                                        if _e1404 {
+                                        let _e1398 = phi_2007_;
+                                        let _e1400 = phi_2008_;
+                                        if _e1400 {
                                         }
-                                        phi_2005_ = _e1402;
-                                        phi_2006_ = _e1404;
+                                        phi_2012_ = _e1398;
+                                        phi_2013_ = _e1400;
                                     }
-                                    let _e1406 = phi_2005_;
-                                    let _e1408 = phi_2006_;
-                                    phi_2007_ = _e1406;
-                                    phi_2008_ = _e1157;
-                                    phi_2009_ = _e1408;
+                                    let _e1402 = phi_2012_;
+                                    let _e1404 = phi_2013_;
+                                    phi_2014_ = _e1402;
+                                    phi_2015_ = _e1153;
+                                    phi_2016_ = _e1404;
                                 } else {
-                                    phi_2007_ = lt_bvh_triangle_Intersection();
-                                    phi_2008_ = true;
-                                    phi_2009_ = false;
+                                    phi_2014_ = lt_bvh_triangle_Intersection();
+                                    phi_2015_ = true;
+                                    phi_2016_ = false;
                                 }
-                                let _e1410 = phi_2007_;
-                                let _e1412 = phi_2008_;
-                                let _e1414 = phi_2009_;
+                                let _e1406 = phi_2014_;
+                                let _e1408 = phi_2015_;
+                                let _e1410 = phi_2016_;
+                                if _e1408 {
+                                    phi_2020_ = true;
+                                } else {
+                                    phi_2020_ = _e1410;
+                                }
+                                let _e1412 = phi_2020_;
                                 if _e1412 {
-                                    phi_2013_ = true;
+                                    phi_2024_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2013_ = _e1414;
+                                    phi_2024_ = _e1406;
                                 }
-                                let _e1416 = phi_2013_;
-                                if _e1416 {
-                                    phi_2017_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                } else {
-                                    phi_2017_ = _e1410;
-                                }
-                                let _e1418 = phi_2017_;
-                                if _e1418.is_hit {
-                                    if (_e1418.t > 0f) {
-                                        if (_e1418.t < _e136) {
-                                            let _e1425 = triangles.member[(0u + _e970)].i0_;
-                                            if ((_e1425 & 2147483648u) == 0u) {
-                                                phi_2236_ = true;
+                                let _e1414 = phi_2024_;
+                                if _e1414.is_hit {
+                                    if (_e1414.t > 0f) {
+                                        if (_e1414.t < _e136) {
+                                            let _e1421 = triangles.member[(0u + _e966)].i0_;
+                                            if ((_e1421 & 2147483648u) == 0u) {
+                                                phi_2243_ = true;
                                             } else {
-                                                if (_e970 < _e78) {
+                                                if (_e966 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1434 = triangles.member[(0u + _e970)].i0_;
-                                                let _e1435 = (_e1434 & 2147483647u);
-                                                let _e1437 = triangles.member[(0u + _e970)].i1_;
-                                                let _e1439 = triangles.member[(0u + _e970)].i2_;
+                                                let _e1430 = triangles.member[(0u + _e966)].i0_;
+                                                let _e1431 = (_e1430 & 2147483647u);
+                                                let _e1433 = triangles.member[(0u + _e966)].i1_;
+                                                let _e1435 = triangles.member[(0u + _e966)].i2_;
+                                                if (_e1431 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1439 = vertices.member[(0u + _e1431)];
+                                                if (_e1433 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1443 = vertices.member[(0u + _e1433)];
                                                 if (_e1435 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1443 = vertices.member[(0u + _e1435)];
-                                                if (_e1437 < _e87) {
+                                                let _e1447 = vertices.member[(0u + _e1435)];
+                                                let _e1448 = array<abi_Vertex, 3>(_e1439, _e1443, _e1447);
+                                                if (_e1448[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1447 = vertices.member[(0u + _e1437)];
-                                                if (_e1439 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1451 = vertices.member[(0u + _e1439)];
-                                                let _e1452 = array<abi_Vertex, 3>(_e1443, _e1447, _e1451);
-                                                if (_e1452[0].material < arrayLength((&materials.member))) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1458 = materials.member[(0u + _e1452[0].material)];
-                                                if ((_e1458.flags & 1u) == 1u) {
-                                                    let _e1463 = ((1f - _e1418.u) - _e1418.v);
-                                                    if (_e1458.cutoff <= 0f) {
-                                                        phi_2234_ = true;
+                                                let _e1454 = materials.member[(0u + _e1448[0].material)];
+                                                if ((_e1454.flags & 1u) == 1u) {
+                                                    let _e1459 = ((1f - _e1414.u) - _e1414.v);
+                                                    if (_e1454.cutoff <= 0f) {
+                                                        phi_2241_ = true;
                                                     } else {
-                                                        let _e1490 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * _e1463) + (f32((_e1452[1].color >> bitcast<u32>(24i))) * _e1418.u)) + (f32((_e1452[2].color >> bitcast<u32>(24i))) * _e1418.v)) * (1f / 255f)));
-                                                        if (_e1458.alpha_size == 0u) {
-                                                            phi_2231_ = _e1490;
+                                                        let _e1486 = (_e1454.base_color.w * ((((f32((_e1448[0].color >> bitcast<u32>(24i))) * _e1459) + (f32((_e1448[1].color >> bitcast<u32>(24i))) * _e1414.u)) + (f32((_e1448[2].color >> bitcast<u32>(24i))) * _e1414.v)) * (1f / 255f)));
+                                                        if (_e1454.alpha_size == 0u) {
+                                                            phi_2238_ = _e1486;
                                                         } else {
-                                                            local.offset = _e1458.alpha_offset;
-                                                            local.size = _e1458.alpha_size;
-                                                            local.flags = _e1458.flags;
-                                                            let _e1521 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
-                                                            let _e1525 = (_e1521.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1525 < _e93) {
+                                                            local.offset = _e1454.alpha_offset;
+                                                            local.size = _e1454.alpha_size;
+                                                            local.flags = _e1454.flags;
+                                                            let _e1517 = _lt_shaders_texture_TextureView_quad((&local), (((_e1448[0].u * _e1459) + (_e1448[1].u * _e1414.u)) + (_e1448[2].u * _e1414.v)), (((_e1448[0].v * _e1459) + (_e1448[1].v * _e1414.u)) + (_e1448[2].v * _e1414.v)));
+                                                            let _e1521 = (_e1517.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1521 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1529 = alpha_texels.member[(0u + _e1525)];
-                                                            let _e1545 = (_e1521.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1545 < _e93) {
+                                                            let _e1525 = alpha_texels.member[(0u + _e1521)];
+                                                            let _e1541 = (_e1517.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1541 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1549 = alpha_texels.member[(0u + _e1545)];
-                                                            let _e1566 = (_e1521.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1566 < _e93) {
+                                                            let _e1545 = alpha_texels.member[(0u + _e1541)];
+                                                            let _e1562 = (_e1517.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1562 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1570 = alpha_texels.member[(0u + _e1566)];
-                                                            let _e1587 = (_e1521.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1587 < _e93) {
+                                                            let _e1566 = alpha_texels.member[(0u + _e1562)];
+                                                            let _e1583 = (_e1517.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1583 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1591 = alpha_texels.member[(0u + _e1587)];
-                                                            phi_2231_ = (_e1490 * (((((f32(((_e1529 >> bitcast<u32>((((_e1521.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.x) + ((f32(((_e1549 >> bitcast<u32>((((_e1521.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.y)) + ((f32(((_e1570 >> bitcast<u32>((((_e1521.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.z)) + ((f32(((_e1591 >> bitcast<u32>((((_e1521.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.w)));
+                                                            let _e1587 = alpha_texels.member[(0u + _e1583)];
+                                                            phi_2238_ = (_e1486 * (((((f32(((_e1525 >> bitcast<u32>((((_e1517.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.x) + ((f32(((_e1545 >> bitcast<u32>((((_e1517.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.y)) + ((f32(((_e1566 >> bitcast<u32>((((_e1517.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.z)) + ((f32(((_e1587 >> bitcast<u32>((((_e1517.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.w)));
                                                         }
-                                                        let _e1607 = phi_2231_;
-                                                        phi_2234_ = (_e1607 >= _e1458.cutoff);
+                                                        let _e1603 = phi_2238_;
+                                                        phi_2241_ = (_e1603 >= _e1454.cutoff);
                                                     }
-                                                    let _e1611 = phi_2234_;
-                                                    phi_2235_ = _e1611;
+                                                    let _e1607 = phi_2241_;
+                                                    phi_2242_ = _e1607;
                                                 } else {
-                                                    phi_2235_ = false;
+                                                    phi_2242_ = false;
                                                 }
-                                                let _e1613 = phi_2235_;
-                                                phi_2236_ = _e1613;
+                                                let _e1609 = phi_2242_;
+                                                phi_2243_ = _e1609;
                                             }
-                                            let _e1615 = phi_2236_;
-                                            if _e1615 {
-                                                phi_2240_ = false;
+                                            let _e1611 = phi_2243_;
+                                            if _e1611 {
+                                                phi_2247_ = false;
                                             } else {
-                                                phi_2240_ = true;
+                                                phi_2247_ = true;
                                             }
-                                            let _e1617 = phi_2240_;
-                                            phi_2241_ = _e1615;
-                                            phi_2242_ = _e1615;
-                                            phi_2243_ = _e1617;
+                                            let _e1613 = phi_2247_;
+                                            phi_2248_ = _e1611;
+                                            phi_2249_ = _e1611;
+                                            phi_2250_ = _e1613;
                                         } else {
-                                            phi_2241_ = bool();
-                                            phi_2242_ = _e961;
-                                            phi_2243_ = true;
+                                            phi_2248_ = bool();
+                                            phi_2249_ = _e957;
+                                            phi_2250_ = true;
                                         }
-                                        let _e1619 = phi_2241_;
-                                        let _e1621 = phi_2242_;
-                                        let _e1623 = phi_2243_;
-                                        phi_2244_ = _e1619;
-                                        phi_2245_ = _e1621;
-                                        phi_2246_ = _e1623;
+                                        let _e1615 = phi_2248_;
+                                        let _e1617 = phi_2249_;
+                                        let _e1619 = phi_2250_;
+                                        phi_2251_ = _e1615;
+                                        phi_2252_ = _e1617;
+                                        phi_2253_ = _e1619;
                                     } else {
-                                        phi_2244_ = bool();
-                                        phi_2245_ = _e961;
-                                        phi_2246_ = true;
+                                        phi_2251_ = bool();
+                                        phi_2252_ = _e957;
+                                        phi_2253_ = true;
                                     }
-                                    let _e1625 = phi_2244_;
-                                    let _e1627 = phi_2245_;
-                                    let _e1629 = phi_2246_;
-                                    phi_2247_ = _e1625;
-                                    phi_2248_ = _e1627;
-                                    phi_2249_ = _e1629;
+                                    let _e1621 = phi_2251_;
+                                    let _e1623 = phi_2252_;
+                                    let _e1625 = phi_2253_;
+                                    phi_2254_ = _e1621;
+                                    phi_2255_ = _e1623;
+                                    phi_2256_ = _e1625;
                                 } else {
-                                    phi_2247_ = bool();
-                                    phi_2248_ = _e961;
-                                    phi_2249_ = true;
+                                    phi_2254_ = bool();
+                                    phi_2255_ = _e957;
+                                    phi_2256_ = true;
                                 }
-                                let _e1631 = phi_2247_;
-                                let _e1633 = phi_2248_;
-                                let _e1635 = phi_2249_;
-                                if _e1635 {
+                                let _e1627 = phi_2254_;
+                                let _e1629 = phi_2255_;
+                                let _e1631 = phi_2256_;
+                                if _e1631 {
                                 }
-                                phi_1447_ = (_e959 & (_e959 - 1u));
-                                phi_1450_ = _e1633;
-                                phi_2253_ = _e1631;
-                                phi_2254_ = _e1635;
+                                phi_1454_ = (_e955 & (_e955 - 1u));
+                                phi_1457_ = _e1629;
+                                phi_2260_ = _e1627;
+                                phi_2261_ = _e1631;
                             }
-                            let _e1637 = phi_1447_;
-                            let _e1639 = phi_1450_;
-                            let _e1641 = phi_2253_;
-                            let _e1643 = phi_2254_;
-                            local_8 = _e1641;
+                            let _e1633 = phi_1454_;
+                            let _e1635 = phi_1457_;
+                            let _e1637 = phi_2260_;
+                            let _e1639 = phi_2261_;
+                            local_8 = _e1637;
                             continue;
                             continuing {
-                                phi_1446_ = _e1637;
-                                phi_1449_ = _e1639;
-                                break if !(_e1643);
+                                phi_1453_ = _e1633;
+                                phi_1456_ = _e1635;
+                                break if !(_e1639);
                             }
                         }
-                        let _e1646 = local_5;
-                        if _e1646 {
-                            let _e1648 = local_1.group_mask;
-                            if ((_e1648 & 4278190080u) == 0u) {
-                                let _e1652 = local_1.len;
-                                if (_e1652 == 0u) {
-                                    phi_2296_ = false;
+                        let _e1642 = local_5;
+                        if _e1642 {
+                            let _e1644 = local_1.group_mask;
+                            if ((_e1644 & 4278190080u) == 0u) {
+                                let _e1648 = local_1.len;
+                                if (_e1648 == 0u) {
+                                    phi_2303_ = false;
                                 } else {
-                                    let _e1656 = local_1.len;
-                                    local_1.len = (_e1656 - 1u);
-                                    let _e1659 = local_1.len;
-                                    if (_e1659 < 32u) {
+                                    let _e1652 = local_1.len;
+                                    local_1.len = (_e1652 - 1u);
+                                    let _e1655 = local_1.len;
+                                    if (_e1655 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1664 = local_1.first[(0u + _e1659)];
-                                    local_1.group = _e1664;
-                                    let _e1667 = local_1.len;
-                                    if (_e1667 < 32u) {
+                                    let _e1660 = local_1.first[(0u + _e1655)];
+                                    local_1.group = _e1660;
+                                    let _e1663 = local_1.len;
+                                    if (_e1663 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1672 = local_1.mask[(0u + _e1667)];
-                                    local_1.group_mask = _e1672;
-                                    phi_2296_ = true;
+                                    let _e1668 = local_1.mask[(0u + _e1663)];
+                                    local_1.group_mask = _e1668;
+                                    phi_2303_ = true;
                                 }
-                                let _e1675 = phi_2296_;
-                                phi_2297_ = _e1675;
+                                let _e1671 = phi_2303_;
+                                phi_2304_ = _e1671;
                             } else {
-                                phi_2297_ = true;
+                                phi_2304_ = true;
                             }
-                            let _e1677 = phi_2297_;
-                            if _e1677 {
-                                let _e1679 = local_1.group_mask;
-                                let _e1685 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1679)), 32u, (_e1679 == 0u)));
-                                let _e1689 = local_1.group_mask;
-                                let _e1703 = local_1.group_mask;
-                                local_1.group_mask = (_e1703 & ~((1u << bitcast<u32>((_e1685 & 31u)))));
-                                let _e1706 = local_1.group;
-                                phi_2328_ = (_e1706 + countOneBits(((_e1689 & ~((4294967295u << bitcast<u32>((((_e1685 - 24u) ^ _e383) & 31u))))) & 255u)));
+                            let _e1673 = phi_2304_;
+                            if _e1673 {
+                                let _e1675 = local_1.group_mask;
+                                let _e1681 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1675)), 32u, (_e1675 == 0u)));
+                                let _e1685 = local_1.group_mask;
+                                let _e1699 = local_1.group_mask;
+                                local_1.group_mask = (_e1699 & ~((1u << bitcast<u32>((_e1681 & 31u)))));
+                                let _e1702 = local_1.group;
+                                phi_2335_ = (_e1702 + countOneBits(((_e1685 & ~((4294967295u << bitcast<u32>((((_e1681 - 24u) ^ _e379) & 31u))))) & 255u)));
                             } else {
-                                phi_2328_ = 4294967295u;
+                                phi_2335_ = 4294967295u;
                             }
-                            let _e1709 = phi_2328_;
-                            phi_2329_ = _e1709;
+                            let _e1705 = phi_2335_;
+                            phi_2336_ = _e1705;
                         } else {
-                            phi_2329_ = u32();
+                            phi_2336_ = u32();
                         }
-                        let _e1711 = phi_2329_;
-                        phi_1115_ = _e1711;
-                        let _e1919 = local_7;
-                        phi_1118_ = _e1919;
-                        let _e1922 = local_8;
-                        phi_2330_ = _e1922;
-                        let _e1925 = local_9;
-                        phi_2331_ = _e1925;
-                        phi_2332_ = false;
+                        let _e1707 = phi_2336_;
+                        phi_1122_ = _e1707;
+                        let _e1913 = local_7;
+                        phi_1125_ = _e1913;
+                        let _e1916 = local_8;
+                        phi_2337_ = _e1916;
+                        let _e1919 = local_9;
+                        phi_2338_ = _e1919;
+                        phi_2339_ = false;
                     } else {
-                        phi_1115_ = u32();
-                        phi_1118_ = bool();
-                        phi_2330_ = bool();
-                        phi_2331_ = false;
-                        phi_2332_ = true;
+                        phi_1122_ = u32();
+                        phi_1125_ = bool();
+                        phi_2337_ = bool();
+                        phi_2338_ = false;
+                        phi_2339_ = true;
                     }
-                    let _e1713 = phi_1115_;
-                    let _e1715 = phi_1118_;
-                    let _e1717 = phi_2330_;
-                    let _e1719 = phi_2331_;
-                    let _e1721 = phi_2332_;
-                    local_6 = _e1721;
-                    local_10 = _e1717;
+                    let _e1709 = phi_1122_;
+                    let _e1711 = phi_1125_;
+                    let _e1713 = phi_2337_;
+                    let _e1715 = phi_2338_;
+                    let _e1717 = phi_2339_;
+                    local_6 = _e1717;
+                    local_10 = _e1713;
                     continue;
                     continuing {
-                        phi_1114_ = _e1713;
-                        phi_1117_ = _e1715;
-                        break if !(_e1719);
+                        phi_1121_ = _e1709;
+                        phi_1124_ = _e1711;
+                        break if !(_e1715);
                     }
                 }
-                let _e1724 = local_6;
-                if _e1724 {
-                    phi_2336_ = false;
+                let _e1720 = local_6;
+                if _e1720 {
+                    phi_2343_ = false;
                 } else {
-                    phi_2336_ = true;
+                    phi_2343_ = true;
                 }
-                let _e1726 = phi_2336_;
-                if _e1726 {
-                    let _e1931 = local_10;
-                    phi_2340_ = _e1931;
+                let _e1722 = phi_2343_;
+                if _e1722 {
+                    let _e1925 = local_10;
+                    phi_2347_ = _e1925;
                 } else {
-                    let _e1933 = local_11;
-                    phi_2340_ = _e1933;
+                    let _e1927 = local_11;
+                    phi_2347_ = _e1927;
                 }
-                let _e1728 = phi_2340_;
-                phi_2341_ = _e1728;
+                let _e1724 = phi_2347_;
+                phi_2348_ = _e1724;
             }
-            let _e1730 = phi_2341_;
-            phi_2342_ = _e1730;
-            phi_2343_ = _e209;
+            let _e1726 = phi_2348_;
+            phi_2349_ = _e1726;
+            phi_2350_ = _e201;
         } else {
-            phi_2342_ = bool();
-            phi_2343_ = true;
+            phi_2349_ = bool();
+            phi_2350_ = true;
         }
-        let _e1732 = phi_2342_;
-        let _e1734 = phi_2343_;
-        if _e1734 {
-            phi_2347_ = false;
+        let _e1728 = phi_2349_;
+        let _e1730 = phi_2350_;
+        if _e1730 {
+            phi_2354_ = false;
         } else {
-            phi_2347_ = _e1732;
+            phi_2354_ = _e1728;
         }
-        let _e1736 = phi_2347_;
-        if _e1736 {
-            phi_2351_ = 0f;
+        let _e1732 = phi_2354_;
+        if _e1732 {
+            phi_2358_ = 0f;
         } else {
-            phi_2351_ = 1f;
+            phi_2358_ = 1f;
         }
-        let _e1738 = phi_2351_;
+        let _e1734 = phi_2358_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1738;
+        visibility.member[(0u + _e106)] = _e1734;
     }
     return;
 }

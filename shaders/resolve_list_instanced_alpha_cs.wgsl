@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct texture_TextureView {
@@ -125,8 +126,8 @@ struct type_50 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -582,288 +583,284 @@ fn function_() {
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
     var phi_696_: f32;
-    var phi_752_: bool;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
-    var phi_763_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
+    var phi_728_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_735_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_755_: bool;
     var phi_768_: bool;
     var phi_769_: bool;
     var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: bool;
     var phi_774_: bool;
     var phi_775_: bool;
-    var phi_779_: bool;
-    var phi_783_: bool;
-    var phi_853_: f32;
-    var phi_860_: f32;
-    var phi_867_: f32;
-    var phi_874_: f32;
-    var phi_881_: f32;
-    var phi_888_: f32;
-    var phi_905_: f32;
-    var phi_910_: f32;
-    var phi_915_: f32;
-    var phi_936_: u32;
-    var phi_941_: u32;
-    var phi_946_: u32;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
-    var phi_1092_: u32;
-    var phi_1094_: u32;
-    var phi_1097_: bool;
-    var phi_1177_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1204_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1231_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1237_: u32;
-    var phi_1240_: u32;
-    var phi_1254_: u32;
-    var phi_1264_: u32;
-    var phi_1274_: u32;
-    var phi_1292_: u32;
-    var phi_1302_: u32;
-    var phi_1312_: u32;
-    var phi_1348_: u32;
-    var phi_1361_: u32;
-    var phi_1366_: u32;
-    var phi_1367_: u32;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_778_: bool;
+    var phi_782_: bool;
+    var phi_852_: f32;
+    var phi_859_: f32;
+    var phi_866_: f32;
+    var phi_873_: f32;
+    var phi_880_: f32;
+    var phi_887_: f32;
+    var phi_904_: f32;
+    var phi_909_: f32;
+    var phi_914_: f32;
+    var phi_919_: f32;
+    var phi_924_: f32;
+    var phi_943_: u32;
+    var phi_948_: u32;
+    var phi_953_: u32;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
+    var phi_1099_: u32;
+    var phi_1101_: u32;
+    var phi_1104_: bool;
+    var phi_1184_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1211_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1238_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1244_: u32;
+    var phi_1247_: u32;
+    var phi_1261_: u32;
+    var phi_1271_: u32;
+    var phi_1281_: u32;
+    var phi_1299_: u32;
+    var phi_1309_: u32;
+    var phi_1319_: u32;
+    var phi_1355_: u32;
     var phi_1368_: u32;
-    var phi_1238_: u32;
-    var phi_1241_: u32;
+    var phi_1373_: u32;
+    var phi_1374_: u32;
+    var phi_1375_: u32;
+    var phi_1245_: u32;
+    var phi_1248_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1426_: u32;
-    var phi_1429_: bool;
-    var phi_1478_: f32;
-    var phi_1483_: f32;
-    var phi_1488_: f32;
-    var phi_1496_: f32;
-    var phi_1501_: f32;
-    var phi_1506_: f32;
-    var phi_1650_: bool;
-    var phi_1651_: bool;
-    var phi_1652_: bool;
+    var phi_1433_: u32;
+    var phi_1436_: bool;
+    var phi_1485_: f32;
+    var phi_1490_: f32;
+    var phi_1495_: f32;
+    var phi_1503_: f32;
+    var phi_1508_: f32;
+    var phi_1513_: f32;
+    var phi_1633_: bool;
+    var phi_1634_: bool;
+    var phi_1635_: bool;
+    var phi_1636_: bool;
+    var phi_1640_: bool;
+    var phi_1653_: bool;
+    var phi_1654_: bool;
+    var phi_1655_: bool;
     var phi_1656_: bool;
-    var phi_1657_: bool;
-    var phi_1658_: bool;
-    var phi_1659_: bool;
     var phi_1660_: bool;
-    var phi_1661_: bool;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1664_: bool;
-    var phi_1665_: bool;
-    var phi_1666_: bool;
-    var phi_1667_: bool;
-    var phi_1668_: bool;
-    var phi_1669_: bool;
-    var phi_1670_: bool;
-    var phi_1671_: bool;
-    var phi_1672_: bool;
     var phi_1673_: bool;
-    var phi_1677_: bool;
+    var phi_1674_: bool;
+    var phi_1675_: bool;
+    var phi_1679_: bool;
+    var phi_1680_: bool;
     var phi_1681_: bool;
-    var phi_1751_: f32;
-    var phi_1758_: f32;
-    var phi_1765_: f32;
-    var phi_1772_: f32;
-    var phi_1779_: f32;
-    var phi_1786_: f32;
-    var phi_1803_: f32;
-    var phi_1808_: f32;
-    var phi_1813_: f32;
-    var phi_1841_: bool;
-    var phi_1842_: bool;
-    var phi_1850_: u32;
-    var phi_1851_: u32;
-    var phi_1862_: vec3<f32>;
-    var phi_1863_: vec3<f32>;
-    var phi_1876_: u32;
-    var phi_1881_: u32;
-    var phi_1886_: u32;
-    var phi_2000_: bool;
-    var phi_2001_: bool;
-    var phi_2032_: u32;
-    var phi_2034_: u32;
-    var phi_2037_: bool;
-    var phi_2117_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2144_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2171_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2177_: u32;
-    var phi_2180_: u32;
+    var phi_1682_: bool;
+    var phi_1683_: bool;
+    var phi_1687_: bool;
+    var phi_1757_: f32;
+    var phi_1764_: f32;
+    var phi_1771_: f32;
+    var phi_1778_: f32;
+    var phi_1785_: f32;
+    var phi_1792_: f32;
+    var phi_1809_: f32;
+    var phi_1814_: f32;
+    var phi_1819_: f32;
+    var phi_1824_: f32;
+    var phi_1829_: f32;
+    var phi_1855_: bool;
+    var phi_1856_: bool;
+    var phi_1864_: u32;
+    var phi_1865_: u32;
+    var phi_1876_: vec3<f32>;
+    var phi_1877_: vec3<f32>;
+    var phi_1890_: u32;
+    var phi_1895_: u32;
+    var phi_1900_: u32;
+    var phi_2014_: bool;
+    var phi_2015_: bool;
+    var phi_2046_: u32;
+    var phi_2048_: u32;
+    var phi_2051_: bool;
+    var phi_2131_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2158_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2185_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2191_: u32;
     var phi_2194_: u32;
-    var phi_2204_: u32;
-    var phi_2214_: u32;
-    var phi_2232_: u32;
-    var phi_2242_: u32;
-    var phi_2252_: u32;
-    var phi_2288_: u32;
-    var phi_2301_: u32;
-    var phi_2306_: u32;
-    var phi_2307_: u32;
-    var phi_2308_: u32;
-    var phi_2178_: u32;
-    var phi_2181_: u32;
+    var phi_2208_: u32;
+    var phi_2218_: u32;
+    var phi_2228_: u32;
+    var phi_2246_: u32;
+    var phi_2256_: u32;
+    var phi_2266_: u32;
+    var phi_2302_: u32;
+    var phi_2315_: u32;
+    var phi_2320_: u32;
+    var phi_2321_: u32;
+    var phi_2322_: u32;
+    var phi_2192_: u32;
+    var phi_2195_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2366_: u32;
-    var phi_2369_: bool;
-    var phi_2413_: vec3<f32>;
-    var phi_2414_: vec3<f32>;
-    var phi_2443_: vec3<f32>;
-    var phi_2444_: vec3<f32>;
-    var phi_2473_: vec3<f32>;
-    var phi_2474_: vec3<f32>;
-    var phi_2492_: bool;
-    var phi_2493_: bool;
-    var phi_2497_: f32;
-    var phi_2498_: f32;
-    var phi_2499_: f32;
-    var phi_2500_: f32;
-    var phi_2508_: f32;
-    var phi_2518_: bool;
-    var phi_2519_: bool;
-    var phi_2523_: f32;
-    var phi_2524_: f32;
-    var phi_2525_: f32;
-    var phi_2526_: f32;
-    var phi_2534_: f32;
-    var phi_2544_: bool;
-    var phi_2545_: bool;
-    var phi_2549_: f32;
-    var phi_2550_: f32;
-    var phi_2551_: f32;
-    var phi_2552_: f32;
-    var phi_2560_: f32;
-    var phi_2575_: f32;
-    var phi_2576_: bool;
-    var phi_2577_: f32;
-    var phi_2578_: bool;
-    var phi_2579_: f32;
-    var phi_2580_: bool;
-    var phi_2598_: f32;
-    var phi_2599_: bool;
-    var phi_2600_: bool;
-    var phi_2601_: f32;
-    var phi_2602_: bool;
-    var phi_2603_: bool;
-    var phi_2607_: bool;
-    var phi_2608_: f32;
-    var phi_2609_: bool;
-    var phi_2637_: vec3<f32>;
-    var phi_2638_: vec3<f32>;
-    var phi_2663_: vec3<f32>;
-    var phi_2664_: vec3<f32>;
-    var phi_2689_: vec3<f32>;
-    var phi_2690_: vec3<f32>;
-    var phi_2746_: f32;
-    var phi_2755_: f32;
-    var phi_2764_: f32;
-    var phi_2773_: f32;
-    var phi_2780_: f32;
+    var phi_2380_: u32;
+    var phi_2383_: bool;
+    var phi_2427_: vec3<f32>;
+    var phi_2428_: vec3<f32>;
+    var phi_2457_: vec3<f32>;
+    var phi_2458_: vec3<f32>;
+    var phi_2487_: vec3<f32>;
+    var phi_2488_: vec3<f32>;
+    var phi_2506_: bool;
+    var phi_2507_: bool;
+    var phi_2511_: f32;
+    var phi_2512_: f32;
+    var phi_2513_: f32;
+    var phi_2514_: f32;
+    var phi_2522_: f32;
+    var phi_2532_: bool;
+    var phi_2533_: bool;
+    var phi_2537_: f32;
+    var phi_2538_: f32;
+    var phi_2539_: f32;
+    var phi_2540_: f32;
+    var phi_2548_: f32;
+    var phi_2558_: bool;
+    var phi_2559_: bool;
+    var phi_2563_: f32;
+    var phi_2564_: f32;
+    var phi_2565_: f32;
+    var phi_2566_: f32;
+    var phi_2574_: f32;
+    var phi_2589_: f32;
+    var phi_2590_: bool;
+    var phi_2591_: f32;
+    var phi_2592_: bool;
+    var phi_2593_: f32;
+    var phi_2594_: bool;
+    var phi_2612_: f32;
+    var phi_2613_: bool;
+    var phi_2614_: bool;
+    var phi_2615_: f32;
+    var phi_2616_: bool;
+    var phi_2617_: bool;
+    var phi_2621_: bool;
+    var phi_2622_: f32;
+    var phi_2623_: bool;
+    var phi_2651_: vec3<f32>;
+    var phi_2652_: vec3<f32>;
+    var phi_2677_: vec3<f32>;
+    var phi_2678_: vec3<f32>;
+    var phi_2703_: vec3<f32>;
+    var phi_2704_: vec3<f32>;
+    var phi_2760_: f32;
+    var phi_2769_: f32;
+    var phi_2778_: f32;
     var phi_2787_: f32;
-    var phi_2800_: f32;
-    var phi_2809_: f32;
-    var phi_2818_: f32;
-    var phi_2827_: f32;
-    var phi_2834_: f32;
+    var phi_2794_: f32;
+    var phi_2801_: f32;
+    var phi_2814_: f32;
+    var phi_2823_: f32;
+    var phi_2832_: f32;
     var phi_2841_: f32;
-    var phi_2858_: f32;
-    var phi_2863_: f32;
-    var phi_2868_: f32;
-    var phi_2876_: f32;
-    var phi_2881_: f32;
-    var phi_2886_: f32;
-    var phi_2898_: f32;
-    var phi_2903_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: lt_bvh_triangle_Intersection;
-    var phi_2919_: bool;
-    var phi_2920_: lt_bvh_triangle_Intersection;
-    var phi_2921_: bool;
-    var phi_2925_: lt_bvh_triangle_Intersection;
-    var phi_2926_: bool;
-    var phi_2927_: lt_bvh_triangle_Intersection;
-    var phi_2928_: bool;
-    var phi_2929_: bool;
+    var phi_2848_: f32;
+    var phi_2855_: f32;
+    var phi_2872_: f32;
+    var phi_2877_: f32;
+    var phi_2882_: f32;
+    var phi_2890_: f32;
+    var phi_2895_: f32;
+    var phi_2900_: f32;
+    var phi_2912_: f32;
+    var phi_2917_: f32;
+    var phi_2922_: f32;
+    var phi_2927_: f32;
+    var phi_2932_: lt_bvh_triangle_Intersection;
     var phi_2933_: bool;
-    var phi_2937_: lt_bvh_triangle_Intersection;
-    var phi_3151_: f32;
-    var phi_3154_: bool;
-    var phi_3155_: bool;
-    var phi_3156_: bool;
-    var phi_3160_: bool;
-    var phi_3161_: bool;
-    var phi_3162_: bool;
-    var phi_3163_: bool;
-    var phi_3164_: bool;
-    var phi_3165_: bool;
-    var phi_3166_: bool;
-    var phi_3167_: bool;
+    var phi_2934_: lt_bvh_triangle_Intersection;
+    var phi_2935_: bool;
+    var phi_2939_: lt_bvh_triangle_Intersection;
+    var phi_2940_: bool;
+    var phi_2941_: lt_bvh_triangle_Intersection;
+    var phi_2942_: bool;
+    var phi_2943_: bool;
+    var phi_2947_: bool;
+    var phi_2951_: lt_bvh_triangle_Intersection;
+    var phi_3165_: f32;
     var phi_3168_: bool;
     var phi_3169_: bool;
-    var phi_2367_: u32;
-    var phi_2370_: bool;
-    var phi_3173_: bool;
+    var phi_3170_: bool;
     var phi_3174_: bool;
+    var phi_3175_: bool;
+    var phi_3176_: bool;
+    var phi_3177_: bool;
+    var phi_3178_: bool;
+    var phi_3179_: bool;
+    var phi_3180_: bool;
+    var phi_3181_: bool;
+    var phi_3182_: bool;
+    var phi_3183_: bool;
+    var phi_2381_: u32;
+    var phi_2384_: bool;
+    var phi_3187_: bool;
+    var phi_3188_: bool;
     var local_9: bool;
-    var phi_3216_: bool;
-    var phi_3217_: bool;
-    var phi_3248_: u32;
-    var phi_3249_: u32;
-    var phi_2035_: u32;
-    var phi_2038_: bool;
-    var phi_3250_: bool;
-    var phi_3251_: bool;
-    var phi_3252_: bool;
+    var phi_3230_: bool;
+    var phi_3231_: bool;
+    var phi_3262_: u32;
+    var phi_3263_: u32;
+    var phi_2049_: u32;
+    var phi_2052_: bool;
+    var phi_3264_: bool;
+    var phi_3265_: bool;
+    var phi_3266_: bool;
     var local_10: bool;
-    var phi_3256_: bool;
-    var phi_3260_: bool;
-    var phi_3261_: bool;
-    var phi_3262_: bool;
-    var phi_3263_: bool;
-    var phi_3267_: bool;
-    var phi_3271_: bool;
-    var phi_3272_: bool;
-    var phi_3273_: bool;
+    var phi_3270_: bool;
     var phi_3274_: bool;
     var phi_3275_: bool;
     var phi_3276_: bool;
     var phi_3277_: bool;
-    var phi_1427_: u32;
-    var phi_1430_: bool;
     var phi_3281_: bool;
+    var phi_3285_: bool;
+    var phi_3286_: bool;
+    var phi_3287_: bool;
+    var phi_3288_: bool;
+    var phi_3289_: bool;
+    var phi_3290_: bool;
+    var phi_3291_: bool;
+    var phi_1434_: u32;
+    var phi_1437_: bool;
+    var phi_3295_: bool;
     var local_11: bool;
-    var phi_3323_: bool;
-    var phi_3324_: bool;
-    var phi_3355_: u32;
-    var phi_3356_: u32;
-    var phi_1095_: u32;
-    var phi_1098_: bool;
-    var phi_3357_: bool;
-    var phi_3358_: bool;
-    var local_12: bool;
-    var phi_3362_: bool;
-    var phi_3366_: bool;
-    var phi_3367_: bool;
-    var phi_3368_: bool;
+    var phi_3337_: bool;
+    var phi_3338_: bool;
+    var phi_3369_: u32;
+    var phi_3370_: u32;
+    var phi_1102_: u32;
+    var phi_1105_: bool;
+    var phi_3371_: bool;
     var phi_3372_: bool;
-    var phi_3373_: bool;
-    var phi_3377_: bool;
-    var phi_3381_: f32;
+    var local_12: bool;
+    var phi_3376_: bool;
+    var phi_3380_: bool;
+    var phi_3381_: bool;
+    var phi_3382_: bool;
+    var phi_3386_: bool;
+    var phi_3387_: bool;
+    var phi_3391_: bool;
+    var phi_3395_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -913,1957 +910,1959 @@ fn function_() {
         let _e150 = (_e138.x - (_e132 * _e138.w));
         let _e151 = (_e138.y - (_e134 * _e138.w));
         let _e152 = (_e138.z - (_e136 * _e138.w));
-        let _e156 = abs(_e150);
-        let _e157 = abs(_e151);
-        let _e158 = abs(_e152);
+        let _e153 = abs(_e150);
+        let _e154 = abs(_e151);
+        let _e155 = abs(_e152);
         if (abs(_e132) < 1000000000000000f) {
             if (abs(_e134) < 1000000000000000f) {
-                if (abs(_e136) < 1000000000000000f) {
-                    if (_e156 < 1000000000000000f) {
-                        if (_e157 < 1000000000000000f) {
-                            if (_e158 < 1000000000000000f) {
-                                if (_e156 > 0f) {
-                                    phi_753_ = bool();
-                                    phi_754_ = true;
-                                } else {
-                                    let _e166 = (_e157 > 0f);
-                                    if _e166 {
-                                        phi_752_ = bool();
-                                    } else {
-                                        phi_752_ = (_e158 > 0f);
-                                    }
-                                    let _e169 = phi_752_;
-                                    phi_753_ = _e169;
-                                    phi_754_ = _e166;
-                                }
-                                let _e171 = phi_753_;
-                                let _e173 = phi_754_;
-                                if _e173 {
-                                    phi_758_ = true;
-                                } else {
-                                    phi_758_ = _e171;
-                                }
-                                let _e175 = phi_758_;
-                                phi_759_ = _e175;
-                                phi_760_ = false;
-                            } else {
-                                phi_759_ = bool();
-                                phi_760_ = true;
-                            }
-                            let _e177 = phi_759_;
-                            let _e179 = phi_760_;
-                            phi_761_ = _e177;
-                            phi_762_ = false;
-                            phi_763_ = _e179;
-                        } else {
-                            phi_761_ = bool();
-                            phi_762_ = true;
-                            phi_763_ = false;
-                        }
-                        let _e181 = phi_761_;
-                        let _e183 = phi_762_;
-                        let _e185 = phi_763_;
-                        phi_764_ = _e181;
-                        phi_765_ = _e183;
-                        phi_766_ = _e185;
-                    } else {
-                        phi_764_ = bool();
-                        phi_765_ = true;
-                        phi_766_ = false;
-                    }
-                    let _e187 = phi_764_;
-                    let _e189 = phi_765_;
-                    let _e191 = phi_766_;
-                    phi_767_ = _e187;
-                    phi_768_ = _e189;
-                    phi_769_ = _e191;
-                } else {
-                    phi_767_ = bool();
-                    phi_768_ = true;
-                    phi_769_ = false;
-                }
-                let _e193 = phi_767_;
-                let _e195 = phi_768_;
-                let _e197 = phi_769_;
-                phi_770_ = _e193;
-                phi_771_ = _e195;
-                phi_772_ = _e197;
+                phi_728_ = (abs(_e136) < 1000000000000000f);
+                phi_729_ = false;
             } else {
-                phi_770_ = bool();
-                phi_771_ = true;
-                phi_772_ = false;
+                phi_728_ = bool();
+                phi_729_ = true;
             }
-            let _e199 = phi_770_;
-            let _e201 = phi_771_;
-            let _e203 = phi_772_;
-            phi_773_ = _e199;
-            phi_774_ = _e201;
-            phi_775_ = _e203;
+            let _e163 = phi_728_;
+            let _e165 = phi_729_;
+            phi_730_ = _e163;
+            phi_731_ = _e165;
         } else {
-            phi_773_ = bool();
-            phi_774_ = true;
-            phi_775_ = false;
+            phi_730_ = bool();
+            phi_731_ = true;
         }
-        let _e205 = phi_773_;
-        let _e207 = phi_774_;
-        let _e209 = phi_775_;
-        if _e207 {
-            phi_779_ = true;
+        let _e167 = phi_730_;
+        let _e169 = phi_731_;
+        if _e169 {
+            phi_735_ = false;
         } else {
-            phi_779_ = _e209;
+            phi_735_ = _e167;
         }
-        let _e211 = phi_779_;
-        if _e211 {
-            phi_783_ = false;
+        let _e171 = phi_735_;
+        if _e171 {
+            if (_e153 < 1000000000000000f) {
+                if (_e154 < 1000000000000000f) {
+                    phi_748_ = (_e155 < 1000000000000000f);
+                    phi_749_ = false;
+                } else {
+                    phi_748_ = bool();
+                    phi_749_ = true;
+                }
+                let _e176 = phi_748_;
+                let _e178 = phi_749_;
+                phi_750_ = _e176;
+                phi_751_ = _e178;
+            } else {
+                phi_750_ = bool();
+                phi_751_ = true;
+            }
+            let _e180 = phi_750_;
+            let _e182 = phi_751_;
+            if _e182 {
+                phi_755_ = false;
+            } else {
+                phi_755_ = _e180;
+            }
+            let _e184 = phi_755_;
+            if _e184 {
+                if (_e153 > 0f) {
+                    phi_769_ = bool();
+                    phi_770_ = true;
+                } else {
+                    let _e186 = (_e154 > 0f);
+                    if _e186 {
+                        phi_768_ = bool();
+                    } else {
+                        phi_768_ = (_e155 > 0f);
+                    }
+                    let _e189 = phi_768_;
+                    phi_769_ = _e189;
+                    phi_770_ = _e186;
+                }
+                let _e191 = phi_769_;
+                let _e193 = phi_770_;
+                if _e193 {
+                    phi_774_ = true;
+                } else {
+                    phi_774_ = _e191;
+                }
+                let _e195 = phi_774_;
+                phi_775_ = _e195;
+                phi_776_ = false;
+            } else {
+                phi_775_ = bool();
+                phi_776_ = true;
+            }
+            let _e197 = phi_775_;
+            let _e199 = phi_776_;
+            phi_777_ = _e197;
+            phi_778_ = _e199;
         } else {
-            phi_783_ = _e205;
+            phi_777_ = bool();
+            phi_778_ = true;
         }
-        let _e213 = phi_783_;
-        if _e213 {
-            let _e214 = (_e112 >= _e76);
-            if _e214 {
-                phi_3366_ = false;
+        let _e201 = phi_777_;
+        let _e203 = phi_778_;
+        if _e203 {
+            phi_782_ = false;
+        } else {
+            phi_782_ = _e201;
+        }
+        let _e205 = phi_782_;
+        if _e205 {
+            let _e206 = (_e112 >= _e76);
+            if _e206 {
+                phi_3380_ = false;
             } else {
                 if (_e112 < _e76) {
                 } else {
                     return;
                 }
-                let _e220 = nodes.member[(0u + _e112)].frame[0u];
-                let _e224 = nodes.member[(0u + _e112)].frame[1u];
-                let _e228 = nodes.member[(0u + _e112)].frame[2u];
-                let _e232 = nodes.member[(0u + _e112)].frame[0u];
-                let _e236 = nodes.member[(0u + _e112)].frame[1u];
-                let _e240 = nodes.member[(0u + _e112)].frame[2u];
-                let _e244 = nodes.member[(0u + _e112)].frame[3u];
-                let _e278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150), abs(_e151));
-                let _e279 = core_intrinsics_maximum_number_nsz_f32_(_e278, abs(_e152));
-                let _e280 = (_e279 * 0.0000000000009094947f);
-                if (abs(_e150) < _e280) {
-                    phi_853_ = _e280;
+                let _e212 = nodes.member[(0u + _e112)].frame[0u];
+                let _e216 = nodes.member[(0u + _e112)].frame[1u];
+                let _e220 = nodes.member[(0u + _e112)].frame[2u];
+                let _e224 = nodes.member[(0u + _e112)].frame[0u];
+                let _e228 = nodes.member[(0u + _e112)].frame[1u];
+                let _e232 = nodes.member[(0u + _e112)].frame[2u];
+                let _e236 = nodes.member[(0u + _e112)].frame[3u];
+                let _e270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150), abs(_e151));
+                let _e271 = core_intrinsics_maximum_number_nsz_f32_(_e270, abs(_e152));
+                let _e272 = (_e271 * 0.0000000000009094947f);
+                if (abs(_e150) < _e272) {
+                    phi_852_ = _e272;
                 } else {
-                    phi_853_ = abs(_e150);
+                    phi_852_ = abs(_e150);
                 }
-                let _e285 = phi_853_;
+                let _e277 = phi_852_;
                 if (_e150 < 0f) {
-                    phi_860_ = (-1f / _e285);
+                    phi_859_ = (-1f / _e277);
                 } else {
-                    phi_860_ = (1f / _e285);
+                    phi_859_ = (1f / _e277);
                 }
-                let _e290 = phi_860_;
-                if (abs(_e151) < _e280) {
-                    phi_867_ = _e280;
+                let _e282 = phi_859_;
+                if (abs(_e151) < _e272) {
+                    phi_866_ = _e272;
                 } else {
-                    phi_867_ = abs(_e151);
+                    phi_866_ = abs(_e151);
                 }
-                let _e295 = phi_867_;
+                let _e287 = phi_866_;
                 if (_e151 < 0f) {
-                    phi_874_ = (-1f / _e295);
+                    phi_873_ = (-1f / _e287);
                 } else {
-                    phi_874_ = (1f / _e295);
+                    phi_873_ = (1f / _e287);
                 }
-                let _e300 = phi_874_;
-                if (abs(_e152) < _e280) {
-                    phi_881_ = _e280;
+                let _e292 = phi_873_;
+                if (abs(_e152) < _e272) {
+                    phi_880_ = _e272;
                 } else {
-                    phi_881_ = abs(_e152);
+                    phi_880_ = abs(_e152);
                 }
-                let _e305 = phi_881_;
+                let _e297 = phi_880_;
                 if (_e152 < 0f) {
-                    phi_888_ = (-1f / _e305);
+                    phi_887_ = (-1f / _e297);
                 } else {
-                    phi_888_ = (1f / _e305);
+                    phi_887_ = (1f / _e297);
                 }
-                let _e310 = phi_888_;
-                let _e314 = abs((bitcast<f32>(_e220) - _e132));
-                let _e315 = abs((bitcast<f32>(_e224) - _e134));
-                let _e316 = abs((bitcast<f32>(_e228) - _e136));
-                let _e320 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e132));
-                let _e321 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e134));
-                let _e322 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
-                if (_e314 > _e320) {
-                    phi_905_ = _e314;
+                let _e302 = phi_887_;
+                let _e306 = abs((bitcast<f32>(_e212) - _e132));
+                let _e307 = abs((bitcast<f32>(_e216) - _e134));
+                let _e308 = abs((bitcast<f32>(_e220) - _e136));
+                let _e312 = abs(((bitcast<f32>(_e224) + (bitcast<f32>((((_e236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e132));
+                let _e313 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e134));
+                let _e314 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
+                if (_e306 > _e312) {
+                    phi_904_ = _e306;
                 } else {
-                    phi_905_ = _e320;
+                    phi_904_ = _e312;
                 }
-                let _e325 = phi_905_;
-                if (_e315 > _e321) {
-                    phi_910_ = _e315;
+                let _e317 = phi_904_;
+                if (_e307 > _e313) {
+                    phi_909_ = _e307;
                 } else {
-                    phi_910_ = _e321;
+                    phi_909_ = _e313;
                 }
-                let _e328 = phi_910_;
-                if (_e316 > _e322) {
-                    phi_915_ = _e316;
+                let _e320 = phi_909_;
+                if (_e308 > _e314) {
+                    phi_914_ = _e308;
                 } else {
-                    phi_915_ = _e322;
+                    phi_914_ = _e314;
                 }
-                let _e331 = phi_915_;
-                let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e325, _e328);
-                let _e333 = core_intrinsics_maximum_number_nsz_f32_(_e332, _e331);
-                let _e337 = (_e333 * 0.0000019073486f);
-                let _e338 = (abs(_e290) * _e337);
-                let _e339 = (abs(_e300) * _e337);
-                let _e340 = (abs(_e310) * _e337);
-                let _e344 = (_e333 * 0.0000009536743f);
-                let _e345 = (abs(_e290) * _e344);
-                let _e346 = (abs(_e300) * _e344);
-                let _e347 = (abs(_e310) * _e344);
-                if (_e290 < 0f) {
-                    phi_936_ = 0u;
+                let _e323 = phi_914_;
+                if (_e317 > _e320) {
+                    phi_919_ = _e317;
                 } else {
-                    phi_936_ = 1u;
+                    phi_919_ = _e320;
                 }
-                let _e350 = phi_936_;
-                if (_e300 < 0f) {
-                    phi_941_ = 0u;
+                let _e326 = phi_919_;
+                if (_e326 > _e323) {
+                    phi_924_ = _e326;
                 } else {
-                    phi_941_ = 2u;
+                    phi_924_ = _e323;
                 }
-                let _e353 = phi_941_;
-                if (_e310 < 0f) {
-                    phi_946_ = 0u;
+                let _e329 = phi_924_;
+                let _e333 = (_e329 * 0.0000019073486f);
+                let _e334 = (abs(_e282) * _e333);
+                let _e335 = (abs(_e292) * _e333);
+                let _e336 = (abs(_e302) * _e333);
+                let _e340 = (_e329 * 0.0000009536743f);
+                let _e341 = (abs(_e282) * _e340);
+                let _e342 = (abs(_e292) * _e340);
+                let _e343 = (abs(_e302) * _e340);
+                if (_e282 < 0f) {
+                    phi_943_ = 0u;
                 } else {
-                    phi_946_ = 4u;
+                    phi_943_ = 1u;
                 }
-                let _e356 = phi_946_;
-                let _e358 = ((_e350 | _e353) | _e356);
-                let _e359 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e359.first[0], _e359.first[1], _e359.first[2], _e359.first[3], _e359.first[4], _e359.first[5], _e359.first[6], _e359.first[7], _e359.first[8], _e359.first[9], _e359.first[10], _e359.first[11], _e359.first[12], _e359.first[13], _e359.first[14], _e359.first[15], _e359.first[16], _e359.first[17], _e359.first[18], _e359.first[19], _e359.first[20], _e359.first[21], _e359.first[22], _e359.first[23], _e359.first[24], _e359.first[25], _e359.first[26], _e359.first[27], _e359.first[28], _e359.first[29], _e359.first[30], _e359.first[31]), array<u32, 32>(_e359.mask[0], _e359.mask[1], _e359.mask[2], _e359.mask[3], _e359.mask[4], _e359.mask[5], _e359.mask[6], _e359.mask[7], _e359.mask[8], _e359.mask[9], _e359.mask[10], _e359.mask[11], _e359.mask[12], _e359.mask[13], _e359.mask[14], _e359.mask[15], _e359.mask[16], _e359.mask[17], _e359.mask[18], _e359.mask[19], _e359.mask[20], _e359.mask[21], _e359.mask[22], _e359.mask[23], _e359.mask[24], _e359.mask[25], _e359.mask[26], _e359.mask[27], _e359.mask[28], _e359.mask[29], _e359.mask[30], _e359.mask[31]), _e359.len, _e359.group, _e359.group_mask);
-                let _e433 = local_2.group_mask;
-                if ((_e433 & 4278190080u) == 0u) {
-                    let _e437 = local_2.len;
-                    if (_e437 == 0u) {
-                        phi_1060_ = false;
+                let _e346 = phi_943_;
+                if (_e292 < 0f) {
+                    phi_948_ = 0u;
+                } else {
+                    phi_948_ = 2u;
+                }
+                let _e349 = phi_948_;
+                if (_e302 < 0f) {
+                    phi_953_ = 0u;
+                } else {
+                    phi_953_ = 4u;
+                }
+                let _e352 = phi_953_;
+                let _e354 = ((_e346 | _e349) | _e352);
+                let _e355 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e355.first[0], _e355.first[1], _e355.first[2], _e355.first[3], _e355.first[4], _e355.first[5], _e355.first[6], _e355.first[7], _e355.first[8], _e355.first[9], _e355.first[10], _e355.first[11], _e355.first[12], _e355.first[13], _e355.first[14], _e355.first[15], _e355.first[16], _e355.first[17], _e355.first[18], _e355.first[19], _e355.first[20], _e355.first[21], _e355.first[22], _e355.first[23], _e355.first[24], _e355.first[25], _e355.first[26], _e355.first[27], _e355.first[28], _e355.first[29], _e355.first[30], _e355.first[31]), array<u32, 32>(_e355.mask[0], _e355.mask[1], _e355.mask[2], _e355.mask[3], _e355.mask[4], _e355.mask[5], _e355.mask[6], _e355.mask[7], _e355.mask[8], _e355.mask[9], _e355.mask[10], _e355.mask[11], _e355.mask[12], _e355.mask[13], _e355.mask[14], _e355.mask[15], _e355.mask[16], _e355.mask[17], _e355.mask[18], _e355.mask[19], _e355.mask[20], _e355.mask[21], _e355.mask[22], _e355.mask[23], _e355.mask[24], _e355.mask[25], _e355.mask[26], _e355.mask[27], _e355.mask[28], _e355.mask[29], _e355.mask[30], _e355.mask[31]), _e355.len, _e355.group, _e355.group_mask);
+                let _e429 = local_2.group_mask;
+                if ((_e429 & 4278190080u) == 0u) {
+                    let _e433 = local_2.len;
+                    if (_e433 == 0u) {
+                        phi_1067_ = false;
                     } else {
-                        let _e441 = local_2.len;
-                        local_2.len = (_e441 - 1u);
-                        let _e444 = local_2.len;
-                        if (_e444 < 32u) {
+                        let _e437 = local_2.len;
+                        local_2.len = (_e437 - 1u);
+                        let _e440 = local_2.len;
+                        if (_e440 < 32u) {
                         } else {
                             return;
                         }
-                        let _e449 = local_2.first[(0u + _e444)];
-                        local_2.group = _e449;
-                        let _e452 = local_2.len;
-                        if (_e452 < 32u) {
+                        let _e445 = local_2.first[(0u + _e440)];
+                        local_2.group = _e445;
+                        let _e448 = local_2.len;
+                        if (_e448 < 32u) {
                         } else {
                             return;
                         }
-                        let _e457 = local_2.mask[(0u + _e452)];
-                        local_2.group_mask = _e457;
-                        phi_1060_ = true;
+                        let _e453 = local_2.mask[(0u + _e448)];
+                        local_2.group_mask = _e453;
+                        phi_1067_ = true;
                     }
-                    let _e460 = phi_1060_;
-                    phi_1061_ = _e460;
+                    let _e456 = phi_1067_;
+                    phi_1068_ = _e456;
                 } else {
-                    phi_1061_ = true;
+                    phi_1068_ = true;
                 }
-                let _e462 = phi_1061_;
-                if _e462 {
-                    let _e464 = local_2.group_mask;
-                    let _e470 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e464)), 32u, (_e464 == 0u)));
-                    let _e474 = local_2.group_mask;
-                    let _e488 = local_2.group_mask;
-                    local_2.group_mask = (_e488 & ~((1u << bitcast<u32>((_e470 & 31u)))));
-                    let _e491 = local_2.group;
-                    phi_1092_ = (_e491 + countOneBits(((_e474 & ~((4294967295u << bitcast<u32>((((_e470 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e458 = phi_1068_;
+                if _e458 {
+                    let _e460 = local_2.group_mask;
+                    let _e466 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e460)), 32u, (_e460 == 0u)));
+                    let _e470 = local_2.group_mask;
+                    let _e484 = local_2.group_mask;
+                    local_2.group_mask = (_e484 & ~((1u << bitcast<u32>((_e466 & 31u)))));
+                    let _e487 = local_2.group;
+                    phi_1099_ = (_e487 + countOneBits(((_e470 & ~((4294967295u << bitcast<u32>((((_e466 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1092_ = 4294967295u;
+                    phi_1099_ = 4294967295u;
                 }
-                let _e494 = phi_1092_;
-                phi_1094_ = _e494;
-                phi_1097_ = false;
+                let _e490 = phi_1099_;
+                phi_1101_ = _e490;
+                phi_1104_ = false;
                 loop {
-                    let _e496 = phi_1094_;
-                    let _e498 = phi_1097_;
-                    if (_e496 != 4294967295u) {
-                        if (_e496 < _e76) {
+                    let _e492 = phi_1101_;
+                    let _e494 = phi_1104_;
+                    if (_e492 != 4294967295u) {
+                        if (_e492 < _e76) {
                         } else {
                             return;
                         }
-                        let _e505 = nodes.member[(0u + _e496)].frame[3u];
-                        let _e530 = (bitcast<f32>((((_e505 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
-                        let _e531 = (bitcast<f32>((((_e505 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e300);
-                        let _e532 = (bitcast<f32>((((_e505 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
-                        let _e535 = nodes.member[(0u + _e496)].frame[0u];
-                        let _e539 = nodes.member[(0u + _e496)].frame[1u];
-                        let _e543 = nodes.member[(0u + _e496)].frame[2u];
-                        let _e548 = ((bitcast<f32>(_e535) - _e132) * _e290);
-                        let _e549 = ((bitcast<f32>(_e539) - _e134) * _e300);
-                        let _e550 = ((bitcast<f32>(_e543) - _e136) * _e310);
-                        let _e558 = nodes.member[(0u + _e496)].x;
-                        if (_e290 < 0f) {
-                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e569.unnamed.root, _e558.w), _e569.unnamed_1);
-                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e558.x, _e575.unnamed_1.first_primitive));
-                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_bvh_traverse_Tree(_e581.unnamed_1.root, _e558.y));
+                        let _e501 = nodes.member[(0u + _e492)].frame[3u];
+                        let _e526 = (bitcast<f32>((((_e501 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
+                        let _e527 = (bitcast<f32>((((_e501 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
+                        let _e528 = (bitcast<f32>((((_e501 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
+                        let _e531 = nodes.member[(0u + _e492)].frame[0u];
+                        let _e535 = nodes.member[(0u + _e492)].frame[1u];
+                        let _e539 = nodes.member[(0u + _e492)].frame[2u];
+                        let _e544 = ((bitcast<f32>(_e531) - _e132) * _e282);
+                        let _e545 = ((bitcast<f32>(_e535) - _e134) * _e292);
+                        let _e546 = ((bitcast<f32>(_e539) - _e136) * _e302);
+                        let _e554 = nodes.member[(0u + _e492)].x;
+                        if (_e282 < 0f) {
+                            let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e565.unnamed.word, _e554.w), _e565.unnamed_1);
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_mask_LightPlace(_e554.x, _e571.unnamed_1.shift));
+                            phi_1184_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_mask_LightPlace(_e577.unnamed_1.word, _e554.y));
                         } else {
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.unnamed.root, _e558.y), _e597.unnamed_1);
-                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e558.z, _e603.unnamed_1.first_primitive));
-                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_bvh_traverse_Tree(_e609.unnamed_1.root, _e558.w));
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.unnamed.word, _e554.y), _e593.unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_mask_LightPlace(_e554.z, _e599.unnamed_1.shift));
+                            phi_1184_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e605.unnamed_1.word, _e554.w));
                         }
-                        let _e617 = phi_1177_;
-                        let _e627 = nodes.member[(0u + _e496)].y;
-                        if (_e300 < 0f) {
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e627.w), _e638.unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e627.x, _e644.unnamed_1.first_primitive));
-                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e627.y));
+                        let _e613 = phi_1184_;
+                        let _e623 = nodes.member[(0u + _e492)].y;
+                        if (_e292 < 0f) {
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e634.unnamed.word, _e623.w), _e634.unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_mask_LightPlace(_e623.x, _e640.unnamed_1.shift));
+                            phi_1211_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e646.unnamed_1.word, _e623.y));
                         } else {
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.unnamed.root, _e627.y), _e666.unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e627.z, _e672.unnamed_1.first_primitive));
-                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e678.unnamed_1.root, _e627.w));
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.unnamed.word, _e623.y), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e623.z, _e668.unnamed_1.shift));
+                            phi_1211_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e674.unnamed_1.word, _e623.w));
                         }
-                        let _e686 = phi_1204_;
-                        let _e696 = nodes.member[(0u + _e496)].z;
-                        if (_e310 < 0f) {
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e696.w), _e707.unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e696.x, _e713.unnamed_1.first_primitive));
-                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e696.y));
+                        let _e682 = phi_1211_;
+                        let _e692 = nodes.member[(0u + _e492)].z;
+                        if (_e302 < 0f) {
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e703.unnamed.word, _e692.w), _e703.unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e692.x, _e709.unnamed_1.shift));
+                            phi_1238_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e715.unnamed_1.word, _e692.y));
                         } else {
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.unnamed.root, _e696.y), _e735.unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e696.z, _e741.unnamed_1.first_primitive));
-                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e747.unnamed_1.root, _e696.w));
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.unnamed.word, _e692.y), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e692.z, _e737.unnamed_1.shift));
+                            phi_1238_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e743.unnamed_1.word, _e692.w));
                         }
-                        let _e755 = phi_1231_;
-                        phi_1237_ = 0u;
-                        phi_1240_ = 0u;
+                        let _e751 = phi_1238_;
+                        phi_1244_ = 0u;
+                        phi_1247_ = 0u;
                         loop {
-                            let _e765 = phi_1237_;
-                            let _e767 = phi_1240_;
-                            local_3 = _e767;
-                            local_4 = _e767;
-                            local_5 = _e767;
-                            let _e768 = (_e765 < 8u);
-                            if _e768 {
-                                let _e770 = (_e765 >> bitcast<u32>(2i));
-                                let _e771 = (_e765 & 3u);
-                                if (_e770 == 0u) {
-                                    phi_1254_ = _e617.unnamed.root;
+                            let _e761 = phi_1244_;
+                            let _e763 = phi_1247_;
+                            local_3 = _e763;
+                            local_4 = _e763;
+                            local_5 = _e763;
+                            let _e764 = (_e761 < 8u);
+                            if _e764 {
+                                let _e766 = (_e761 >> bitcast<u32>(2i));
+                                let _e767 = (_e761 & 3u);
+                                if (_e766 == 0u) {
+                                    phi_1261_ = _e613.unnamed.word;
                                 } else {
-                                    phi_1254_ = _e617.unnamed.first_primitive;
+                                    phi_1261_ = _e613.unnamed.shift;
                                 }
-                                let _e774 = phi_1254_;
-                                if (_e770 == 0u) {
-                                    phi_1264_ = _e686.unnamed.root;
+                                let _e770 = phi_1261_;
+                                if (_e766 == 0u) {
+                                    phi_1271_ = _e682.unnamed.word;
                                 } else {
-                                    phi_1264_ = _e686.unnamed.first_primitive;
+                                    phi_1271_ = _e682.unnamed.shift;
                                 }
-                                let _e783 = phi_1264_;
-                                if (_e770 == 0u) {
-                                    phi_1274_ = _e755.unnamed.root;
+                                let _e779 = phi_1271_;
+                                if (_e766 == 0u) {
+                                    phi_1281_ = _e751.unnamed.word;
                                 } else {
-                                    phi_1274_ = _e755.unnamed.first_primitive;
+                                    phi_1281_ = _e751.unnamed.shift;
                                 }
-                                let _e792 = phi_1274_;
-                                let _e805 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e774 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e338)), ((f32(((_e783 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)));
-                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(_e805, ((f32(((_e792 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)));
-                                if (_e770 == 0u) {
-                                    phi_1292_ = _e617.unnamed_1.root;
+                                let _e788 = phi_1281_;
+                                let _e801 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e770 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e334)), ((f32(((_e779 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e335)));
+                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(_e801, ((f32(((_e788 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e336)));
+                                if (_e766 == 0u) {
+                                    phi_1299_ = _e613.unnamed_1.word;
                                 } else {
-                                    phi_1292_ = _e617.unnamed_1.first_primitive;
+                                    phi_1299_ = _e613.unnamed_1.shift;
                                 }
-                                let _e809 = phi_1292_;
-                                if (_e770 == 0u) {
-                                    phi_1302_ = _e686.unnamed_1.root;
+                                let _e805 = phi_1299_;
+                                if (_e766 == 0u) {
+                                    phi_1309_ = _e682.unnamed_1.word;
                                 } else {
-                                    phi_1302_ = _e686.unnamed_1.first_primitive;
+                                    phi_1309_ = _e682.unnamed_1.shift;
                                 }
-                                let _e818 = phi_1302_;
-                                if (_e770 == 0u) {
-                                    phi_1312_ = _e755.unnamed_1.root;
+                                let _e814 = phi_1309_;
+                                if (_e766 == 0u) {
+                                    phi_1319_ = _e751.unnamed_1.word;
                                 } else {
-                                    phi_1312_ = _e755.unnamed_1.first_primitive;
+                                    phi_1319_ = _e751.unnamed_1.shift;
                                 }
-                                let _e827 = phi_1312_;
-                                let _e840 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e338)), ((f32(((_e818 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)));
-                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e340)));
-                                if (_e806 <= _e841) {
-                                    if (_e806 <= _e142) {
-                                        if (_e841 >= 0f) {
-                                            if (_e770 == 0u) {
-                                                let _e848 = nodes.member[(0u + _e496)].links[2u];
-                                                phi_1348_ = _e848;
+                                let _e823 = phi_1319_;
+                                let _e836 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e805 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e334)), ((f32(((_e814 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e335)));
+                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(_e836, ((f32(((_e823 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e336)));
+                                if (_e802 <= _e837) {
+                                    if (_e802 <= _e142) {
+                                        if (_e837 >= 0f) {
+                                            if (_e766 == 0u) {
+                                                let _e844 = nodes.member[(0u + _e492)].links[2u];
+                                                phi_1355_ = _e844;
                                             } else {
-                                                let _e851 = nodes.member[(0u + _e496)].links[3u];
-                                                phi_1348_ = _e851;
+                                                let _e847 = nodes.member[(0u + _e492)].links[3u];
+                                                phi_1355_ = _e847;
                                             }
-                                            let _e853 = phi_1348_;
-                                            let _e858 = ((_e853 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u);
-                                            let _e859 = (_e858 & 31u);
-                                            if (_e859 >= 24u) {
-                                                phi_1361_ = (24u + ((_e859 - 24u) ^ _e358));
+                                            let _e849 = phi_1355_;
+                                            let _e854 = ((_e849 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u);
+                                            let _e855 = (_e854 & 31u);
+                                            if (_e855 >= 24u) {
+                                                phi_1368_ = (24u + ((_e855 - 24u) ^ _e354));
                                             } else {
-                                                phi_1361_ = _e859;
+                                                phi_1368_ = _e855;
                                             }
-                                            let _e865 = phi_1361_;
-                                            phi_1366_ = (_e767 | ((_e858 >> bitcast<u32>(5i)) << bitcast<u32>((_e865 & 31u))));
+                                            let _e861 = phi_1368_;
+                                            phi_1373_ = (_e763 | ((_e854 >> bitcast<u32>(5i)) << bitcast<u32>((_e861 & 31u))));
                                         } else {
-                                            phi_1366_ = _e767;
+                                            phi_1373_ = _e763;
                                         }
-                                        let _e873 = phi_1366_;
-                                        phi_1367_ = _e873;
+                                        let _e869 = phi_1373_;
+                                        phi_1374_ = _e869;
                                     } else {
-                                        phi_1367_ = _e767;
+                                        phi_1374_ = _e763;
                                     }
-                                    let _e875 = phi_1367_;
-                                    phi_1368_ = _e875;
+                                    let _e871 = phi_1374_;
+                                    phi_1375_ = _e871;
                                 } else {
-                                    phi_1368_ = _e767;
+                                    phi_1375_ = _e763;
                                 }
-                                let _e877 = phi_1368_;
-                                phi_1238_ = (_e765 + 1u);
-                                phi_1241_ = _e877;
+                                let _e873 = phi_1375_;
+                                phi_1245_ = (_e761 + 1u);
+                                phi_1248_ = _e873;
                             } else {
-                                phi_1238_ = u32();
-                                phi_1241_ = u32();
+                                phi_1245_ = u32();
+                                phi_1248_ = u32();
                             }
-                            let _e880 = phi_1238_;
-                            let _e882 = phi_1241_;
+                            let _e876 = phi_1245_;
+                            let _e878 = phi_1248_;
                             continue;
                             continuing {
-                                phi_1237_ = _e880;
-                                phi_1240_ = _e882;
-                                break if !(_e768);
+                                phi_1244_ = _e876;
+                                phi_1247_ = _e878;
+                                break if !(_e764);
                             }
                         }
-                        let _e886 = nodes.member[(0u + _e496)].links[0u];
-                        let _e890 = nodes.member[(0u + _e496)].frame[3u];
-                        let _e894 = local_3;
-                        if ((_e894 & 4278190080u) == 0u) {
+                        let _e882 = nodes.member[(0u + _e492)].links[0u];
+                        let _e886 = nodes.member[(0u + _e492)].frame[3u];
+                        let _e890 = local_3;
+                        if ((_e890 & 4278190080u) == 0u) {
                         } else {
-                            let _e898 = local_2.group_mask;
-                            if ((_e898 & 4278190080u) == 0u) {
+                            let _e894 = local_2.group_mask;
+                            if ((_e894 & 4278190080u) == 0u) {
                             } else {
-                                let _e902 = local_2.len;
-                                if (_e902 < 32u) {
-                                    let _e905 = local_2.group;
-                                    let _e907 = local_2.len;
-                                    if (_e907 < 32u) {
+                                let _e898 = local_2.len;
+                                if (_e898 < 32u) {
+                                    let _e901 = local_2.group;
+                                    let _e903 = local_2.len;
+                                    if (_e903 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e907)] = _e905;
-                                    let _e913 = local_2.group_mask;
-                                    let _e915 = local_2.len;
-                                    if (_e915 < 32u) {
+                                    local_2.first[(0u + _e903)] = _e901;
+                                    let _e909 = local_2.group_mask;
+                                    let _e911 = local_2.len;
+                                    if (_e911 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e915)] = _e913;
-                                    let _e922 = local_2.len;
-                                    local_2.len = (_e922 + 1u);
+                                    local_2.mask[(0u + _e911)] = _e909;
+                                    let _e918 = local_2.len;
+                                    local_2.len = (_e918 + 1u);
                                 }
                             }
-                            local_2.group = (_e112 + _e886);
-                            let _e926 = local_4;
-                            local_2.group_mask = ((_e926 & 4278190080u) | (_e890 >> bitcast<u32>(24i)));
+                            local_2.group = (_e112 + _e882);
+                            let _e922 = local_4;
+                            local_2.group_mask = ((_e922 & 4278190080u) | (_e886 >> bitcast<u32>(24i)));
                         }
-                        let _e931 = local_5;
-                        phi_1426_ = (_e931 & 16777215u);
-                        phi_1429_ = _e498;
+                        let _e927 = local_5;
+                        phi_1433_ = (_e927 & 16777215u);
+                        phi_1436_ = _e494;
                         loop {
-                            let _e934 = phi_1426_;
-                            let _e936 = phi_1429_;
-                            local_18 = _e936;
-                            let _e937 = (_e934 == 0u);
-                            local_11 = _e937;
-                            local_19 = _e937;
-                            if _e937 {
-                                phi_1427_ = u32();
-                                phi_1430_ = bool();
-                                phi_3281_ = false;
+                            let _e930 = phi_1433_;
+                            let _e932 = phi_1436_;
+                            local_18 = _e932;
+                            let _e933 = (_e930 == 0u);
+                            local_11 = _e933;
+                            local_19 = _e933;
+                            if _e933 {
+                                phi_1434_ = u32();
+                                phi_1437_ = bool();
+                                phi_3295_ = false;
                             } else {
-                                let _e940 = nodes.member[(0u + _e496)].links[1u];
-                                let _e944 = (_e940 + select(firstTrailingBit(_e934), 32u, (_e934 == 0u)));
-                                if (_e944 < arrayLength((&instances.member))) {
+                                let _e936 = nodes.member[(0u + _e492)].links[1u];
+                                let _e940 = (_e936 + select(firstTrailingBit(_e930), 32u, (_e930 == 0u)));
+                                if (_e940 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e951 = instances.member[(0u + _e944)].low_world;
-                                let _e953 = instances.member[(0u + _e944)].high_world;
-                                let _e960 = ((_e951.x - _e132) * _e290);
-                                let _e961 = ((_e951.y - _e134) * _e300);
-                                let _e962 = ((_e951.z - _e136) * _e310);
-                                let _e969 = ((_e953.x - _e132) * _e290);
-                                let _e970 = ((_e953.y - _e134) * _e300);
-                                let _e971 = ((_e953.z - _e136) * _e310);
-                                if (_e960 < _e969) {
-                                    phi_1478_ = _e960;
+                                let _e947 = instances.member[(0u + _e940)].low_world;
+                                let _e949 = instances.member[(0u + _e940)].high_world;
+                                let _e956 = ((_e947.x - _e132) * _e282);
+                                let _e957 = ((_e947.y - _e134) * _e292);
+                                let _e958 = ((_e947.z - _e136) * _e302);
+                                let _e965 = ((_e949.x - _e132) * _e282);
+                                let _e966 = ((_e949.y - _e134) * _e292);
+                                let _e967 = ((_e949.z - _e136) * _e302);
+                                if (_e956 < _e965) {
+                                    phi_1485_ = _e956;
                                 } else {
-                                    phi_1478_ = _e969;
+                                    phi_1485_ = _e965;
                                 }
-                                let _e974 = phi_1478_;
-                                if (_e961 < _e970) {
-                                    phi_1483_ = _e961;
+                                let _e970 = phi_1485_;
+                                if (_e957 < _e966) {
+                                    phi_1490_ = _e957;
                                 } else {
-                                    phi_1483_ = _e970;
+                                    phi_1490_ = _e966;
                                 }
-                                let _e977 = phi_1483_;
-                                if (_e962 < _e971) {
-                                    phi_1488_ = _e962;
+                                let _e973 = phi_1490_;
+                                if (_e958 < _e967) {
+                                    phi_1495_ = _e958;
                                 } else {
-                                    phi_1488_ = _e971;
+                                    phi_1495_ = _e967;
                                 }
-                                let _e980 = phi_1488_;
-                                if (_e960 > _e969) {
-                                    phi_1496_ = _e960;
+                                let _e976 = phi_1495_;
+                                if (_e956 > _e965) {
+                                    phi_1503_ = _e956;
                                 } else {
-                                    phi_1496_ = _e969;
+                                    phi_1503_ = _e965;
                                 }
-                                let _e986 = phi_1496_;
-                                if (_e961 > _e970) {
-                                    phi_1501_ = _e961;
+                                let _e982 = phi_1503_;
+                                if (_e957 > _e966) {
+                                    phi_1508_ = _e957;
                                 } else {
-                                    phi_1501_ = _e970;
+                                    phi_1508_ = _e966;
                                 }
-                                let _e989 = phi_1501_;
-                                if (_e962 > _e971) {
-                                    phi_1506_ = _e962;
+                                let _e985 = phi_1508_;
+                                if (_e958 > _e967) {
+                                    phi_1513_ = _e958;
                                 } else {
-                                    phi_1506_ = _e971;
+                                    phi_1513_ = _e967;
                                 }
-                                let _e992 = phi_1506_;
-                                let _e996 = core_intrinsics_maximum_number_nsz_f32_((_e974 - _e345), (_e977 - _e346));
-                                let _e997 = core_intrinsics_maximum_number_nsz_f32_(_e996, (_e980 - _e347));
-                                let _e998 = core_intrinsics_minimum_number_nsz_f32_((_e986 + _e345), (_e989 + _e346));
-                                let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, (_e992 + _e347));
-                                if (_e997 <= _e999) {
-                                    if (_e997 <= _e142) {
-                                        if (_e999 >= 0f) {
-                                            let _e1005 = instances.member[(0u + _e944)].world_to_object[0u];
-                                            let _e1016 = ((((_e1005.x * _e132) + (_e1005.y * _e134)) + (_e1005.z * _e136)) + (_e1005.w * 1f));
-                                            let _e1018 = instances.member[(0u + _e944)].world_to_object[1u];
-                                            let _e1029 = ((((_e1018.x * _e132) + (_e1018.y * _e134)) + (_e1018.z * _e136)) + (_e1018.w * 1f));
-                                            let _e1031 = instances.member[(0u + _e944)].world_to_object[2u];
-                                            let _e1042 = ((((_e1031.x * _e132) + (_e1031.y * _e134)) + (_e1031.z * _e136)) + (_e1031.w * 1f));
-                                            let _e1045 = instances.member[(0u + _e944)].world_to_object[0u];
-                                            let _e1056 = ((((_e1045.x * _e150) + (_e1045.y * _e151)) + (_e1045.z * _e152)) + (_e1045.w * 0f));
-                                            let _e1058 = instances.member[(0u + _e944)].world_to_object[1u];
-                                            let _e1069 = ((((_e1058.x * _e150) + (_e1058.y * _e151)) + (_e1058.z * _e152)) + (_e1058.w * 0f));
-                                            let _e1071 = instances.member[(0u + _e944)].world_to_object[2u];
-                                            let _e1082 = ((((_e1071.x * _e150) + (_e1071.y * _e151)) + (_e1071.z * _e152)) + (_e1071.w * 0f));
-                                            let _e1085 = instances.member[(0u + _e944)].root;
-                                            let _e1087 = instances.member[(0u + _e944)].first_triangle;
-                                            let _e1091 = abs(_e1056);
-                                            let _e1092 = abs(_e1069);
-                                            let _e1093 = abs(_e1082);
-                                            if (abs(_e1016) < 1000000000000000f) {
-                                                if (abs(_e1029) < 1000000000000000f) {
-                                                    if (abs(_e1042) < 1000000000000000f) {
-                                                        if (_e1091 < 1000000000000000f) {
-                                                            if (_e1092 < 1000000000000000f) {
-                                                                if (_e1093 < 1000000000000000f) {
-                                                                    if (_e1091 > 0f) {
-                                                                        phi_1651_ = bool();
-                                                                        phi_1652_ = true;
-                                                                    } else {
-                                                                        let _e1101 = (_e1092 > 0f);
-                                                                        if _e1101 {
-                                                                            phi_1650_ = bool();
-                                                                        } else {
-                                                                            phi_1650_ = (_e1093 > 0f);
-                                                                        }
-                                                                        let _e1104 = phi_1650_;
-                                                                        phi_1651_ = _e1104;
-                                                                        phi_1652_ = _e1101;
-                                                                    }
-                                                                    let _e1106 = phi_1651_;
-                                                                    let _e1108 = phi_1652_;
-                                                                    if _e1108 {
-                                                                        phi_1656_ = true;
-                                                                    } else {
-                                                                        phi_1656_ = _e1106;
-                                                                    }
-                                                                    let _e1110 = phi_1656_;
-                                                                    phi_1657_ = _e1110;
-                                                                    phi_1658_ = false;
-                                                                } else {
-                                                                    phi_1657_ = bool();
-                                                                    phi_1658_ = true;
-                                                                }
-                                                                let _e1112 = phi_1657_;
-                                                                let _e1114 = phi_1658_;
-                                                                phi_1659_ = _e1112;
-                                                                phi_1660_ = false;
-                                                                phi_1661_ = _e1114;
-                                                            } else {
-                                                                phi_1659_ = bool();
-                                                                phi_1660_ = true;
-                                                                phi_1661_ = false;
-                                                            }
-                                                            let _e1116 = phi_1659_;
-                                                            let _e1118 = phi_1660_;
-                                                            let _e1120 = phi_1661_;
-                                                            phi_1662_ = _e1116;
-                                                            phi_1663_ = _e1118;
-                                                            phi_1664_ = _e1120;
-                                                        } else {
-                                                            phi_1662_ = bool();
-                                                            phi_1663_ = true;
-                                                            phi_1664_ = false;
-                                                        }
-                                                        let _e1122 = phi_1662_;
-                                                        let _e1124 = phi_1663_;
-                                                        let _e1126 = phi_1664_;
-                                                        phi_1665_ = _e1122;
-                                                        phi_1666_ = _e1124;
-                                                        phi_1667_ = _e1126;
-                                                    } else {
-                                                        phi_1665_ = bool();
-                                                        phi_1666_ = true;
-                                                        phi_1667_ = false;
-                                                    }
-                                                    let _e1128 = phi_1665_;
-                                                    let _e1130 = phi_1666_;
-                                                    let _e1132 = phi_1667_;
-                                                    phi_1668_ = _e1128;
-                                                    phi_1669_ = _e1130;
-                                                    phi_1670_ = _e1132;
+                                let _e988 = phi_1513_;
+                                let _e992 = core_intrinsics_maximum_number_nsz_f32_((_e970 - _e341), (_e973 - _e342));
+                                let _e993 = core_intrinsics_maximum_number_nsz_f32_(_e992, (_e976 - _e343));
+                                let _e994 = core_intrinsics_minimum_number_nsz_f32_((_e982 + _e341), (_e985 + _e342));
+                                let _e995 = core_intrinsics_minimum_number_nsz_f32_(_e994, (_e988 + _e343));
+                                if (_e993 <= _e995) {
+                                    if (_e993 <= _e142) {
+                                        if (_e995 >= 0f) {
+                                            let _e1001 = instances.member[(0u + _e940)].world_to_object[0u];
+                                            let _e1012 = ((((_e1001.x * _e132) + (_e1001.y * _e134)) + (_e1001.z * _e136)) + (_e1001.w * 1f));
+                                            let _e1014 = instances.member[(0u + _e940)].world_to_object[1u];
+                                            let _e1025 = ((((_e1014.x * _e132) + (_e1014.y * _e134)) + (_e1014.z * _e136)) + (_e1014.w * 1f));
+                                            let _e1027 = instances.member[(0u + _e940)].world_to_object[2u];
+                                            let _e1038 = ((((_e1027.x * _e132) + (_e1027.y * _e134)) + (_e1027.z * _e136)) + (_e1027.w * 1f));
+                                            let _e1041 = instances.member[(0u + _e940)].world_to_object[0u];
+                                            let _e1052 = ((((_e1041.x * _e150) + (_e1041.y * _e151)) + (_e1041.z * _e152)) + (_e1041.w * 0f));
+                                            let _e1054 = instances.member[(0u + _e940)].world_to_object[1u];
+                                            let _e1065 = ((((_e1054.x * _e150) + (_e1054.y * _e151)) + (_e1054.z * _e152)) + (_e1054.w * 0f));
+                                            let _e1067 = instances.member[(0u + _e940)].world_to_object[2u];
+                                            let _e1078 = ((((_e1067.x * _e150) + (_e1067.y * _e151)) + (_e1067.z * _e152)) + (_e1067.w * 0f));
+                                            let _e1081 = instances.member[(0u + _e940)].root;
+                                            let _e1083 = instances.member[(0u + _e940)].first_triangle;
+                                            let _e1084 = abs(_e1052);
+                                            let _e1085 = abs(_e1065);
+                                            let _e1086 = abs(_e1078);
+                                            if (abs(_e1012) < 1000000000000000f) {
+                                                if (abs(_e1025) < 1000000000000000f) {
+                                                    phi_1633_ = (abs(_e1038) < 1000000000000000f);
+                                                    phi_1634_ = false;
                                                 } else {
-                                                    phi_1668_ = bool();
-                                                    phi_1669_ = true;
-                                                    phi_1670_ = false;
+                                                    phi_1633_ = bool();
+                                                    phi_1634_ = true;
                                                 }
-                                                let _e1134 = phi_1668_;
-                                                let _e1136 = phi_1669_;
-                                                let _e1138 = phi_1670_;
-                                                phi_1671_ = _e1134;
-                                                phi_1672_ = _e1136;
-                                                phi_1673_ = _e1138;
+                                                let _e1094 = phi_1633_;
+                                                let _e1096 = phi_1634_;
+                                                phi_1635_ = _e1094;
+                                                phi_1636_ = _e1096;
                                             } else {
-                                                phi_1671_ = bool();
-                                                phi_1672_ = true;
-                                                phi_1673_ = false;
+                                                phi_1635_ = bool();
+                                                phi_1636_ = true;
                                             }
-                                            let _e1140 = phi_1671_;
-                                            let _e1142 = phi_1672_;
-                                            let _e1144 = phi_1673_;
-                                            if _e1142 {
-                                                phi_1677_ = true;
+                                            let _e1098 = phi_1635_;
+                                            let _e1100 = phi_1636_;
+                                            if _e1100 {
+                                                phi_1640_ = false;
                                             } else {
-                                                phi_1677_ = _e1144;
+                                                phi_1640_ = _e1098;
                                             }
-                                            let _e1146 = phi_1677_;
-                                            if _e1146 {
-                                                phi_1681_ = false;
-                                            } else {
-                                                phi_1681_ = _e1140;
-                                            }
-                                            let _e1148 = phi_1681_;
-                                            if _e1148 {
-                                                let _e1149 = (_e1085 >= _e76);
-                                                if _e1149 {
-                                                    phi_3261_ = bool();
+                                            let _e1102 = phi_1640_;
+                                            if _e1102 {
+                                                if (_e1084 < 1000000000000000f) {
+                                                    if (_e1085 < 1000000000000000f) {
+                                                        phi_1653_ = (_e1086 < 1000000000000000f);
+                                                        phi_1654_ = false;
+                                                    } else {
+                                                        phi_1653_ = bool();
+                                                        phi_1654_ = true;
+                                                    }
+                                                    let _e1107 = phi_1653_;
+                                                    let _e1109 = phi_1654_;
+                                                    phi_1655_ = _e1107;
+                                                    phi_1656_ = _e1109;
                                                 } else {
-                                                    if (_e1085 < _e76) {
+                                                    phi_1655_ = bool();
+                                                    phi_1656_ = true;
+                                                }
+                                                let _e1111 = phi_1655_;
+                                                let _e1113 = phi_1656_;
+                                                if _e1113 {
+                                                    phi_1660_ = false;
+                                                } else {
+                                                    phi_1660_ = _e1111;
+                                                }
+                                                let _e1115 = phi_1660_;
+                                                if _e1115 {
+                                                    if (_e1084 > 0f) {
+                                                        phi_1674_ = bool();
+                                                        phi_1675_ = true;
+                                                    } else {
+                                                        let _e1117 = (_e1085 > 0f);
+                                                        if _e1117 {
+                                                            phi_1673_ = bool();
+                                                        } else {
+                                                            phi_1673_ = (_e1086 > 0f);
+                                                        }
+                                                        let _e1120 = phi_1673_;
+                                                        phi_1674_ = _e1120;
+                                                        phi_1675_ = _e1117;
+                                                    }
+                                                    let _e1122 = phi_1674_;
+                                                    let _e1124 = phi_1675_;
+                                                    if _e1124 {
+                                                        phi_1679_ = true;
+                                                    } else {
+                                                        phi_1679_ = _e1122;
+                                                    }
+                                                    let _e1126 = phi_1679_;
+                                                    phi_1680_ = _e1126;
+                                                    phi_1681_ = false;
+                                                } else {
+                                                    phi_1680_ = bool();
+                                                    phi_1681_ = true;
+                                                }
+                                                let _e1128 = phi_1680_;
+                                                let _e1130 = phi_1681_;
+                                                phi_1682_ = _e1128;
+                                                phi_1683_ = _e1130;
+                                            } else {
+                                                phi_1682_ = bool();
+                                                phi_1683_ = true;
+                                            }
+                                            let _e1132 = phi_1682_;
+                                            let _e1134 = phi_1683_;
+                                            if _e1134 {
+                                                phi_1687_ = false;
+                                            } else {
+                                                phi_1687_ = _e1132;
+                                            }
+                                            let _e1136 = phi_1687_;
+                                            if _e1136 {
+                                                let _e1137 = (_e1081 >= _e76);
+                                                if _e1137 {
+                                                    phi_3275_ = bool();
+                                                } else {
+                                                    if (_e1081 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1155 = nodes.member[(0u + _e1085)].frame[0u];
-                                                    let _e1159 = nodes.member[(0u + _e1085)].frame[1u];
-                                                    let _e1163 = nodes.member[(0u + _e1085)].frame[2u];
-                                                    let _e1167 = nodes.member[(0u + _e1085)].frame[0u];
-                                                    let _e1171 = nodes.member[(0u + _e1085)].frame[1u];
-                                                    let _e1175 = nodes.member[(0u + _e1085)].frame[2u];
-                                                    let _e1179 = nodes.member[(0u + _e1085)].frame[3u];
-                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1056), abs(_e1069));
-                                                    let _e1214 = core_intrinsics_maximum_number_nsz_f32_(_e1213, abs(_e1082));
-                                                    let _e1215 = (_e1214 * 0.0000000000009094947f);
-                                                    if (abs(_e1056) < _e1215) {
-                                                        phi_1751_ = _e1215;
+                                                    let _e1143 = nodes.member[(0u + _e1081)].frame[0u];
+                                                    let _e1147 = nodes.member[(0u + _e1081)].frame[1u];
+                                                    let _e1151 = nodes.member[(0u + _e1081)].frame[2u];
+                                                    let _e1155 = nodes.member[(0u + _e1081)].frame[0u];
+                                                    let _e1159 = nodes.member[(0u + _e1081)].frame[1u];
+                                                    let _e1163 = nodes.member[(0u + _e1081)].frame[2u];
+                                                    let _e1167 = nodes.member[(0u + _e1081)].frame[3u];
+                                                    let _e1201 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1052), abs(_e1065));
+                                                    let _e1202 = core_intrinsics_maximum_number_nsz_f32_(_e1201, abs(_e1078));
+                                                    let _e1203 = (_e1202 * 0.0000000000009094947f);
+                                                    if (abs(_e1052) < _e1203) {
+                                                        phi_1757_ = _e1203;
                                                     } else {
-                                                        phi_1751_ = abs(_e1056);
+                                                        phi_1757_ = abs(_e1052);
                                                     }
-                                                    let _e1220 = phi_1751_;
-                                                    if (_e1056 < 0f) {
-                                                        phi_1758_ = (-1f / _e1220);
+                                                    let _e1208 = phi_1757_;
+                                                    if (_e1052 < 0f) {
+                                                        phi_1764_ = (-1f / _e1208);
                                                     } else {
-                                                        phi_1758_ = (1f / _e1220);
+                                                        phi_1764_ = (1f / _e1208);
                                                     }
-                                                    let _e1225 = phi_1758_;
-                                                    if (abs(_e1069) < _e1215) {
-                                                        phi_1765_ = _e1215;
+                                                    let _e1213 = phi_1764_;
+                                                    if (abs(_e1065) < _e1203) {
+                                                        phi_1771_ = _e1203;
                                                     } else {
-                                                        phi_1765_ = abs(_e1069);
+                                                        phi_1771_ = abs(_e1065);
                                                     }
-                                                    let _e1230 = phi_1765_;
-                                                    if (_e1069 < 0f) {
-                                                        phi_1772_ = (-1f / _e1230);
+                                                    let _e1218 = phi_1771_;
+                                                    if (_e1065 < 0f) {
+                                                        phi_1778_ = (-1f / _e1218);
                                                     } else {
-                                                        phi_1772_ = (1f / _e1230);
+                                                        phi_1778_ = (1f / _e1218);
                                                     }
-                                                    let _e1235 = phi_1772_;
-                                                    if (abs(_e1082) < _e1215) {
-                                                        phi_1779_ = _e1215;
+                                                    let _e1223 = phi_1778_;
+                                                    if (abs(_e1078) < _e1203) {
+                                                        phi_1785_ = _e1203;
                                                     } else {
-                                                        phi_1779_ = abs(_e1082);
+                                                        phi_1785_ = abs(_e1078);
                                                     }
-                                                    let _e1240 = phi_1779_;
-                                                    if (_e1082 < 0f) {
-                                                        phi_1786_ = (-1f / _e1240);
+                                                    let _e1228 = phi_1785_;
+                                                    if (_e1078 < 0f) {
+                                                        phi_1792_ = (-1f / _e1228);
                                                     } else {
-                                                        phi_1786_ = (1f / _e1240);
+                                                        phi_1792_ = (1f / _e1228);
                                                     }
-                                                    let _e1245 = phi_1786_;
-                                                    let _e1249 = abs((bitcast<f32>(_e1155) - _e1016));
-                                                    let _e1250 = abs((bitcast<f32>(_e1159) - _e1029));
-                                                    let _e1251 = abs((bitcast<f32>(_e1163) - _e1042));
-                                                    let _e1255 = abs(((bitcast<f32>(_e1167) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1016));
-                                                    let _e1256 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1029));
-                                                    let _e1257 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1042));
-                                                    if (_e1249 > _e1255) {
-                                                        phi_1803_ = _e1249;
+                                                    let _e1233 = phi_1792_;
+                                                    let _e1237 = abs((bitcast<f32>(_e1143) - _e1012));
+                                                    let _e1238 = abs((bitcast<f32>(_e1147) - _e1025));
+                                                    let _e1239 = abs((bitcast<f32>(_e1151) - _e1038));
+                                                    let _e1243 = abs(((bitcast<f32>(_e1155) + (bitcast<f32>((((_e1167 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1012));
+                                                    let _e1244 = abs(((bitcast<f32>(_e1159) + (bitcast<f32>((((_e1167 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1025));
+                                                    let _e1245 = abs(((bitcast<f32>(_e1163) + (bitcast<f32>((((_e1167 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1038));
+                                                    if (_e1237 > _e1243) {
+                                                        phi_1809_ = _e1237;
                                                     } else {
-                                                        phi_1803_ = _e1255;
+                                                        phi_1809_ = _e1243;
                                                     }
-                                                    let _e1260 = phi_1803_;
-                                                    if (_e1250 > _e1256) {
-                                                        phi_1808_ = _e1250;
+                                                    let _e1248 = phi_1809_;
+                                                    if (_e1238 > _e1244) {
+                                                        phi_1814_ = _e1238;
                                                     } else {
-                                                        phi_1808_ = _e1256;
+                                                        phi_1814_ = _e1244;
                                                     }
-                                                    let _e1263 = phi_1808_;
-                                                    if (_e1251 > _e1257) {
-                                                        phi_1813_ = _e1251;
+                                                    let _e1251 = phi_1814_;
+                                                    if (_e1239 > _e1245) {
+                                                        phi_1819_ = _e1239;
                                                     } else {
-                                                        phi_1813_ = _e1257;
+                                                        phi_1819_ = _e1245;
                                                     }
-                                                    let _e1266 = phi_1813_;
-                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1260, _e1263);
-                                                    let _e1268 = core_intrinsics_maximum_number_nsz_f32_(_e1267, _e1266);
-                                                    let _e1272 = (_e1268 * 0.0000019073486f);
-                                                    let _e1273 = (abs(_e1225) * _e1272);
-                                                    let _e1274 = (abs(_e1235) * _e1272);
-                                                    let _e1275 = (abs(_e1245) * _e1272);
-                                                    let _e1279 = (_e1268 * 0.0000009536743f);
-                                                    let _e1280 = (abs(_e1225) * _e1279);
-                                                    let _e1281 = (abs(_e1235) * _e1279);
-                                                    let _e1282 = (abs(_e1245) * _e1279);
-                                                    let _e1283 = abs(_e1056);
-                                                    let _e1284 = abs(_e1069);
-                                                    let _e1285 = abs(_e1082);
-                                                    if (_e1283 >= _e1284) {
-                                                        if (_e1283 >= _e1285) {
-                                                            phi_1841_ = false;
+                                                    let _e1254 = phi_1819_;
+                                                    if (_e1248 > _e1251) {
+                                                        phi_1824_ = _e1248;
+                                                    } else {
+                                                        phi_1824_ = _e1251;
+                                                    }
+                                                    let _e1257 = phi_1824_;
+                                                    if (_e1257 > _e1254) {
+                                                        phi_1829_ = _e1257;
+                                                    } else {
+                                                        phi_1829_ = _e1254;
+                                                    }
+                                                    let _e1260 = phi_1829_;
+                                                    let _e1264 = (_e1260 * 0.0000019073486f);
+                                                    let _e1265 = (abs(_e1213) * _e1264);
+                                                    let _e1266 = (abs(_e1223) * _e1264);
+                                                    let _e1267 = (abs(_e1233) * _e1264);
+                                                    let _e1271 = (_e1260 * 0.0000009536743f);
+                                                    let _e1272 = (abs(_e1213) * _e1271);
+                                                    let _e1273 = (abs(_e1223) * _e1271);
+                                                    let _e1274 = (abs(_e1233) * _e1271);
+                                                    let _e1275 = abs(_e1052);
+                                                    let _e1276 = abs(_e1065);
+                                                    let _e1277 = abs(_e1078);
+                                                    if (_e1275 >= _e1276) {
+                                                        if (_e1275 >= _e1277) {
+                                                            phi_1855_ = false;
                                                         } else {
-                                                            phi_1841_ = true;
+                                                            phi_1855_ = true;
                                                         }
-                                                        let _e1289 = phi_1841_;
-                                                        phi_1842_ = _e1289;
+                                                        let _e1281 = phi_1855_;
+                                                        phi_1856_ = _e1281;
                                                     } else {
-                                                        phi_1842_ = true;
+                                                        phi_1856_ = true;
                                                     }
-                                                    let _e1291 = phi_1842_;
-                                                    if _e1291 {
-                                                        if (_e1284 >= _e1285) {
-                                                            phi_1850_ = 1u;
+                                                    let _e1283 = phi_1856_;
+                                                    if _e1283 {
+                                                        if (_e1276 >= _e1277) {
+                                                            phi_1864_ = 1u;
                                                         } else {
-                                                            phi_1850_ = 2u;
+                                                            phi_1864_ = 2u;
                                                         }
-                                                        let _e1294 = phi_1850_;
-                                                        phi_1851_ = _e1294;
+                                                        let _e1286 = phi_1864_;
+                                                        phi_1865_ = _e1286;
                                                     } else {
-                                                        phi_1851_ = 0u;
+                                                        phi_1865_ = 0u;
                                                     }
-                                                    let _e1296 = phi_1851_;
-                                                    if (_e1296 == 0u) {
-                                                        phi_1863_ = vec3<f32>(_e1069, _e1082, _e1056);
+                                                    let _e1288 = phi_1865_;
+                                                    if (_e1288 == 0u) {
+                                                        phi_1877_ = vec3<f32>(_e1065, _e1078, _e1052);
                                                     } else {
-                                                        if (_e1296 == 1u) {
-                                                            phi_1862_ = vec3<f32>(_e1082, _e1056, _e1069);
+                                                        if (_e1288 == 1u) {
+                                                            phi_1876_ = vec3<f32>(_e1078, _e1052, _e1065);
                                                         } else {
-                                                            phi_1862_ = vec3<f32>(_e1056, _e1069, _e1082);
+                                                            phi_1876_ = vec3<f32>(_e1052, _e1065, _e1078);
                                                         }
-                                                        let _e1302 = phi_1862_;
-                                                        phi_1863_ = _e1302;
+                                                        let _e1294 = phi_1876_;
+                                                        phi_1877_ = _e1294;
                                                     }
-                                                    let _e1304 = phi_1863_;
-                                                    let _e1307 = (_e1304.x / _e1304.z);
-                                                    let _e1310 = (_e1304.y / _e1304.z);
-                                                    if (_e1225 < 0f) {
-                                                        phi_1876_ = 0u;
+                                                    let _e1296 = phi_1877_;
+                                                    let _e1299 = (_e1296.x / _e1296.z);
+                                                    let _e1302 = (_e1296.y / _e1296.z);
+                                                    if (_e1213 < 0f) {
+                                                        phi_1890_ = 0u;
                                                     } else {
-                                                        phi_1876_ = 1u;
+                                                        phi_1890_ = 1u;
                                                     }
-                                                    let _e1315 = phi_1876_;
-                                                    if (_e1235 < 0f) {
-                                                        phi_1881_ = 0u;
+                                                    let _e1307 = phi_1890_;
+                                                    if (_e1223 < 0f) {
+                                                        phi_1895_ = 0u;
                                                     } else {
-                                                        phi_1881_ = 2u;
+                                                        phi_1895_ = 2u;
                                                     }
-                                                    let _e1318 = phi_1881_;
-                                                    if (_e1245 < 0f) {
-                                                        phi_1886_ = 0u;
+                                                    let _e1310 = phi_1895_;
+                                                    if (_e1233 < 0f) {
+                                                        phi_1900_ = 0u;
                                                     } else {
-                                                        phi_1886_ = 4u;
+                                                        phi_1900_ = 4u;
                                                     }
-                                                    let _e1321 = phi_1886_;
-                                                    let _e1323 = ((_e1315 | _e1318) | _e1321);
-                                                    let _e1324 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1085, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1324.first[0], _e1324.first[1], _e1324.first[2], _e1324.first[3], _e1324.first[4], _e1324.first[5], _e1324.first[6], _e1324.first[7], _e1324.first[8], _e1324.first[9], _e1324.first[10], _e1324.first[11], _e1324.first[12], _e1324.first[13], _e1324.first[14], _e1324.first[15], _e1324.first[16], _e1324.first[17], _e1324.first[18], _e1324.first[19], _e1324.first[20], _e1324.first[21], _e1324.first[22], _e1324.first[23], _e1324.first[24], _e1324.first[25], _e1324.first[26], _e1324.first[27], _e1324.first[28], _e1324.first[29], _e1324.first[30], _e1324.first[31]), array<u32, 32>(_e1324.mask[0], _e1324.mask[1], _e1324.mask[2], _e1324.mask[3], _e1324.mask[4], _e1324.mask[5], _e1324.mask[6], _e1324.mask[7], _e1324.mask[8], _e1324.mask[9], _e1324.mask[10], _e1324.mask[11], _e1324.mask[12], _e1324.mask[13], _e1324.mask[14], _e1324.mask[15], _e1324.mask[16], _e1324.mask[17], _e1324.mask[18], _e1324.mask[19], _e1324.mask[20], _e1324.mask[21], _e1324.mask[22], _e1324.mask[23], _e1324.mask[24], _e1324.mask[25], _e1324.mask[26], _e1324.mask[27], _e1324.mask[28], _e1324.mask[29], _e1324.mask[30], _e1324.mask[31]), _e1324.len, _e1324.group, _e1324.group_mask);
-                                                    let _e1398 = local_1.group_mask;
-                                                    if ((_e1398 & 4278190080u) == 0u) {
-                                                        let _e1402 = local_1.len;
-                                                        if (_e1402 == 0u) {
-                                                            phi_2000_ = false;
+                                                    let _e1313 = phi_1900_;
+                                                    let _e1315 = ((_e1307 | _e1310) | _e1313);
+                                                    let _e1316 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1081, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1316.first[0], _e1316.first[1], _e1316.first[2], _e1316.first[3], _e1316.first[4], _e1316.first[5], _e1316.first[6], _e1316.first[7], _e1316.first[8], _e1316.first[9], _e1316.first[10], _e1316.first[11], _e1316.first[12], _e1316.first[13], _e1316.first[14], _e1316.first[15], _e1316.first[16], _e1316.first[17], _e1316.first[18], _e1316.first[19], _e1316.first[20], _e1316.first[21], _e1316.first[22], _e1316.first[23], _e1316.first[24], _e1316.first[25], _e1316.first[26], _e1316.first[27], _e1316.first[28], _e1316.first[29], _e1316.first[30], _e1316.first[31]), array<u32, 32>(_e1316.mask[0], _e1316.mask[1], _e1316.mask[2], _e1316.mask[3], _e1316.mask[4], _e1316.mask[5], _e1316.mask[6], _e1316.mask[7], _e1316.mask[8], _e1316.mask[9], _e1316.mask[10], _e1316.mask[11], _e1316.mask[12], _e1316.mask[13], _e1316.mask[14], _e1316.mask[15], _e1316.mask[16], _e1316.mask[17], _e1316.mask[18], _e1316.mask[19], _e1316.mask[20], _e1316.mask[21], _e1316.mask[22], _e1316.mask[23], _e1316.mask[24], _e1316.mask[25], _e1316.mask[26], _e1316.mask[27], _e1316.mask[28], _e1316.mask[29], _e1316.mask[30], _e1316.mask[31]), _e1316.len, _e1316.group, _e1316.group_mask);
+                                                    let _e1390 = local_1.group_mask;
+                                                    if ((_e1390 & 4278190080u) == 0u) {
+                                                        let _e1394 = local_1.len;
+                                                        if (_e1394 == 0u) {
+                                                            phi_2014_ = false;
                                                         } else {
-                                                            let _e1406 = local_1.len;
-                                                            local_1.len = (_e1406 - 1u);
+                                                            let _e1398 = local_1.len;
+                                                            local_1.len = (_e1398 - 1u);
+                                                            let _e1401 = local_1.len;
+                                                            if (_e1401 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1406 = local_1.first[(0u + _e1401)];
+                                                            local_1.group = _e1406;
                                                             let _e1409 = local_1.len;
                                                             if (_e1409 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1414 = local_1.first[(0u + _e1409)];
-                                                            local_1.group = _e1414;
-                                                            let _e1417 = local_1.len;
-                                                            if (_e1417 < 32u) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1422 = local_1.mask[(0u + _e1417)];
-                                                            local_1.group_mask = _e1422;
-                                                            phi_2000_ = true;
+                                                            let _e1414 = local_1.mask[(0u + _e1409)];
+                                                            local_1.group_mask = _e1414;
+                                                            phi_2014_ = true;
                                                         }
-                                                        let _e1425 = phi_2000_;
-                                                        phi_2001_ = _e1425;
+                                                        let _e1417 = phi_2014_;
+                                                        phi_2015_ = _e1417;
                                                     } else {
-                                                        phi_2001_ = true;
+                                                        phi_2015_ = true;
                                                     }
-                                                    let _e1427 = phi_2001_;
-                                                    if _e1427 {
-                                                        let _e1429 = local_1.group_mask;
-                                                        let _e1435 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1429)), 32u, (_e1429 == 0u)));
-                                                        let _e1439 = local_1.group_mask;
-                                                        let _e1453 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1453 & ~((1u << bitcast<u32>((_e1435 & 31u)))));
-                                                        let _e1456 = local_1.group;
-                                                        phi_2032_ = (_e1456 + countOneBits(((_e1439 & ~((4294967295u << bitcast<u32>((((_e1435 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1419 = phi_2015_;
+                                                    if _e1419 {
+                                                        let _e1421 = local_1.group_mask;
+                                                        let _e1427 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1421)), 32u, (_e1421 == 0u)));
+                                                        let _e1431 = local_1.group_mask;
+                                                        let _e1445 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1445 & ~((1u << bitcast<u32>((_e1427 & 31u)))));
+                                                        let _e1448 = local_1.group;
+                                                        phi_2046_ = (_e1448 + countOneBits(((_e1431 & ~((4294967295u << bitcast<u32>((((_e1427 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2032_ = 4294967295u;
+                                                        phi_2046_ = 4294967295u;
                                                     }
-                                                    let _e1459 = phi_2032_;
-                                                    phi_2034_ = _e1459;
-                                                    phi_2037_ = _e936;
+                                                    let _e1451 = phi_2046_;
+                                                    phi_2048_ = _e1451;
+                                                    phi_2051_ = _e932;
                                                     loop {
-                                                        let _e1461 = phi_2034_;
-                                                        let _e1463 = phi_2037_;
-                                                        local_17 = _e1463;
-                                                        if (_e1461 != 4294967295u) {
-                                                            if (_e1461 < _e76) {
+                                                        let _e1453 = phi_2048_;
+                                                        let _e1455 = phi_2051_;
+                                                        local_17 = _e1455;
+                                                        if (_e1453 != 4294967295u) {
+                                                            if (_e1453 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1470 = nodes.member[(0u + _e1461)].frame[3u];
-                                                            let _e1495 = (bitcast<f32>((((_e1470 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1225);
-                                                            let _e1496 = (bitcast<f32>((((_e1470 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1235);
-                                                            let _e1497 = (bitcast<f32>((((_e1470 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1245);
-                                                            let _e1500 = nodes.member[(0u + _e1461)].frame[0u];
-                                                            let _e1504 = nodes.member[(0u + _e1461)].frame[1u];
-                                                            let _e1508 = nodes.member[(0u + _e1461)].frame[2u];
-                                                            let _e1513 = ((bitcast<f32>(_e1500) - _e1016) * _e1225);
-                                                            let _e1514 = ((bitcast<f32>(_e1504) - _e1029) * _e1235);
-                                                            let _e1515 = ((bitcast<f32>(_e1508) - _e1042) * _e1245);
-                                                            let _e1523 = nodes.member[(0u + _e1461)].x;
-                                                            if (_e1225 < 0f) {
-                                                                let _e1534 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1523.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1534.unnamed.root, _e1523.w), _e1534.unnamed_1);
-                                                                let _e1546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1540.unnamed, lt_bvh_traverse_Tree(_e1523.x, _e1540.unnamed_1.first_primitive));
-                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1546.unnamed, lt_bvh_traverse_Tree(_e1546.unnamed_1.root, _e1523.y));
+                                                            let _e1462 = nodes.member[(0u + _e1453)].frame[3u];
+                                                            let _e1487 = (bitcast<f32>((((_e1462 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1213);
+                                                            let _e1488 = (bitcast<f32>((((_e1462 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1223);
+                                                            let _e1489 = (bitcast<f32>((((_e1462 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1233);
+                                                            let _e1492 = nodes.member[(0u + _e1453)].frame[0u];
+                                                            let _e1496 = nodes.member[(0u + _e1453)].frame[1u];
+                                                            let _e1500 = nodes.member[(0u + _e1453)].frame[2u];
+                                                            let _e1505 = ((bitcast<f32>(_e1492) - _e1012) * _e1213);
+                                                            let _e1506 = ((bitcast<f32>(_e1496) - _e1025) * _e1223);
+                                                            let _e1507 = ((bitcast<f32>(_e1500) - _e1038) * _e1233);
+                                                            let _e1515 = nodes.member[(0u + _e1453)].x;
+                                                            if (_e1213 < 0f) {
+                                                                let _e1526 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1515.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1526.unnamed.word, _e1515.w), _e1526.unnamed_1);
+                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1532.unnamed, lt_mask_LightPlace(_e1515.x, _e1532.unnamed_1.shift));
+                                                                phi_2131_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_mask_LightPlace(_e1538.unnamed_1.word, _e1515.y));
                                                             } else {
-                                                                let _e1562 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1523.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1562.unnamed.root, _e1523.y), _e1562.unnamed_1);
-                                                                let _e1574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1568.unnamed, lt_bvh_traverse_Tree(_e1523.z, _e1568.unnamed_1.first_primitive));
-                                                                phi_2117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1574.unnamed, lt_bvh_traverse_Tree(_e1574.unnamed_1.root, _e1523.w));
+                                                                let _e1554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1515.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1554.unnamed.word, _e1515.y), _e1554.unnamed_1);
+                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1560.unnamed, lt_mask_LightPlace(_e1515.z, _e1560.unnamed_1.shift));
+                                                                phi_2131_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_mask_LightPlace(_e1566.unnamed_1.word, _e1515.w));
                                                             }
-                                                            let _e1582 = phi_2117_;
-                                                            let _e1592 = nodes.member[(0u + _e1461)].y;
-                                                            if (_e1235 < 0f) {
-                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1603.unnamed.root, _e1592.w), _e1603.unnamed_1);
-                                                                let _e1615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1592.x, _e1609.unnamed_1.first_primitive));
-                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1615.unnamed, lt_bvh_traverse_Tree(_e1615.unnamed_1.root, _e1592.y));
+                                                            let _e1574 = phi_2131_;
+                                                            let _e1584 = nodes.member[(0u + _e1453)].y;
+                                                            if (_e1223 < 0f) {
+                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1595.unnamed.word, _e1584.w), _e1595.unnamed_1);
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_mask_LightPlace(_e1584.x, _e1601.unnamed_1.shift));
+                                                                phi_2158_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_mask_LightPlace(_e1607.unnamed_1.word, _e1584.y));
                                                             } else {
-                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1592.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1631.unnamed.root, _e1592.y), _e1631.unnamed_1);
-                                                                let _e1643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1592.z, _e1637.unnamed_1.first_primitive));
-                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1643.unnamed, lt_bvh_traverse_Tree(_e1643.unnamed_1.root, _e1592.w));
+                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1623.unnamed.word, _e1584.y), _e1623.unnamed_1);
+                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_mask_LightPlace(_e1584.z, _e1629.unnamed_1.shift));
+                                                                phi_2158_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_mask_LightPlace(_e1635.unnamed_1.word, _e1584.w));
                                                             }
-                                                            let _e1651 = phi_2144_;
-                                                            let _e1661 = nodes.member[(0u + _e1461)].z;
-                                                            if (_e1245 < 0f) {
-                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1672.unnamed.root, _e1661.w), _e1672.unnamed_1);
-                                                                let _e1684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1661.x, _e1678.unnamed_1.first_primitive));
-                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1684.unnamed, lt_bvh_traverse_Tree(_e1684.unnamed_1.root, _e1661.y));
+                                                            let _e1643 = phi_2158_;
+                                                            let _e1653 = nodes.member[(0u + _e1453)].z;
+                                                            if (_e1233 < 0f) {
+                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1664.unnamed.word, _e1653.w), _e1664.unnamed_1);
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_mask_LightPlace(_e1653.x, _e1670.unnamed_1.shift));
+                                                                phi_2185_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_mask_LightPlace(_e1676.unnamed_1.word, _e1653.y));
                                                             } else {
-                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1661.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1700.unnamed.root, _e1661.y), _e1700.unnamed_1);
-                                                                let _e1712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1661.z, _e1706.unnamed_1.first_primitive));
-                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1712.unnamed, lt_bvh_traverse_Tree(_e1712.unnamed_1.root, _e1661.w));
+                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1692.unnamed.word, _e1653.y), _e1692.unnamed_1);
+                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_mask_LightPlace(_e1653.z, _e1698.unnamed_1.shift));
+                                                                phi_2185_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_mask_LightPlace(_e1704.unnamed_1.word, _e1653.w));
                                                             }
-                                                            let _e1720 = phi_2171_;
-                                                            phi_2177_ = 0u;
-                                                            phi_2180_ = 0u;
+                                                            let _e1712 = phi_2185_;
+                                                            phi_2191_ = 0u;
+                                                            phi_2194_ = 0u;
                                                             loop {
-                                                                let _e1730 = phi_2177_;
-                                                                let _e1732 = phi_2180_;
-                                                                local_6 = _e1732;
-                                                                local_7 = _e1732;
-                                                                local_8 = _e1732;
-                                                                let _e1733 = (_e1730 < 8u);
-                                                                if _e1733 {
-                                                                    let _e1735 = (_e1730 >> bitcast<u32>(2i));
-                                                                    let _e1736 = (_e1730 & 3u);
-                                                                    if (_e1735 == 0u) {
-                                                                        phi_2194_ = _e1582.unnamed.root;
+                                                                let _e1722 = phi_2191_;
+                                                                let _e1724 = phi_2194_;
+                                                                local_6 = _e1724;
+                                                                local_7 = _e1724;
+                                                                local_8 = _e1724;
+                                                                let _e1725 = (_e1722 < 8u);
+                                                                if _e1725 {
+                                                                    let _e1727 = (_e1722 >> bitcast<u32>(2i));
+                                                                    let _e1728 = (_e1722 & 3u);
+                                                                    if (_e1727 == 0u) {
+                                                                        phi_2208_ = _e1574.unnamed.word;
                                                                     } else {
-                                                                        phi_2194_ = _e1582.unnamed.first_primitive;
+                                                                        phi_2208_ = _e1574.unnamed.shift;
                                                                     }
-                                                                    let _e1739 = phi_2194_;
-                                                                    if (_e1735 == 0u) {
-                                                                        phi_2204_ = _e1651.unnamed.root;
+                                                                    let _e1731 = phi_2208_;
+                                                                    if (_e1727 == 0u) {
+                                                                        phi_2218_ = _e1643.unnamed.word;
                                                                     } else {
-                                                                        phi_2204_ = _e1651.unnamed.first_primitive;
+                                                                        phi_2218_ = _e1643.unnamed.shift;
                                                                     }
-                                                                    let _e1748 = phi_2204_;
-                                                                    if (_e1735 == 0u) {
-                                                                        phi_2214_ = _e1720.unnamed.root;
+                                                                    let _e1740 = phi_2218_;
+                                                                    if (_e1727 == 0u) {
+                                                                        phi_2228_ = _e1712.unnamed.word;
                                                                     } else {
-                                                                        phi_2214_ = _e1720.unnamed.first_primitive;
+                                                                        phi_2228_ = _e1712.unnamed.shift;
                                                                     }
-                                                                    let _e1757 = phi_2214_;
-                                                                    let _e1770 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1739 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1273)), ((f32(((_e1748 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 - _e1274)));
-                                                                    let _e1771 = core_intrinsics_maximum_number_nsz_f32_(_e1770, ((f32(((_e1757 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1497) + (_e1515 - _e1275)));
-                                                                    if (_e1735 == 0u) {
-                                                                        phi_2232_ = _e1582.unnamed_1.root;
+                                                                    let _e1749 = phi_2228_;
+                                                                    let _e1762 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1731 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1487) + (_e1505 - _e1265)), ((f32(((_e1740 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1266)));
+                                                                    let _e1763 = core_intrinsics_maximum_number_nsz_f32_(_e1762, ((f32(((_e1749 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1267)));
+                                                                    if (_e1727 == 0u) {
+                                                                        phi_2246_ = _e1574.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2232_ = _e1582.unnamed_1.first_primitive;
+                                                                        phi_2246_ = _e1574.unnamed_1.shift;
                                                                     }
-                                                                    let _e1774 = phi_2232_;
-                                                                    if (_e1735 == 0u) {
-                                                                        phi_2242_ = _e1651.unnamed_1.root;
+                                                                    let _e1766 = phi_2246_;
+                                                                    if (_e1727 == 0u) {
+                                                                        phi_2256_ = _e1643.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2242_ = _e1651.unnamed_1.first_primitive;
+                                                                        phi_2256_ = _e1643.unnamed_1.shift;
                                                                     }
-                                                                    let _e1783 = phi_2242_;
-                                                                    if (_e1735 == 0u) {
-                                                                        phi_2252_ = _e1720.unnamed_1.root;
+                                                                    let _e1775 = phi_2256_;
+                                                                    if (_e1727 == 0u) {
+                                                                        phi_2266_ = _e1712.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2252_ = _e1720.unnamed_1.first_primitive;
+                                                                        phi_2266_ = _e1712.unnamed_1.shift;
                                                                     }
-                                                                    let _e1792 = phi_2252_;
-                                                                    let _e1805 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1774 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1273)), ((f32(((_e1783 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 + _e1274)));
-                                                                    let _e1806 = core_intrinsics_minimum_number_nsz_f32_(_e1805, ((f32(((_e1792 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u)) * _e1497) + (_e1515 + _e1275)));
-                                                                    if (_e1771 <= _e1806) {
-                                                                        if (_e1771 <= _e142) {
-                                                                            if (_e1806 >= 0f) {
-                                                                                if (_e1735 == 0u) {
-                                                                                    let _e1813 = nodes.member[(0u + _e1461)].links[2u];
-                                                                                    phi_2288_ = _e1813;
+                                                                    let _e1784 = phi_2266_;
+                                                                    let _e1797 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1766 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1487) + (_e1505 + _e1265)), ((f32(((_e1775 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1266)));
+                                                                    let _e1798 = core_intrinsics_minimum_number_nsz_f32_(_e1797, ((f32(((_e1784 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1267)));
+                                                                    if (_e1763 <= _e1798) {
+                                                                        if (_e1763 <= _e142) {
+                                                                            if (_e1798 >= 0f) {
+                                                                                if (_e1727 == 0u) {
+                                                                                    let _e1805 = nodes.member[(0u + _e1453)].links[2u];
+                                                                                    phi_2302_ = _e1805;
                                                                                 } else {
-                                                                                    let _e1816 = nodes.member[(0u + _e1461)].links[3u];
-                                                                                    phi_2288_ = _e1816;
+                                                                                    let _e1808 = nodes.member[(0u + _e1453)].links[3u];
+                                                                                    phi_2302_ = _e1808;
                                                                                 }
-                                                                                let _e1818 = phi_2288_;
-                                                                                let _e1823 = ((_e1818 >> bitcast<u32>(((_e1736 * 8u) & 31u))) & 255u);
-                                                                                let _e1824 = (_e1823 & 31u);
-                                                                                if (_e1824 >= 24u) {
-                                                                                    phi_2301_ = (24u + ((_e1824 - 24u) ^ _e1323));
+                                                                                let _e1810 = phi_2302_;
+                                                                                let _e1815 = ((_e1810 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u);
+                                                                                let _e1816 = (_e1815 & 31u);
+                                                                                if (_e1816 >= 24u) {
+                                                                                    phi_2315_ = (24u + ((_e1816 - 24u) ^ _e1315));
                                                                                 } else {
-                                                                                    phi_2301_ = _e1824;
+                                                                                    phi_2315_ = _e1816;
                                                                                 }
-                                                                                let _e1830 = phi_2301_;
-                                                                                phi_2306_ = (_e1732 | ((_e1823 >> bitcast<u32>(5i)) << bitcast<u32>((_e1830 & 31u))));
+                                                                                let _e1822 = phi_2315_;
+                                                                                phi_2320_ = (_e1724 | ((_e1815 >> bitcast<u32>(5i)) << bitcast<u32>((_e1822 & 31u))));
                                                                             } else {
-                                                                                phi_2306_ = _e1732;
+                                                                                phi_2320_ = _e1724;
                                                                             }
-                                                                            let _e1838 = phi_2306_;
-                                                                            phi_2307_ = _e1838;
+                                                                            let _e1830 = phi_2320_;
+                                                                            phi_2321_ = _e1830;
                                                                         } else {
-                                                                            phi_2307_ = _e1732;
+                                                                            phi_2321_ = _e1724;
                                                                         }
-                                                                        let _e1840 = phi_2307_;
-                                                                        phi_2308_ = _e1840;
+                                                                        let _e1832 = phi_2321_;
+                                                                        phi_2322_ = _e1832;
                                                                     } else {
-                                                                        phi_2308_ = _e1732;
+                                                                        phi_2322_ = _e1724;
                                                                     }
-                                                                    let _e1842 = phi_2308_;
-                                                                    phi_2178_ = (_e1730 + 1u);
-                                                                    phi_2181_ = _e1842;
+                                                                    let _e1834 = phi_2322_;
+                                                                    phi_2192_ = (_e1722 + 1u);
+                                                                    phi_2195_ = _e1834;
                                                                 } else {
-                                                                    phi_2178_ = u32();
-                                                                    phi_2181_ = u32();
+                                                                    phi_2192_ = u32();
+                                                                    phi_2195_ = u32();
                                                                 }
-                                                                let _e1845 = phi_2178_;
-                                                                let _e1847 = phi_2181_;
+                                                                let _e1837 = phi_2192_;
+                                                                let _e1839 = phi_2195_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2177_ = _e1845;
-                                                                    phi_2180_ = _e1847;
-                                                                    break if !(_e1733);
+                                                                    phi_2191_ = _e1837;
+                                                                    phi_2194_ = _e1839;
+                                                                    break if !(_e1725);
                                                                 }
                                                             }
-                                                            let _e1851 = nodes.member[(0u + _e1461)].links[0u];
-                                                            let _e1855 = nodes.member[(0u + _e1461)].frame[3u];
-                                                            let _e1859 = local_6;
-                                                            if ((_e1859 & 4278190080u) == 0u) {
+                                                            let _e1843 = nodes.member[(0u + _e1453)].links[0u];
+                                                            let _e1847 = nodes.member[(0u + _e1453)].frame[3u];
+                                                            let _e1851 = local_6;
+                                                            if ((_e1851 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1863 = local_1.group_mask;
-                                                                if ((_e1863 & 4278190080u) == 0u) {
+                                                                let _e1855 = local_1.group_mask;
+                                                                if ((_e1855 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1867 = local_1.len;
-                                                                    if (_e1867 < 32u) {
-                                                                        let _e1870 = local_1.group;
+                                                                    let _e1859 = local_1.len;
+                                                                    if (_e1859 < 32u) {
+                                                                        let _e1862 = local_1.group;
+                                                                        let _e1864 = local_1.len;
+                                                                        if (_e1864 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local_1.first[(0u + _e1864)] = _e1862;
+                                                                        let _e1870 = local_1.group_mask;
                                                                         let _e1872 = local_1.len;
                                                                         if (_e1872 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1872)] = _e1870;
-                                                                        let _e1878 = local_1.group_mask;
-                                                                        let _e1880 = local_1.len;
-                                                                        if (_e1880 < 32u) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        local_1.mask[(0u + _e1880)] = _e1878;
-                                                                        let _e1887 = local_1.len;
-                                                                        local_1.len = (_e1887 + 1u);
+                                                                        local_1.mask[(0u + _e1872)] = _e1870;
+                                                                        let _e1879 = local_1.len;
+                                                                        local_1.len = (_e1879 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1085 + _e1851);
-                                                                let _e1891 = local_7;
-                                                                local_1.group_mask = ((_e1891 & 4278190080u) | (_e1855 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1081 + _e1843);
+                                                                let _e1883 = local_7;
+                                                                local_1.group_mask = ((_e1883 & 4278190080u) | (_e1847 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1896 = local_8;
-                                                            phi_2366_ = (_e1896 & 16777215u);
-                                                            phi_2369_ = _e1463;
+                                                            let _e1888 = local_8;
+                                                            phi_2380_ = (_e1888 & 16777215u);
+                                                            phi_2383_ = _e1455;
                                                             loop {
-                                                                let _e1899 = phi_2366_;
-                                                                let _e1901 = phi_2369_;
-                                                                local_13 = _e1901;
-                                                                let _e1902 = (_e1899 == 0u);
-                                                                local_9 = _e1902;
-                                                                local_15 = _e1902;
-                                                                if _e1902 {
-                                                                    phi_2367_ = u32();
-                                                                    phi_2370_ = bool();
-                                                                    phi_3173_ = bool();
-                                                                    phi_3174_ = false;
+                                                                let _e1891 = phi_2380_;
+                                                                let _e1893 = phi_2383_;
+                                                                local_13 = _e1893;
+                                                                let _e1894 = (_e1891 == 0u);
+                                                                local_9 = _e1894;
+                                                                local_15 = _e1894;
+                                                                if _e1894 {
+                                                                    phi_2381_ = u32();
+                                                                    phi_2384_ = bool();
+                                                                    phi_3187_ = bool();
+                                                                    phi_3188_ = false;
                                                                 } else {
-                                                                    let _e1905 = nodes.member[(0u + _e1461)].links[1u];
-                                                                    let _e1910 = ((_e1087 + _e1905) + select(firstTrailingBit(_e1899), 32u, (_e1899 == 0u)));
-                                                                    if (_e1910 < _e79) {
+                                                                    let _e1897 = nodes.member[(0u + _e1453)].links[1u];
+                                                                    let _e1902 = ((_e1083 + _e1897) + select(firstTrailingBit(_e1891), 32u, (_e1891 == 0u)));
+                                                                    if (_e1902 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1917 = triangles.member[(0u + _e1910)].v0_;
-                                                                    let _e1919 = (_e1917.x - _e1016);
-                                                                    let _e1921 = (_e1917.y - _e1029);
-                                                                    let _e1923 = (_e1917.z - _e1042);
-                                                                    if (_e1296 == 0u) {
-                                                                        phi_2414_ = vec3<f32>(_e1921, _e1923, _e1919);
+                                                                    let _e1909 = triangles.member[(0u + _e1902)].v0_;
+                                                                    let _e1911 = (_e1909.x - _e1012);
+                                                                    let _e1913 = (_e1909.y - _e1025);
+                                                                    let _e1915 = (_e1909.z - _e1038);
+                                                                    if (_e1288 == 0u) {
+                                                                        phi_2428_ = vec3<f32>(_e1913, _e1915, _e1911);
                                                                     } else {
-                                                                        if (_e1296 == 1u) {
-                                                                            phi_2413_ = vec3<f32>(_e1923, _e1919, _e1921);
+                                                                        if (_e1288 == 1u) {
+                                                                            phi_2427_ = vec3<f32>(_e1915, _e1911, _e1913);
                                                                         } else {
-                                                                            phi_2413_ = (_e1917 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                            phi_2427_ = (_e1909 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                         }
-                                                                        let _e1931 = phi_2413_;
-                                                                        phi_2414_ = _e1931;
+                                                                        let _e1923 = phi_2427_;
+                                                                        phi_2428_ = _e1923;
                                                                     }
-                                                                    let _e1933 = phi_2414_;
-                                                                    let _e1937 = (_e1933.x - (_e1307 * _e1933.z));
-                                                                    let _e1941 = (_e1933.y - (_e1310 * _e1933.z));
-                                                                    let _e1943 = triangles.member[(0u + _e1910)].v1_;
-                                                                    let _e1945 = (_e1943.x - _e1016);
-                                                                    let _e1947 = (_e1943.y - _e1029);
-                                                                    let _e1949 = (_e1943.z - _e1042);
-                                                                    if (_e1296 == 0u) {
-                                                                        phi_2444_ = vec3<f32>(_e1947, _e1949, _e1945);
+                                                                    let _e1925 = phi_2428_;
+                                                                    let _e1929 = (_e1925.x - (_e1299 * _e1925.z));
+                                                                    let _e1933 = (_e1925.y - (_e1302 * _e1925.z));
+                                                                    let _e1935 = triangles.member[(0u + _e1902)].v1_;
+                                                                    let _e1937 = (_e1935.x - _e1012);
+                                                                    let _e1939 = (_e1935.y - _e1025);
+                                                                    let _e1941 = (_e1935.z - _e1038);
+                                                                    if (_e1288 == 0u) {
+                                                                        phi_2458_ = vec3<f32>(_e1939, _e1941, _e1937);
                                                                     } else {
-                                                                        if (_e1296 == 1u) {
-                                                                            phi_2443_ = vec3<f32>(_e1949, _e1945, _e1947);
+                                                                        if (_e1288 == 1u) {
+                                                                            phi_2457_ = vec3<f32>(_e1941, _e1937, _e1939);
                                                                         } else {
-                                                                            phi_2443_ = (_e1943 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                            phi_2457_ = (_e1935 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                         }
-                                                                        let _e1957 = phi_2443_;
-                                                                        phi_2444_ = _e1957;
+                                                                        let _e1949 = phi_2457_;
+                                                                        phi_2458_ = _e1949;
                                                                     }
-                                                                    let _e1959 = phi_2444_;
-                                                                    let _e1963 = (_e1959.x - (_e1307 * _e1959.z));
-                                                                    let _e1967 = (_e1959.y - (_e1310 * _e1959.z));
-                                                                    let _e1969 = triangles.member[(0u + _e1910)].v2_;
-                                                                    let _e1971 = (_e1969.x - _e1016);
-                                                                    let _e1973 = (_e1969.y - _e1029);
-                                                                    let _e1975 = (_e1969.z - _e1042);
-                                                                    if (_e1296 == 0u) {
-                                                                        phi_2474_ = vec3<f32>(_e1973, _e1975, _e1971);
+                                                                    let _e1951 = phi_2458_;
+                                                                    let _e1955 = (_e1951.x - (_e1299 * _e1951.z));
+                                                                    let _e1959 = (_e1951.y - (_e1302 * _e1951.z));
+                                                                    let _e1961 = triangles.member[(0u + _e1902)].v2_;
+                                                                    let _e1963 = (_e1961.x - _e1012);
+                                                                    let _e1965 = (_e1961.y - _e1025);
+                                                                    let _e1967 = (_e1961.z - _e1038);
+                                                                    if (_e1288 == 0u) {
+                                                                        phi_2488_ = vec3<f32>(_e1965, _e1967, _e1963);
                                                                     } else {
-                                                                        if (_e1296 == 1u) {
-                                                                            phi_2473_ = vec3<f32>(_e1975, _e1971, _e1973);
+                                                                        if (_e1288 == 1u) {
+                                                                            phi_2487_ = vec3<f32>(_e1967, _e1963, _e1965);
                                                                         } else {
-                                                                            phi_2473_ = (_e1969 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                            phi_2487_ = (_e1961 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                         }
-                                                                        let _e1983 = phi_2473_;
-                                                                        phi_2474_ = _e1983;
+                                                                        let _e1975 = phi_2487_;
+                                                                        phi_2488_ = _e1975;
                                                                     }
-                                                                    let _e1985 = phi_2474_;
-                                                                    let _e1989 = (_e1985.x - (_e1307 * _e1985.z));
-                                                                    let _e1993 = (_e1985.y - (_e1310 * _e1985.z));
-                                                                    if (_e1963 < _e1989) {
-                                                                        phi_2493_ = true;
+                                                                    let _e1977 = phi_2488_;
+                                                                    let _e1981 = (_e1977.x - (_e1299 * _e1977.z));
+                                                                    let _e1985 = (_e1977.y - (_e1302 * _e1977.z));
+                                                                    if (_e1955 < _e1981) {
+                                                                        phi_2507_ = true;
                                                                     } else {
-                                                                        if (_e1963 == _e1989) {
-                                                                            phi_2492_ = (_e1967 < _e1993);
+                                                                        if (_e1955 == _e1981) {
+                                                                            phi_2506_ = (_e1959 < _e1985);
                                                                         } else {
-                                                                            phi_2492_ = false;
+                                                                            phi_2506_ = false;
                                                                         }
-                                                                        let _e1998 = phi_2492_;
-                                                                        phi_2493_ = _e1998;
+                                                                        let _e1990 = phi_2506_;
+                                                                        phi_2507_ = _e1990;
                                                                     }
-                                                                    let _e2000 = phi_2493_;
-                                                                    if _e2000 {
-                                                                        phi_2497_ = _e1993;
-                                                                        phi_2498_ = _e1989;
-                                                                        phi_2499_ = _e1967;
-                                                                        phi_2500_ = _e1963;
+                                                                    let _e1992 = phi_2507_;
+                                                                    if _e1992 {
+                                                                        phi_2511_ = _e1985;
+                                                                        phi_2512_ = _e1981;
+                                                                        phi_2513_ = _e1959;
+                                                                        phi_2514_ = _e1955;
                                                                     } else {
-                                                                        phi_2497_ = _e1967;
-                                                                        phi_2498_ = _e1963;
-                                                                        phi_2499_ = _e1993;
-                                                                        phi_2500_ = _e1989;
+                                                                        phi_2511_ = _e1959;
+                                                                        phi_2512_ = _e1955;
+                                                                        phi_2513_ = _e1985;
+                                                                        phi_2514_ = _e1981;
                                                                     }
-                                                                    let _e2002 = phi_2497_;
-                                                                    let _e2004 = phi_2498_;
-                                                                    let _e2006 = phi_2499_;
-                                                                    let _e2008 = phi_2500_;
-                                                                    let _e2011 = ((_e2008 * _e2002) - (_e2006 * _e2004));
-                                                                    if _e2000 {
-                                                                        phi_2508_ = -(_e2011);
+                                                                    let _e1994 = phi_2511_;
+                                                                    let _e1996 = phi_2512_;
+                                                                    let _e1998 = phi_2513_;
+                                                                    let _e2000 = phi_2514_;
+                                                                    let _e2003 = ((_e2000 * _e1994) - (_e1998 * _e1996));
+                                                                    if _e1992 {
+                                                                        phi_2522_ = -(_e2003);
                                                                     } else {
-                                                                        phi_2508_ = _e2011;
+                                                                        phi_2522_ = _e2003;
                                                                     }
-                                                                    let _e2014 = phi_2508_;
-                                                                    if (_e1989 < _e1937) {
-                                                                        phi_2519_ = true;
+                                                                    let _e2006 = phi_2522_;
+                                                                    if (_e1981 < _e1929) {
+                                                                        phi_2533_ = true;
                                                                     } else {
-                                                                        if (_e1989 == _e1937) {
-                                                                            phi_2518_ = (_e1993 < _e1941);
+                                                                        if (_e1981 == _e1929) {
+                                                                            phi_2532_ = (_e1985 < _e1933);
                                                                         } else {
-                                                                            phi_2518_ = false;
+                                                                            phi_2532_ = false;
                                                                         }
-                                                                        let _e2019 = phi_2518_;
-                                                                        phi_2519_ = _e2019;
+                                                                        let _e2011 = phi_2532_;
+                                                                        phi_2533_ = _e2011;
                                                                     }
-                                                                    let _e2021 = phi_2519_;
-                                                                    if _e2021 {
-                                                                        phi_2523_ = _e1941;
-                                                                        phi_2524_ = _e1937;
-                                                                        phi_2525_ = _e1993;
-                                                                        phi_2526_ = _e1989;
+                                                                    let _e2013 = phi_2533_;
+                                                                    if _e2013 {
+                                                                        phi_2537_ = _e1933;
+                                                                        phi_2538_ = _e1929;
+                                                                        phi_2539_ = _e1985;
+                                                                        phi_2540_ = _e1981;
                                                                     } else {
-                                                                        phi_2523_ = _e1993;
-                                                                        phi_2524_ = _e1989;
-                                                                        phi_2525_ = _e1941;
-                                                                        phi_2526_ = _e1937;
+                                                                        phi_2537_ = _e1985;
+                                                                        phi_2538_ = _e1981;
+                                                                        phi_2539_ = _e1933;
+                                                                        phi_2540_ = _e1929;
                                                                     }
-                                                                    let _e2023 = phi_2523_;
-                                                                    let _e2025 = phi_2524_;
-                                                                    let _e2027 = phi_2525_;
-                                                                    let _e2029 = phi_2526_;
-                                                                    let _e2032 = ((_e2029 * _e2023) - (_e2027 * _e2025));
-                                                                    if _e2021 {
-                                                                        phi_2534_ = -(_e2032);
+                                                                    let _e2015 = phi_2537_;
+                                                                    let _e2017 = phi_2538_;
+                                                                    let _e2019 = phi_2539_;
+                                                                    let _e2021 = phi_2540_;
+                                                                    let _e2024 = ((_e2021 * _e2015) - (_e2019 * _e2017));
+                                                                    if _e2013 {
+                                                                        phi_2548_ = -(_e2024);
                                                                     } else {
-                                                                        phi_2534_ = _e2032;
+                                                                        phi_2548_ = _e2024;
                                                                     }
-                                                                    let _e2035 = phi_2534_;
-                                                                    if (_e1937 < _e1963) {
-                                                                        phi_2545_ = true;
+                                                                    let _e2027 = phi_2548_;
+                                                                    if (_e1929 < _e1955) {
+                                                                        phi_2559_ = true;
                                                                     } else {
-                                                                        if (_e1937 == _e1963) {
-                                                                            phi_2544_ = (_e1941 < _e1967);
+                                                                        if (_e1929 == _e1955) {
+                                                                            phi_2558_ = (_e1933 < _e1959);
                                                                         } else {
-                                                                            phi_2544_ = false;
+                                                                            phi_2558_ = false;
                                                                         }
-                                                                        let _e2040 = phi_2544_;
-                                                                        phi_2545_ = _e2040;
+                                                                        let _e2032 = phi_2558_;
+                                                                        phi_2559_ = _e2032;
                                                                     }
-                                                                    let _e2042 = phi_2545_;
-                                                                    if _e2042 {
-                                                                        phi_2549_ = _e1967;
-                                                                        phi_2550_ = _e1963;
-                                                                        phi_2551_ = _e1941;
-                                                                        phi_2552_ = _e1937;
+                                                                    let _e2034 = phi_2559_;
+                                                                    if _e2034 {
+                                                                        phi_2563_ = _e1959;
+                                                                        phi_2564_ = _e1955;
+                                                                        phi_2565_ = _e1933;
+                                                                        phi_2566_ = _e1929;
                                                                     } else {
-                                                                        phi_2549_ = _e1941;
-                                                                        phi_2550_ = _e1937;
-                                                                        phi_2551_ = _e1967;
-                                                                        phi_2552_ = _e1963;
+                                                                        phi_2563_ = _e1933;
+                                                                        phi_2564_ = _e1929;
+                                                                        phi_2565_ = _e1959;
+                                                                        phi_2566_ = _e1955;
                                                                     }
-                                                                    let _e2044 = phi_2549_;
-                                                                    let _e2046 = phi_2550_;
-                                                                    let _e2048 = phi_2551_;
-                                                                    let _e2050 = phi_2552_;
-                                                                    let _e2053 = ((_e2050 * _e2044) - (_e2048 * _e2046));
-                                                                    if _e2042 {
-                                                                        phi_2560_ = -(_e2053);
+                                                                    let _e2036 = phi_2563_;
+                                                                    let _e2038 = phi_2564_;
+                                                                    let _e2040 = phi_2565_;
+                                                                    let _e2042 = phi_2566_;
+                                                                    let _e2045 = ((_e2042 * _e2036) - (_e2040 * _e2038));
+                                                                    if _e2034 {
+                                                                        phi_2574_ = -(_e2045);
                                                                     } else {
-                                                                        phi_2560_ = _e2053;
+                                                                        phi_2574_ = _e2045;
                                                                     }
-                                                                    let _e2056 = phi_2560_;
-                                                                    if (_e2014 >= 0f) {
-                                                                        if (_e2035 >= 0f) {
-                                                                            if (_e2056 >= 0f) {
-                                                                                phi_2575_ = ((_e2014 + _e2035) + _e2056);
-                                                                                phi_2576_ = false;
+                                                                    let _e2048 = phi_2574_;
+                                                                    if (_e2006 >= 0f) {
+                                                                        if (_e2027 >= 0f) {
+                                                                            if (_e2048 >= 0f) {
+                                                                                phi_2589_ = ((_e2006 + _e2027) + _e2048);
+                                                                                phi_2590_ = false;
                                                                             } else {
-                                                                                phi_2575_ = f32();
-                                                                                phi_2576_ = true;
+                                                                                phi_2589_ = f32();
+                                                                                phi_2590_ = true;
                                                                             }
-                                                                            let _e2063 = phi_2575_;
-                                                                            let _e2065 = phi_2576_;
-                                                                            phi_2577_ = _e2063;
-                                                                            phi_2578_ = _e2065;
+                                                                            let _e2055 = phi_2589_;
+                                                                            let _e2057 = phi_2590_;
+                                                                            phi_2591_ = _e2055;
+                                                                            phi_2592_ = _e2057;
                                                                         } else {
-                                                                            phi_2577_ = f32();
-                                                                            phi_2578_ = true;
+                                                                            phi_2591_ = f32();
+                                                                            phi_2592_ = true;
                                                                         }
-                                                                        let _e2067 = phi_2577_;
-                                                                        let _e2069 = phi_2578_;
-                                                                        phi_2579_ = _e2067;
-                                                                        phi_2580_ = _e2069;
+                                                                        let _e2059 = phi_2591_;
+                                                                        let _e2061 = phi_2592_;
+                                                                        phi_2593_ = _e2059;
+                                                                        phi_2594_ = _e2061;
                                                                     } else {
-                                                                        phi_2579_ = f32();
-                                                                        phi_2580_ = true;
+                                                                        phi_2593_ = f32();
+                                                                        phi_2594_ = true;
                                                                     }
-                                                                    let _e2071 = phi_2579_;
-                                                                    let _e2073 = phi_2580_;
-                                                                    if _e2073 {
-                                                                        if (_e2014 <= 0f) {
-                                                                            if (_e2035 <= 0f) {
-                                                                                let _e2076 = (_e2056 <= 0f);
-                                                                                if _e2076 {
+                                                                    let _e2063 = phi_2593_;
+                                                                    let _e2065 = phi_2594_;
+                                                                    if _e2065 {
+                                                                        if (_e2006 <= 0f) {
+                                                                            if (_e2027 <= 0f) {
+                                                                                let _e2068 = (_e2048 <= 0f);
+                                                                                if _e2068 {
                                                                                 }
-                                                                                phi_2598_ = ((_e2014 + _e2035) + _e2056);
-                                                                                phi_2599_ = false;
-                                                                                phi_2600_ = _e2076;
+                                                                                phi_2612_ = ((_e2006 + _e2027) + _e2048);
+                                                                                phi_2613_ = false;
+                                                                                phi_2614_ = _e2068;
                                                                             } else {
-                                                                                phi_2598_ = f32();
-                                                                                phi_2599_ = true;
-                                                                                phi_2600_ = false;
+                                                                                phi_2612_ = f32();
+                                                                                phi_2613_ = true;
+                                                                                phi_2614_ = false;
                                                                             }
-                                                                            let _e2080 = phi_2598_;
-                                                                            let _e2082 = phi_2599_;
-                                                                            let _e2084 = phi_2600_;
-                                                                            phi_2601_ = _e2080;
-                                                                            phi_2602_ = _e2082;
-                                                                            phi_2603_ = _e2084;
+                                                                            let _e2072 = phi_2612_;
+                                                                            let _e2074 = phi_2613_;
+                                                                            let _e2076 = phi_2614_;
+                                                                            phi_2615_ = _e2072;
+                                                                            phi_2616_ = _e2074;
+                                                                            phi_2617_ = _e2076;
                                                                         } else {
-                                                                            phi_2601_ = f32();
-                                                                            phi_2602_ = true;
-                                                                            phi_2603_ = false;
+                                                                            phi_2615_ = f32();
+                                                                            phi_2616_ = true;
+                                                                            phi_2617_ = false;
                                                                         }
-                                                                        let _e2086 = phi_2601_;
-                                                                        let _e2088 = phi_2602_;
-                                                                        let _e2090 = phi_2603_;
-                                                                        if _e2088 {
-                                                                            phi_2607_ = false;
+                                                                        let _e2078 = phi_2615_;
+                                                                        let _e2080 = phi_2616_;
+                                                                        let _e2082 = phi_2617_;
+                                                                        if _e2080 {
+                                                                            phi_2621_ = false;
                                                                         } else {
-                                                                            phi_2607_ = _e2090;
+                                                                            phi_2621_ = _e2082;
                                                                         }
-                                                                        let _e2092 = phi_2607_;
-                                                                        phi_2608_ = _e2086;
-                                                                        phi_2609_ = _e2092;
+                                                                        let _e2084 = phi_2621_;
+                                                                        phi_2622_ = _e2078;
+                                                                        phi_2623_ = _e2084;
                                                                     } else {
-                                                                        phi_2608_ = _e2071;
-                                                                        phi_2609_ = true;
+                                                                        phi_2622_ = _e2063;
+                                                                        phi_2623_ = true;
                                                                     }
-                                                                    let _e2094 = phi_2608_;
-                                                                    let _e2096 = phi_2609_;
-                                                                    if _e2096 {
-                                                                        let _e2097 = (_e2094 == 0f);
-                                                                        if _e2097 {
-                                                                            phi_2925_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2926_ = false;
+                                                                    let _e2086 = phi_2622_;
+                                                                    let _e2088 = phi_2623_;
+                                                                    if _e2088 {
+                                                                        let _e2089 = (_e2086 == 0f);
+                                                                        if _e2089 {
+                                                                            phi_2939_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2940_ = false;
                                                                         } else {
-                                                                            let _e2099 = triangles.member[(0u + _e1910)].v0_;
-                                                                            let _e2101 = (_e2099.x - _e1016);
-                                                                            let _e2103 = (_e2099.y - _e1029);
-                                                                            let _e2105 = (_e2099.z - _e1042);
-                                                                            if (_e1296 == 0u) {
-                                                                                phi_2638_ = vec3<f32>(_e2103, _e2105, _e2101);
+                                                                            let _e2091 = triangles.member[(0u + _e1902)].v0_;
+                                                                            let _e2093 = (_e2091.x - _e1012);
+                                                                            let _e2095 = (_e2091.y - _e1025);
+                                                                            let _e2097 = (_e2091.z - _e1038);
+                                                                            if (_e1288 == 0u) {
+                                                                                phi_2652_ = vec3<f32>(_e2095, _e2097, _e2093);
                                                                             } else {
-                                                                                if (_e1296 == 1u) {
-                                                                                    phi_2637_ = vec3<f32>(_e2105, _e2101, _e2103);
+                                                                                if (_e1288 == 1u) {
+                                                                                    phi_2651_ = vec3<f32>(_e2097, _e2093, _e2095);
                                                                                 } else {
-                                                                                    phi_2637_ = (_e2099 - vec3<f32>(_e1016, _e1029, _e1042));
+                                                                                    phi_2651_ = (_e2091 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                                 }
-                                                                                let _e2113 = phi_2637_;
-                                                                                phi_2638_ = _e2113;
+                                                                                let _e2105 = phi_2651_;
+                                                                                phi_2652_ = _e2105;
                                                                             }
-                                                                            let _e2115 = phi_2638_;
-                                                                            let _e2117 = triangles.member[(0u + _e1910)].v1_;
-                                                                            let _e2119 = triangles.member[(0u + _e1910)].v0_;
-                                                                            let _e2122 = (_e2117.x - _e2119.x);
-                                                                            let _e2125 = (_e2117.y - _e2119.y);
-                                                                            let _e2128 = (_e2117.z - _e2119.z);
-                                                                            if (_e1296 == 0u) {
-                                                                                phi_2664_ = vec3<f32>(_e2125, _e2128, _e2122);
+                                                                            let _e2107 = phi_2652_;
+                                                                            let _e2109 = triangles.member[(0u + _e1902)].v1_;
+                                                                            let _e2111 = triangles.member[(0u + _e1902)].v0_;
+                                                                            let _e2114 = (_e2109.x - _e2111.x);
+                                                                            let _e2117 = (_e2109.y - _e2111.y);
+                                                                            let _e2120 = (_e2109.z - _e2111.z);
+                                                                            if (_e1288 == 0u) {
+                                                                                phi_2678_ = vec3<f32>(_e2117, _e2120, _e2114);
                                                                             } else {
-                                                                                if (_e1296 == 1u) {
-                                                                                    phi_2663_ = vec3<f32>(_e2128, _e2122, _e2125);
+                                                                                if (_e1288 == 1u) {
+                                                                                    phi_2677_ = vec3<f32>(_e2120, _e2114, _e2117);
                                                                                 } else {
-                                                                                    phi_2663_ = (_e2117 - _e2119);
+                                                                                    phi_2677_ = (_e2109 - _e2111);
                                                                                 }
-                                                                                let _e2135 = phi_2663_;
-                                                                                phi_2664_ = _e2135;
+                                                                                let _e2127 = phi_2677_;
+                                                                                phi_2678_ = _e2127;
                                                                             }
-                                                                            let _e2137 = phi_2664_;
-                                                                            let _e2139 = triangles.member[(0u + _e1910)].v2_;
-                                                                            let _e2141 = triangles.member[(0u + _e1910)].v0_;
-                                                                            let _e2144 = (_e2139.x - _e2141.x);
-                                                                            let _e2147 = (_e2139.y - _e2141.y);
-                                                                            let _e2150 = (_e2139.z - _e2141.z);
-                                                                            if (_e1296 == 0u) {
-                                                                                phi_2690_ = vec3<f32>(_e2147, _e2150, _e2144);
+                                                                            let _e2129 = phi_2678_;
+                                                                            let _e2131 = triangles.member[(0u + _e1902)].v2_;
+                                                                            let _e2133 = triangles.member[(0u + _e1902)].v0_;
+                                                                            let _e2136 = (_e2131.x - _e2133.x);
+                                                                            let _e2139 = (_e2131.y - _e2133.y);
+                                                                            let _e2142 = (_e2131.z - _e2133.z);
+                                                                            if (_e1288 == 0u) {
+                                                                                phi_2704_ = vec3<f32>(_e2139, _e2142, _e2136);
                                                                             } else {
-                                                                                if (_e1296 == 1u) {
-                                                                                    phi_2689_ = vec3<f32>(_e2150, _e2144, _e2147);
+                                                                                if (_e1288 == 1u) {
+                                                                                    phi_2703_ = vec3<f32>(_e2142, _e2136, _e2139);
                                                                                 } else {
-                                                                                    phi_2689_ = (_e2139 - _e2141);
+                                                                                    phi_2703_ = (_e2131 - _e2133);
                                                                                 }
-                                                                                let _e2157 = phi_2689_;
-                                                                                phi_2690_ = _e2157;
+                                                                                let _e2149 = phi_2703_;
+                                                                                phi_2704_ = _e2149;
                                                                             }
-                                                                            let _e2159 = phi_2690_;
-                                                                            let _e2166 = ((_e2137.y * _e2159.z) - (_e2137.z * _e2159.y));
-                                                                            let _e2173 = ((_e2137.z * _e2159.x) - (_e2137.x * _e2159.z));
-                                                                            let _e2180 = ((_e2137.x * _e2159.y) - (_e2137.y * _e2159.x));
-                                                                            let _e2194 = (((1f / _e1304.z) * (((_e2166 * _e2115.x) + (_e2173 * _e2115.y)) + (_e2180 * _e2115.z))) / (((_e2166 * _e1307) + (_e2173 * _e1310)) + _e2180));
-                                                                            if (_e2194 > 0f) {
-                                                                                if (_e2194 < _e142) {
-                                                                                    let _e2198 = triangles.member[(0u + _e1910)].v0_;
-                                                                                    let _e2200 = triangles.member[(0u + _e1910)].v1_;
-                                                                                    if (_e2198.x < _e2200.x) {
-                                                                                        phi_2746_ = _e2198.x;
+                                                                            let _e2151 = phi_2704_;
+                                                                            let _e2158 = ((_e2129.y * _e2151.z) - (_e2129.z * _e2151.y));
+                                                                            let _e2165 = ((_e2129.z * _e2151.x) - (_e2129.x * _e2151.z));
+                                                                            let _e2172 = ((_e2129.x * _e2151.y) - (_e2129.y * _e2151.x));
+                                                                            let _e2186 = (((1f / _e1296.z) * (((_e2158 * _e2107.x) + (_e2165 * _e2107.y)) + (_e2172 * _e2107.z))) / (((_e2158 * _e1299) + (_e2165 * _e1302)) + _e2172));
+                                                                            if (_e2186 > 0f) {
+                                                                                if (_e2186 < _e142) {
+                                                                                    let _e2190 = triangles.member[(0u + _e1902)].v0_;
+                                                                                    let _e2192 = triangles.member[(0u + _e1902)].v1_;
+                                                                                    if (_e2190.x < _e2192.x) {
+                                                                                        phi_2760_ = _e2190.x;
                                                                                     } else {
-                                                                                        phi_2746_ = _e2200.x;
+                                                                                        phi_2760_ = _e2192.x;
                                                                                     }
-                                                                                    let _e2207 = phi_2746_;
-                                                                                    if (_e2198.y < _e2200.y) {
-                                                                                        phi_2755_ = _e2198.y;
+                                                                                    let _e2199 = phi_2760_;
+                                                                                    if (_e2190.y < _e2192.y) {
+                                                                                        phi_2769_ = _e2190.y;
                                                                                     } else {
-                                                                                        phi_2755_ = _e2200.y;
+                                                                                        phi_2769_ = _e2192.y;
                                                                                     }
-                                                                                    let _e2214 = phi_2755_;
-                                                                                    if (_e2198.z < _e2200.z) {
-                                                                                        phi_2764_ = _e2198.z;
+                                                                                    let _e2206 = phi_2769_;
+                                                                                    if (_e2190.z < _e2192.z) {
+                                                                                        phi_2778_ = _e2190.z;
                                                                                     } else {
-                                                                                        phi_2764_ = _e2200.z;
+                                                                                        phi_2778_ = _e2192.z;
                                                                                     }
-                                                                                    let _e2221 = phi_2764_;
-                                                                                    let _e2223 = triangles.member[(0u + _e1910)].v2_;
-                                                                                    if (_e2207 < _e2223.x) {
-                                                                                        phi_2773_ = _e2207;
+                                                                                    let _e2213 = phi_2778_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1902)].v2_;
+                                                                                    if (_e2199 < _e2215.x) {
+                                                                                        phi_2787_ = _e2199;
                                                                                     } else {
-                                                                                        phi_2773_ = _e2223.x;
+                                                                                        phi_2787_ = _e2215.x;
                                                                                     }
-                                                                                    let _e2228 = phi_2773_;
-                                                                                    if (_e2214 < _e2223.y) {
-                                                                                        phi_2780_ = _e2214;
+                                                                                    let _e2220 = phi_2787_;
+                                                                                    if (_e2206 < _e2215.y) {
+                                                                                        phi_2794_ = _e2206;
                                                                                     } else {
-                                                                                        phi_2780_ = _e2223.y;
+                                                                                        phi_2794_ = _e2215.y;
                                                                                     }
-                                                                                    let _e2233 = phi_2780_;
-                                                                                    if (_e2221 < _e2223.z) {
-                                                                                        phi_2787_ = _e2221;
+                                                                                    let _e2225 = phi_2794_;
+                                                                                    if (_e2213 < _e2215.z) {
+                                                                                        phi_2801_ = _e2213;
                                                                                     } else {
-                                                                                        phi_2787_ = _e2223.z;
+                                                                                        phi_2801_ = _e2215.z;
                                                                                     }
-                                                                                    let _e2238 = phi_2787_;
-                                                                                    let _e2240 = triangles.member[(0u + _e1910)].v0_;
-                                                                                    let _e2242 = triangles.member[(0u + _e1910)].v1_;
-                                                                                    if (_e2240.x > _e2242.x) {
-                                                                                        phi_2800_ = _e2240.x;
+                                                                                    let _e2230 = phi_2801_;
+                                                                                    let _e2232 = triangles.member[(0u + _e1902)].v0_;
+                                                                                    let _e2234 = triangles.member[(0u + _e1902)].v1_;
+                                                                                    if (_e2232.x > _e2234.x) {
+                                                                                        phi_2814_ = _e2232.x;
                                                                                     } else {
-                                                                                        phi_2800_ = _e2242.x;
+                                                                                        phi_2814_ = _e2234.x;
                                                                                     }
-                                                                                    let _e2249 = phi_2800_;
-                                                                                    if (_e2240.y > _e2242.y) {
-                                                                                        phi_2809_ = _e2240.y;
+                                                                                    let _e2241 = phi_2814_;
+                                                                                    if (_e2232.y > _e2234.y) {
+                                                                                        phi_2823_ = _e2232.y;
                                                                                     } else {
-                                                                                        phi_2809_ = _e2242.y;
+                                                                                        phi_2823_ = _e2234.y;
                                                                                     }
-                                                                                    let _e2256 = phi_2809_;
-                                                                                    if (_e2240.z > _e2242.z) {
-                                                                                        phi_2818_ = _e2240.z;
+                                                                                    let _e2248 = phi_2823_;
+                                                                                    if (_e2232.z > _e2234.z) {
+                                                                                        phi_2832_ = _e2232.z;
                                                                                     } else {
-                                                                                        phi_2818_ = _e2242.z;
+                                                                                        phi_2832_ = _e2234.z;
                                                                                     }
-                                                                                    let _e2263 = phi_2818_;
-                                                                                    let _e2265 = triangles.member[(0u + _e1910)].v2_;
-                                                                                    if (_e2249 > _e2265.x) {
-                                                                                        phi_2827_ = _e2249;
+                                                                                    let _e2255 = phi_2832_;
+                                                                                    let _e2257 = triangles.member[(0u + _e1902)].v2_;
+                                                                                    if (_e2241 > _e2257.x) {
+                                                                                        phi_2841_ = _e2241;
                                                                                     } else {
-                                                                                        phi_2827_ = _e2265.x;
+                                                                                        phi_2841_ = _e2257.x;
                                                                                     }
-                                                                                    let _e2270 = phi_2827_;
-                                                                                    if (_e2256 > _e2265.y) {
-                                                                                        phi_2834_ = _e2256;
+                                                                                    let _e2262 = phi_2841_;
+                                                                                    if (_e2248 > _e2257.y) {
+                                                                                        phi_2848_ = _e2248;
                                                                                     } else {
-                                                                                        phi_2834_ = _e2265.y;
+                                                                                        phi_2848_ = _e2257.y;
                                                                                     }
-                                                                                    let _e2275 = phi_2834_;
-                                                                                    if (_e2263 > _e2265.z) {
-                                                                                        phi_2841_ = _e2263;
+                                                                                    let _e2267 = phi_2848_;
+                                                                                    if (_e2255 > _e2257.z) {
+                                                                                        phi_2855_ = _e2255;
                                                                                     } else {
-                                                                                        phi_2841_ = _e2265.z;
+                                                                                        phi_2855_ = _e2257.z;
                                                                                     }
-                                                                                    let _e2280 = phi_2841_;
-                                                                                    let _e2284 = ((_e2228 - _e1016) * _e1225);
-                                                                                    let _e2285 = ((_e2233 - _e1029) * _e1235);
-                                                                                    let _e2286 = ((_e2238 - _e1042) * _e1245);
-                                                                                    let _e2290 = ((_e2270 - _e1016) * _e1225);
-                                                                                    let _e2291 = ((_e2275 - _e1029) * _e1235);
-                                                                                    let _e2292 = ((_e2280 - _e1042) * _e1245);
-                                                                                    if (_e2284 < _e2290) {
-                                                                                        phi_2858_ = _e2284;
+                                                                                    let _e2272 = phi_2855_;
+                                                                                    let _e2276 = ((_e2220 - _e1012) * _e1213);
+                                                                                    let _e2277 = ((_e2225 - _e1025) * _e1223);
+                                                                                    let _e2278 = ((_e2230 - _e1038) * _e1233);
+                                                                                    let _e2282 = ((_e2262 - _e1012) * _e1213);
+                                                                                    let _e2283 = ((_e2267 - _e1025) * _e1223);
+                                                                                    let _e2284 = ((_e2272 - _e1038) * _e1233);
+                                                                                    if (_e2276 < _e2282) {
+                                                                                        phi_2872_ = _e2276;
                                                                                     } else {
-                                                                                        phi_2858_ = _e2290;
+                                                                                        phi_2872_ = _e2282;
                                                                                     }
-                                                                                    let _e2295 = phi_2858_;
-                                                                                    if (_e2285 < _e2291) {
-                                                                                        phi_2863_ = _e2285;
+                                                                                    let _e2287 = phi_2872_;
+                                                                                    if (_e2277 < _e2283) {
+                                                                                        phi_2877_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2863_ = _e2291;
+                                                                                        phi_2877_ = _e2283;
                                                                                     }
-                                                                                    let _e2298 = phi_2863_;
-                                                                                    if (_e2286 < _e2292) {
-                                                                                        phi_2868_ = _e2286;
+                                                                                    let _e2290 = phi_2877_;
+                                                                                    if (_e2278 < _e2284) {
+                                                                                        phi_2882_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2868_ = _e2292;
+                                                                                        phi_2882_ = _e2284;
                                                                                     }
-                                                                                    let _e2301 = phi_2868_;
-                                                                                    if (_e2284 > _e2290) {
-                                                                                        phi_2876_ = _e2284;
+                                                                                    let _e2293 = phi_2882_;
+                                                                                    if (_e2276 > _e2282) {
+                                                                                        phi_2890_ = _e2276;
                                                                                     } else {
-                                                                                        phi_2876_ = _e2290;
+                                                                                        phi_2890_ = _e2282;
                                                                                     }
-                                                                                    let _e2307 = phi_2876_;
-                                                                                    if (_e2285 > _e2291) {
-                                                                                        phi_2881_ = _e2285;
+                                                                                    let _e2299 = phi_2890_;
+                                                                                    if (_e2277 > _e2283) {
+                                                                                        phi_2895_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2881_ = _e2291;
+                                                                                        phi_2895_ = _e2283;
                                                                                     }
-                                                                                    let _e2310 = phi_2881_;
-                                                                                    if (_e2286 > _e2292) {
-                                                                                        phi_2886_ = _e2286;
+                                                                                    let _e2302 = phi_2895_;
+                                                                                    if (_e2278 > _e2284) {
+                                                                                        phi_2900_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2886_ = _e2292;
+                                                                                        phi_2900_ = _e2284;
                                                                                     }
-                                                                                    let _e2313 = phi_2886_;
-                                                                                    let _e2317 = core_intrinsics_maximum_number_nsz_f32_((_e2295 - _e1280), (_e2298 - _e1281));
-                                                                                    let _e2318 = core_intrinsics_maximum_number_nsz_f32_(_e2317, (_e2301 - _e1282));
-                                                                                    let _e2319 = core_intrinsics_minimum_number_nsz_f32_((_e2307 + _e1280), (_e2310 + _e1281));
-                                                                                    let _e2320 = core_intrinsics_minimum_number_nsz_f32_(_e2319, (_e2313 + _e1282));
-                                                                                    if (_e2318 > _e997) {
-                                                                                        phi_2898_ = _e2318;
+                                                                                    let _e2305 = phi_2900_;
+                                                                                    let _e2309 = core_intrinsics_maximum_number_nsz_f32_((_e2287 - _e1272), (_e2290 - _e1273));
+                                                                                    let _e2310 = core_intrinsics_maximum_number_nsz_f32_(_e2309, (_e2293 - _e1274));
+                                                                                    let _e2311 = core_intrinsics_minimum_number_nsz_f32_((_e2299 + _e1272), (_e2302 + _e1273));
+                                                                                    let _e2312 = core_intrinsics_minimum_number_nsz_f32_(_e2311, (_e2305 + _e1274));
+                                                                                    if (_e2310 > _e993) {
+                                                                                        phi_2912_ = _e2310;
                                                                                     } else {
-                                                                                        phi_2898_ = _e997;
+                                                                                        phi_2912_ = _e993;
                                                                                     }
-                                                                                    let _e2323 = phi_2898_;
-                                                                                    if (_e2320 < _e999) {
-                                                                                        phi_2903_ = _e2320;
+                                                                                    let _e2315 = phi_2912_;
+                                                                                    if (_e2312 < _e995) {
+                                                                                        phi_2917_ = _e2312;
                                                                                     } else {
-                                                                                        phi_2903_ = _e999;
+                                                                                        phi_2917_ = _e995;
                                                                                     }
-                                                                                    let _e2326 = phi_2903_;
-                                                                                    if (_e2194 < _e2323) {
-                                                                                        phi_2908_ = _e2323;
+                                                                                    let _e2318 = phi_2917_;
+                                                                                    if (_e2186 < _e2315) {
+                                                                                        phi_2922_ = _e2315;
                                                                                     } else {
-                                                                                        phi_2908_ = _e2194;
+                                                                                        phi_2922_ = _e2186;
                                                                                     }
-                                                                                    let _e2329 = phi_2908_;
-                                                                                    if (_e2329 > _e2326) {
-                                                                                        phi_2913_ = _e2326;
+                                                                                    let _e2321 = phi_2922_;
+                                                                                    if (_e2321 > _e2318) {
+                                                                                        phi_2927_ = _e2318;
                                                                                     } else {
-                                                                                        phi_2913_ = _e2329;
+                                                                                        phi_2927_ = _e2321;
                                                                                     }
-                                                                                    let _e2332 = phi_2913_;
-                                                                                    phi_2918_ = lt_bvh_triangle_Intersection(_e2332, (_e2035 / _e2094), (_e2056 / _e2094), (_e2323 <= _e2326));
-                                                                                    phi_2919_ = false;
+                                                                                    let _e2324 = phi_2927_;
+                                                                                    phi_2932_ = lt_bvh_triangle_Intersection(_e2324, (_e2027 / _e2086), (_e2048 / _e2086), (_e2315 <= _e2318));
+                                                                                    phi_2933_ = false;
                                                                                 } else {
-                                                                                    phi_2918_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2919_ = true;
+                                                                                    phi_2932_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2933_ = true;
                                                                                 }
-                                                                                let _e2338 = phi_2918_;
-                                                                                let _e2340 = phi_2919_;
-                                                                                phi_2920_ = _e2338;
-                                                                                phi_2921_ = _e2340;
+                                                                                let _e2330 = phi_2932_;
+                                                                                let _e2332 = phi_2933_;
+                                                                                phi_2934_ = _e2330;
+                                                                                phi_2935_ = _e2332;
                                                                             } else {
-                                                                                phi_2920_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2921_ = true;
+                                                                                phi_2934_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2935_ = true;
                                                                             }
-                                                                            let _e2342 = phi_2920_;
-                                                                            let _e2344 = phi_2921_;
-                                                                            if _e2344 {
+                                                                            let _e2334 = phi_2934_;
+                                                                            let _e2336 = phi_2935_;
+                                                                            if _e2336 {
                                                                             }
-                                                                            phi_2925_ = _e2342;
-                                                                            phi_2926_ = _e2344;
+                                                                            phi_2939_ = _e2334;
+                                                                            phi_2940_ = _e2336;
                                                                         }
-                                                                        let _e2346 = phi_2925_;
-                                                                        let _e2348 = phi_2926_;
-                                                                        phi_2927_ = _e2346;
-                                                                        phi_2928_ = _e2097;
-                                                                        phi_2929_ = _e2348;
+                                                                        let _e2338 = phi_2939_;
+                                                                        let _e2340 = phi_2940_;
+                                                                        phi_2941_ = _e2338;
+                                                                        phi_2942_ = _e2089;
+                                                                        phi_2943_ = _e2340;
                                                                     } else {
-                                                                        phi_2927_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2928_ = true;
-                                                                        phi_2929_ = false;
+                                                                        phi_2941_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2942_ = true;
+                                                                        phi_2943_ = false;
                                                                     }
-                                                                    let _e2350 = phi_2927_;
-                                                                    let _e2352 = phi_2928_;
-                                                                    let _e2354 = phi_2929_;
-                                                                    if _e2352 {
-                                                                        phi_2933_ = true;
+                                                                    let _e2342 = phi_2941_;
+                                                                    let _e2344 = phi_2942_;
+                                                                    let _e2346 = phi_2943_;
+                                                                    if _e2344 {
+                                                                        phi_2947_ = true;
                                                                     } else {
-                                                                        phi_2933_ = _e2354;
+                                                                        phi_2947_ = _e2346;
                                                                     }
-                                                                    let _e2356 = phi_2933_;
-                                                                    if _e2356 {
-                                                                        phi_2937_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2348 = phi_2947_;
+                                                                    if _e2348 {
+                                                                        phi_2951_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2937_ = _e2350;
+                                                                        phi_2951_ = _e2342;
                                                                     }
-                                                                    let _e2358 = phi_2937_;
-                                                                    if _e2358.is_hit {
-                                                                        if (_e2358.t > 0f) {
-                                                                            if (_e2358.t < _e142) {
-                                                                                let _e2365 = triangles.member[(0u + _e1910)].i0_;
-                                                                                if ((_e2365 & 2147483648u) == 0u) {
-                                                                                    phi_3156_ = true;
+                                                                    let _e2350 = phi_2951_;
+                                                                    if _e2350.is_hit {
+                                                                        if (_e2350.t > 0f) {
+                                                                            if (_e2350.t < _e142) {
+                                                                                let _e2357 = triangles.member[(0u + _e1902)].i0_;
+                                                                                if ((_e2357 & 2147483648u) == 0u) {
+                                                                                    phi_3170_ = true;
                                                                                 } else {
-                                                                                    if (_e1910 < _e79) {
+                                                                                    if (_e1902 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2374 = triangles.member[(0u + _e1910)].i0_;
-                                                                                    let _e2375 = (_e2374 & 2147483647u);
-                                                                                    let _e2377 = triangles.member[(0u + _e1910)].i1_;
-                                                                                    let _e2379 = triangles.member[(0u + _e1910)].i2_;
-                                                                                    if (_e2375 < _e91) {
+                                                                                    let _e2366 = triangles.member[(0u + _e1902)].i0_;
+                                                                                    let _e2367 = (_e2366 & 2147483647u);
+                                                                                    let _e2369 = triangles.member[(0u + _e1902)].i1_;
+                                                                                    let _e2371 = triangles.member[(0u + _e1902)].i2_;
+                                                                                    if (_e2367 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2383 = vertices.member[(0u + _e2375)];
-                                                                                    if (_e2377 < _e91) {
+                                                                                    let _e2375 = vertices.member[(0u + _e2367)];
+                                                                                    if (_e2369 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2387 = vertices.member[(0u + _e2377)];
-                                                                                    if (_e2379 < _e91) {
+                                                                                    let _e2379 = vertices.member[(0u + _e2369)];
+                                                                                    if (_e2371 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2391 = vertices.member[(0u + _e2379)];
-                                                                                    let _e2392 = array<abi_Vertex, 3>(_e2383, _e2387, _e2391);
-                                                                                    if (_e2392[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2383 = vertices.member[(0u + _e2371)];
+                                                                                    let _e2384 = array<abi_Vertex, 3>(_e2375, _e2379, _e2383);
+                                                                                    if (_e2384[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2398 = materials.member[(0u + _e2392[0].material)];
-                                                                                    if ((_e2398.flags & 1u) == 1u) {
-                                                                                        let _e2403 = ((1f - _e2358.u) - _e2358.v);
-                                                                                        if (_e2398.cutoff <= 0f) {
-                                                                                            phi_3154_ = true;
+                                                                                    let _e2390 = materials.member[(0u + _e2384[0].material)];
+                                                                                    if ((_e2390.flags & 1u) == 1u) {
+                                                                                        let _e2395 = ((1f - _e2350.u) - _e2350.v);
+                                                                                        if (_e2390.cutoff <= 0f) {
+                                                                                            phi_3168_ = true;
                                                                                         } else {
-                                                                                            let _e2430 = (_e2398.base_color.w * ((((f32((_e2392[0].color >> bitcast<u32>(24i))) * _e2403) + (f32((_e2392[1].color >> bitcast<u32>(24i))) * _e2358.u)) + (f32((_e2392[2].color >> bitcast<u32>(24i))) * _e2358.v)) * (1f / 255f)));
-                                                                                            if (_e2398.alpha_size == 0u) {
-                                                                                                phi_3151_ = _e2430;
+                                                                                            let _e2422 = (_e2390.base_color.w * ((((f32((_e2384[0].color >> bitcast<u32>(24i))) * _e2395) + (f32((_e2384[1].color >> bitcast<u32>(24i))) * _e2350.u)) + (f32((_e2384[2].color >> bitcast<u32>(24i))) * _e2350.v)) * (1f / 255f)));
+                                                                                            if (_e2390.alpha_size == 0u) {
+                                                                                                phi_3165_ = _e2422;
                                                                                             } else {
-                                                                                                local.offset = _e2398.alpha_offset;
-                                                                                                local.size = _e2398.alpha_size;
-                                                                                                local.flags = _e2398.flags;
-                                                                                                let _e2461 = _lt_shaders_texture_TextureView_quad((&local), (((_e2392[0].u * _e2403) + (_e2392[1].u * _e2358.u)) + (_e2392[2].u * _e2358.v)), (((_e2392[0].v * _e2403) + (_e2392[1].v * _e2358.u)) + (_e2392[2].v * _e2358.v)));
-                                                                                                let _e2465 = (_e2461.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2465 < _e97) {
+                                                                                                local.offset = _e2390.alpha_offset;
+                                                                                                local.size = _e2390.alpha_size;
+                                                                                                local.flags = _e2390.flags;
+                                                                                                let _e2453 = _lt_shaders_texture_TextureView_quad((&local), (((_e2384[0].u * _e2395) + (_e2384[1].u * _e2350.u)) + (_e2384[2].u * _e2350.v)), (((_e2384[0].v * _e2395) + (_e2384[1].v * _e2350.u)) + (_e2384[2].v * _e2350.v)));
+                                                                                                let _e2457 = (_e2453.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2457 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2469 = alpha_texels.member[(0u + _e2465)];
-                                                                                                let _e2485 = (_e2461.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2485 < _e97) {
+                                                                                                let _e2461 = alpha_texels.member[(0u + _e2457)];
+                                                                                                let _e2477 = (_e2453.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2477 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2489 = alpha_texels.member[(0u + _e2485)];
-                                                                                                let _e2506 = (_e2461.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2506 < _e97) {
+                                                                                                let _e2481 = alpha_texels.member[(0u + _e2477)];
+                                                                                                let _e2498 = (_e2453.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2498 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2510 = alpha_texels.member[(0u + _e2506)];
-                                                                                                let _e2527 = (_e2461.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2527 < _e97) {
+                                                                                                let _e2502 = alpha_texels.member[(0u + _e2498)];
+                                                                                                let _e2519 = (_e2453.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2519 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2531 = alpha_texels.member[(0u + _e2527)];
-                                                                                                phi_3151_ = (_e2430 * (((((f32(((_e2469 >> bitcast<u32>((((_e2461.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.x) + ((f32(((_e2489 >> bitcast<u32>((((_e2461.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.y)) + ((f32(((_e2510 >> bitcast<u32>((((_e2461.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.z)) + ((f32(((_e2531 >> bitcast<u32>((((_e2461.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.w)));
+                                                                                                let _e2523 = alpha_texels.member[(0u + _e2519)];
+                                                                                                phi_3165_ = (_e2422 * (((((f32(((_e2461 >> bitcast<u32>((((_e2453.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.x) + ((f32(((_e2481 >> bitcast<u32>((((_e2453.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.y)) + ((f32(((_e2502 >> bitcast<u32>((((_e2453.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.z)) + ((f32(((_e2523 >> bitcast<u32>((((_e2453.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.w)));
                                                                                             }
-                                                                                            let _e2547 = phi_3151_;
-                                                                                            phi_3154_ = (_e2547 >= _e2398.cutoff);
+                                                                                            let _e2539 = phi_3165_;
+                                                                                            phi_3168_ = (_e2539 >= _e2390.cutoff);
                                                                                         }
-                                                                                        let _e2551 = phi_3154_;
-                                                                                        phi_3155_ = _e2551;
+                                                                                        let _e2543 = phi_3168_;
+                                                                                        phi_3169_ = _e2543;
                                                                                     } else {
-                                                                                        phi_3155_ = false;
+                                                                                        phi_3169_ = false;
                                                                                     }
-                                                                                    let _e2553 = phi_3155_;
-                                                                                    phi_3156_ = _e2553;
+                                                                                    let _e2545 = phi_3169_;
+                                                                                    phi_3170_ = _e2545;
                                                                                 }
-                                                                                let _e2555 = phi_3156_;
-                                                                                if _e2555 {
-                                                                                    phi_3160_ = false;
+                                                                                let _e2547 = phi_3170_;
+                                                                                if _e2547 {
+                                                                                    phi_3174_ = false;
                                                                                 } else {
-                                                                                    phi_3160_ = true;
+                                                                                    phi_3174_ = true;
                                                                                 }
-                                                                                let _e2557 = phi_3160_;
-                                                                                phi_3161_ = _e2555;
-                                                                                phi_3162_ = _e2555;
-                                                                                phi_3163_ = _e2557;
+                                                                                let _e2549 = phi_3174_;
+                                                                                phi_3175_ = _e2547;
+                                                                                phi_3176_ = _e2547;
+                                                                                phi_3177_ = _e2549;
                                                                             } else {
-                                                                                phi_3161_ = bool();
-                                                                                phi_3162_ = _e1901;
-                                                                                phi_3163_ = true;
+                                                                                phi_3175_ = bool();
+                                                                                phi_3176_ = _e1893;
+                                                                                phi_3177_ = true;
                                                                             }
-                                                                            let _e2559 = phi_3161_;
-                                                                            let _e2561 = phi_3162_;
-                                                                            let _e2563 = phi_3163_;
-                                                                            phi_3164_ = _e2559;
-                                                                            phi_3165_ = _e2561;
-                                                                            phi_3166_ = _e2563;
+                                                                            let _e2551 = phi_3175_;
+                                                                            let _e2553 = phi_3176_;
+                                                                            let _e2555 = phi_3177_;
+                                                                            phi_3178_ = _e2551;
+                                                                            phi_3179_ = _e2553;
+                                                                            phi_3180_ = _e2555;
                                                                         } else {
-                                                                            phi_3164_ = bool();
-                                                                            phi_3165_ = _e1901;
-                                                                            phi_3166_ = true;
+                                                                            phi_3178_ = bool();
+                                                                            phi_3179_ = _e1893;
+                                                                            phi_3180_ = true;
                                                                         }
-                                                                        let _e2565 = phi_3164_;
-                                                                        let _e2567 = phi_3165_;
-                                                                        let _e2569 = phi_3166_;
-                                                                        phi_3167_ = _e2565;
-                                                                        phi_3168_ = _e2567;
-                                                                        phi_3169_ = _e2569;
+                                                                        let _e2557 = phi_3178_;
+                                                                        let _e2559 = phi_3179_;
+                                                                        let _e2561 = phi_3180_;
+                                                                        phi_3181_ = _e2557;
+                                                                        phi_3182_ = _e2559;
+                                                                        phi_3183_ = _e2561;
                                                                     } else {
-                                                                        phi_3167_ = bool();
-                                                                        phi_3168_ = _e1901;
-                                                                        phi_3169_ = true;
+                                                                        phi_3181_ = bool();
+                                                                        phi_3182_ = _e1893;
+                                                                        phi_3183_ = true;
                                                                     }
-                                                                    let _e2571 = phi_3167_;
-                                                                    let _e2573 = phi_3168_;
-                                                                    let _e2575 = phi_3169_;
-                                                                    if _e2575 {
+                                                                    let _e2563 = phi_3181_;
+                                                                    let _e2565 = phi_3182_;
+                                                                    let _e2567 = phi_3183_;
+                                                                    if _e2567 {
                                                                     }
-                                                                    phi_2367_ = (_e1899 & (_e1899 - 1u));
-                                                                    phi_2370_ = _e2573;
-                                                                    phi_3173_ = _e2571;
-                                                                    phi_3174_ = _e2575;
+                                                                    phi_2381_ = (_e1891 & (_e1891 - 1u));
+                                                                    phi_2384_ = _e2565;
+                                                                    phi_3187_ = _e2563;
+                                                                    phi_3188_ = _e2567;
                                                                 }
-                                                                let _e2577 = phi_2367_;
-                                                                let _e2579 = phi_2370_;
-                                                                let _e2581 = phi_3173_;
-                                                                let _e2583 = phi_3174_;
-                                                                local_14 = _e2581;
+                                                                let _e2569 = phi_2381_;
+                                                                let _e2571 = phi_2384_;
+                                                                let _e2573 = phi_3187_;
+                                                                let _e2575 = phi_3188_;
+                                                                local_14 = _e2573;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2366_ = _e2577;
-                                                                    phi_2369_ = _e2579;
-                                                                    break if !(_e2583);
+                                                                    phi_2380_ = _e2569;
+                                                                    phi_2383_ = _e2571;
+                                                                    break if !(_e2575);
                                                                 }
                                                             }
-                                                            let _e2586 = local_9;
-                                                            if _e2586 {
-                                                                let _e2588 = local_1.group_mask;
-                                                                if ((_e2588 & 4278190080u) == 0u) {
-                                                                    let _e2592 = local_1.len;
-                                                                    if (_e2592 == 0u) {
-                                                                        phi_3216_ = false;
+                                                            let _e2578 = local_9;
+                                                            if _e2578 {
+                                                                let _e2580 = local_1.group_mask;
+                                                                if ((_e2580 & 4278190080u) == 0u) {
+                                                                    let _e2584 = local_1.len;
+                                                                    if (_e2584 == 0u) {
+                                                                        phi_3230_ = false;
                                                                     } else {
-                                                                        let _e2596 = local_1.len;
-                                                                        local_1.len = (_e2596 - 1u);
+                                                                        let _e2588 = local_1.len;
+                                                                        local_1.len = (_e2588 - 1u);
+                                                                        let _e2591 = local_1.len;
+                                                                        if (_e2591 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        let _e2596 = local_1.first[(0u + _e2591)];
+                                                                        local_1.group = _e2596;
                                                                         let _e2599 = local_1.len;
                                                                         if (_e2599 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2604 = local_1.first[(0u + _e2599)];
-                                                                        local_1.group = _e2604;
-                                                                        let _e2607 = local_1.len;
-                                                                        if (_e2607 < 32u) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        let _e2612 = local_1.mask[(0u + _e2607)];
-                                                                        local_1.group_mask = _e2612;
-                                                                        phi_3216_ = true;
+                                                                        let _e2604 = local_1.mask[(0u + _e2599)];
+                                                                        local_1.group_mask = _e2604;
+                                                                        phi_3230_ = true;
                                                                     }
-                                                                    let _e2615 = phi_3216_;
-                                                                    phi_3217_ = _e2615;
+                                                                    let _e2607 = phi_3230_;
+                                                                    phi_3231_ = _e2607;
                                                                 } else {
-                                                                    phi_3217_ = true;
+                                                                    phi_3231_ = true;
                                                                 }
-                                                                let _e2617 = phi_3217_;
-                                                                if _e2617 {
-                                                                    let _e2619 = local_1.group_mask;
-                                                                    let _e2625 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2619)), 32u, (_e2619 == 0u)));
-                                                                    let _e2629 = local_1.group_mask;
-                                                                    let _e2643 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2643 & ~((1u << bitcast<u32>((_e2625 & 31u)))));
-                                                                    let _e2646 = local_1.group;
-                                                                    phi_3248_ = (_e2646 + countOneBits(((_e2629 & ~((4294967295u << bitcast<u32>((((_e2625 - 24u) ^ _e1323) & 31u))))) & 255u)));
+                                                                let _e2609 = phi_3231_;
+                                                                if _e2609 {
+                                                                    let _e2611 = local_1.group_mask;
+                                                                    let _e2617 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2611)), 32u, (_e2611 == 0u)));
+                                                                    let _e2621 = local_1.group_mask;
+                                                                    let _e2635 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2635 & ~((1u << bitcast<u32>((_e2617 & 31u)))));
+                                                                    let _e2638 = local_1.group;
+                                                                    phi_3262_ = (_e2638 + countOneBits(((_e2621 & ~((4294967295u << bitcast<u32>((((_e2617 - 24u) ^ _e1315) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3248_ = 4294967295u;
+                                                                    phi_3262_ = 4294967295u;
                                                                 }
-                                                                let _e2649 = phi_3248_;
-                                                                phi_3249_ = _e2649;
+                                                                let _e2641 = phi_3262_;
+                                                                phi_3263_ = _e2641;
                                                             } else {
-                                                                phi_3249_ = u32();
+                                                                phi_3263_ = u32();
                                                             }
-                                                            let _e2651 = phi_3249_;
-                                                            phi_2035_ = _e2651;
-                                                            let _e3041 = local_13;
-                                                            phi_2038_ = _e3041;
-                                                            let _e3044 = local_14;
-                                                            phi_3250_ = _e3044;
-                                                            let _e3047 = local_15;
-                                                            phi_3251_ = _e3047;
-                                                            phi_3252_ = false;
+                                                            let _e2643 = phi_3263_;
+                                                            phi_2049_ = _e2643;
+                                                            let _e3029 = local_13;
+                                                            phi_2052_ = _e3029;
+                                                            let _e3032 = local_14;
+                                                            phi_3264_ = _e3032;
+                                                            let _e3035 = local_15;
+                                                            phi_3265_ = _e3035;
+                                                            phi_3266_ = false;
                                                         } else {
-                                                            phi_2035_ = u32();
-                                                            phi_2038_ = bool();
-                                                            phi_3250_ = bool();
-                                                            phi_3251_ = false;
-                                                            phi_3252_ = true;
+                                                            phi_2049_ = u32();
+                                                            phi_2052_ = bool();
+                                                            phi_3264_ = bool();
+                                                            phi_3265_ = false;
+                                                            phi_3266_ = true;
                                                         }
-                                                        let _e2653 = phi_2035_;
-                                                        let _e2655 = phi_2038_;
-                                                        let _e2657 = phi_3250_;
-                                                        let _e2659 = phi_3251_;
-                                                        let _e2661 = phi_3252_;
-                                                        local_10 = _e2661;
-                                                        local_16 = _e2657;
+                                                        let _e2645 = phi_2049_;
+                                                        let _e2647 = phi_2052_;
+                                                        let _e2649 = phi_3264_;
+                                                        let _e2651 = phi_3265_;
+                                                        let _e2653 = phi_3266_;
+                                                        local_10 = _e2653;
+                                                        local_16 = _e2649;
                                                         continue;
                                                         continuing {
-                                                            phi_2034_ = _e2653;
-                                                            phi_2037_ = _e2655;
-                                                            break if !(_e2659);
+                                                            phi_2048_ = _e2645;
+                                                            phi_2051_ = _e2647;
+                                                            break if !(_e2651);
                                                         }
                                                     }
-                                                    let _e2664 = local_10;
-                                                    if _e2664 {
-                                                        phi_3256_ = false;
+                                                    let _e2656 = local_10;
+                                                    if _e2656 {
+                                                        phi_3270_ = false;
                                                     } else {
-                                                        phi_3256_ = true;
+                                                        phi_3270_ = true;
                                                     }
-                                                    let _e2666 = phi_3256_;
-                                                    if _e2666 {
-                                                        let _e3053 = local_16;
-                                                        phi_3260_ = _e3053;
+                                                    let _e2658 = phi_3270_;
+                                                    if _e2658 {
+                                                        let _e3041 = local_16;
+                                                        phi_3274_ = _e3041;
                                                     } else {
-                                                        let _e3055 = local_17;
-                                                        phi_3260_ = _e3055;
+                                                        let _e3043 = local_17;
+                                                        phi_3274_ = _e3043;
                                                     }
-                                                    let _e2668 = phi_3260_;
-                                                    phi_3261_ = _e2668;
+                                                    let _e2660 = phi_3274_;
+                                                    phi_3275_ = _e2660;
                                                 }
-                                                let _e2670 = phi_3261_;
-                                                phi_3262_ = _e2670;
-                                                phi_3263_ = _e1149;
+                                                let _e2662 = phi_3275_;
+                                                phi_3276_ = _e2662;
+                                                phi_3277_ = _e1137;
                                             } else {
-                                                phi_3262_ = bool();
-                                                phi_3263_ = true;
+                                                phi_3276_ = bool();
+                                                phi_3277_ = true;
                                             }
-                                            let _e2672 = phi_3262_;
-                                            let _e2674 = phi_3263_;
-                                            if _e2674 {
-                                                phi_3267_ = _e936;
+                                            let _e2664 = phi_3276_;
+                                            let _e2666 = phi_3277_;
+                                            if _e2666 {
+                                                phi_3281_ = _e932;
                                             } else {
-                                                phi_3267_ = _e2672;
+                                                phi_3281_ = _e2664;
                                             }
-                                            let _e2676 = phi_3267_;
-                                            if _e2676 {
-                                                phi_3271_ = false;
+                                            let _e2668 = phi_3281_;
+                                            if _e2668 {
+                                                phi_3285_ = false;
                                             } else {
-                                                phi_3271_ = true;
+                                                phi_3285_ = true;
                                             }
-                                            let _e2678 = phi_3271_;
-                                            phi_3272_ = _e2676;
-                                            phi_3273_ = _e2678;
+                                            let _e2670 = phi_3285_;
+                                            phi_3286_ = _e2668;
+                                            phi_3287_ = _e2670;
                                         } else {
-                                            phi_3272_ = _e936;
-                                            phi_3273_ = true;
+                                            phi_3286_ = _e932;
+                                            phi_3287_ = true;
                                         }
-                                        let _e2680 = phi_3272_;
-                                        let _e2682 = phi_3273_;
-                                        phi_3274_ = _e2680;
-                                        phi_3275_ = _e2682;
+                                        let _e2672 = phi_3286_;
+                                        let _e2674 = phi_3287_;
+                                        phi_3288_ = _e2672;
+                                        phi_3289_ = _e2674;
                                     } else {
-                                        phi_3274_ = _e936;
-                                        phi_3275_ = true;
+                                        phi_3288_ = _e932;
+                                        phi_3289_ = true;
                                     }
-                                    let _e2684 = phi_3274_;
-                                    let _e2686 = phi_3275_;
-                                    phi_3276_ = _e2684;
-                                    phi_3277_ = _e2686;
+                                    let _e2676 = phi_3288_;
+                                    let _e2678 = phi_3289_;
+                                    phi_3290_ = _e2676;
+                                    phi_3291_ = _e2678;
                                 } else {
-                                    phi_3276_ = _e936;
-                                    phi_3277_ = true;
+                                    phi_3290_ = _e932;
+                                    phi_3291_ = true;
                                 }
-                                let _e2688 = phi_3276_;
-                                let _e2690 = phi_3277_;
-                                if _e2690 {
+                                let _e2680 = phi_3290_;
+                                let _e2682 = phi_3291_;
+                                if _e2682 {
                                 }
-                                phi_1427_ = (_e934 & (_e934 - 1u));
-                                phi_1430_ = _e2688;
-                                phi_3281_ = _e2690;
+                                phi_1434_ = (_e930 & (_e930 - 1u));
+                                phi_1437_ = _e2680;
+                                phi_3295_ = _e2682;
                             }
-                            let _e2692 = phi_1427_;
-                            let _e2694 = phi_1430_;
-                            let _e2696 = phi_3281_;
+                            let _e2684 = phi_1434_;
+                            let _e2686 = phi_1437_;
+                            let _e2688 = phi_3295_;
                             continue;
                             continuing {
-                                phi_1426_ = _e2692;
-                                phi_1429_ = _e2694;
-                                break if !(_e2696);
+                                phi_1433_ = _e2684;
+                                phi_1436_ = _e2686;
+                                break if !(_e2688);
                             }
                         }
-                        let _e2699 = local_11;
-                        if _e2699 {
-                            let _e2701 = local_2.group_mask;
-                            if ((_e2701 & 4278190080u) == 0u) {
-                                let _e2705 = local_2.len;
-                                if (_e2705 == 0u) {
-                                    phi_3323_ = false;
+                        let _e2691 = local_11;
+                        if _e2691 {
+                            let _e2693 = local_2.group_mask;
+                            if ((_e2693 & 4278190080u) == 0u) {
+                                let _e2697 = local_2.len;
+                                if (_e2697 == 0u) {
+                                    phi_3337_ = false;
                                 } else {
-                                    let _e2709 = local_2.len;
-                                    local_2.len = (_e2709 - 1u);
+                                    let _e2701 = local_2.len;
+                                    local_2.len = (_e2701 - 1u);
+                                    let _e2704 = local_2.len;
+                                    if (_e2704 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e2709 = local_2.first[(0u + _e2704)];
+                                    local_2.group = _e2709;
                                     let _e2712 = local_2.len;
                                     if (_e2712 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2717 = local_2.first[(0u + _e2712)];
-                                    local_2.group = _e2717;
-                                    let _e2720 = local_2.len;
-                                    if (_e2720 < 32u) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e2725 = local_2.mask[(0u + _e2720)];
-                                    local_2.group_mask = _e2725;
-                                    phi_3323_ = true;
+                                    let _e2717 = local_2.mask[(0u + _e2712)];
+                                    local_2.group_mask = _e2717;
+                                    phi_3337_ = true;
                                 }
-                                let _e2728 = phi_3323_;
-                                phi_3324_ = _e2728;
+                                let _e2720 = phi_3337_;
+                                phi_3338_ = _e2720;
                             } else {
-                                phi_3324_ = true;
+                                phi_3338_ = true;
                             }
-                            let _e2730 = phi_3324_;
-                            if _e2730 {
-                                let _e2732 = local_2.group_mask;
-                                let _e2738 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2732)), 32u, (_e2732 == 0u)));
-                                let _e2742 = local_2.group_mask;
-                                let _e2756 = local_2.group_mask;
-                                local_2.group_mask = (_e2756 & ~((1u << bitcast<u32>((_e2738 & 31u)))));
-                                let _e2759 = local_2.group;
-                                phi_3355_ = (_e2759 + countOneBits(((_e2742 & ~((4294967295u << bitcast<u32>((((_e2738 - 24u) ^ _e358) & 31u))))) & 255u)));
+                            let _e2722 = phi_3338_;
+                            if _e2722 {
+                                let _e2724 = local_2.group_mask;
+                                let _e2730 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2724)), 32u, (_e2724 == 0u)));
+                                let _e2734 = local_2.group_mask;
+                                let _e2748 = local_2.group_mask;
+                                local_2.group_mask = (_e2748 & ~((1u << bitcast<u32>((_e2730 & 31u)))));
+                                let _e2751 = local_2.group;
+                                phi_3369_ = (_e2751 + countOneBits(((_e2734 & ~((4294967295u << bitcast<u32>((((_e2730 - 24u) ^ _e354) & 31u))))) & 255u)));
                             } else {
-                                phi_3355_ = 4294967295u;
+                                phi_3369_ = 4294967295u;
                             }
-                            let _e2762 = phi_3355_;
-                            phi_3356_ = _e2762;
+                            let _e2754 = phi_3369_;
+                            phi_3370_ = _e2754;
                         } else {
-                            phi_3356_ = u32();
+                            phi_3370_ = u32();
                         }
-                        let _e2764 = phi_3356_;
-                        phi_1095_ = _e2764;
-                        let _e3078 = local_18;
-                        phi_1098_ = _e3078;
-                        let _e3081 = local_19;
-                        phi_3357_ = _e3081;
-                        phi_3358_ = false;
+                        let _e2756 = phi_3370_;
+                        phi_1102_ = _e2756;
+                        let _e3066 = local_18;
+                        phi_1105_ = _e3066;
+                        let _e3069 = local_19;
+                        phi_3371_ = _e3069;
+                        phi_3372_ = false;
                     } else {
-                        phi_1095_ = u32();
-                        phi_1098_ = bool();
-                        phi_3357_ = false;
-                        phi_3358_ = true;
+                        phi_1102_ = u32();
+                        phi_1105_ = bool();
+                        phi_3371_ = false;
+                        phi_3372_ = true;
                     }
-                    let _e2766 = phi_1095_;
-                    let _e2768 = phi_1098_;
-                    let _e2770 = phi_3357_;
-                    let _e2772 = phi_3358_;
-                    local_12 = _e2772;
+                    let _e2758 = phi_1102_;
+                    let _e2760 = phi_1105_;
+                    let _e2762 = phi_3371_;
+                    let _e2764 = phi_3372_;
+                    local_12 = _e2764;
                     continue;
                     continuing {
-                        phi_1094_ = _e2766;
-                        phi_1097_ = _e2768;
-                        break if !(_e2770);
+                        phi_1101_ = _e2758;
+                        phi_1104_ = _e2760;
+                        break if !(_e2762);
                     }
                 }
-                let _e2775 = local_12;
-                if _e2775 {
-                    phi_3362_ = false;
+                let _e2767 = local_12;
+                if _e2767 {
+                    phi_3376_ = false;
                 } else {
-                    phi_3362_ = true;
+                    phi_3376_ = true;
                 }
-                let _e2777 = phi_3362_;
-                if _e2777 {
+                let _e2769 = phi_3376_;
+                if _e2769 {
                 }
-                phi_3366_ = _e2777;
+                phi_3380_ = _e2769;
             }
-            let _e2779 = phi_3366_;
-            phi_3367_ = _e214;
-            phi_3368_ = _e2779;
+            let _e2771 = phi_3380_;
+            phi_3381_ = _e206;
+            phi_3382_ = _e2771;
         } else {
-            phi_3367_ = true;
-            phi_3368_ = false;
+            phi_3381_ = true;
+            phi_3382_ = false;
         }
-        let _e2781 = phi_3367_;
-        let _e2783 = phi_3368_;
+        let _e2773 = phi_3381_;
+        let _e2775 = phi_3382_;
+        if _e2773 {
+            phi_3386_ = false;
+            phi_3387_ = true;
+        } else {
+            phi_3386_ = true;
+            phi_3387_ = _e2775;
+        }
+        let _e2777 = phi_3386_;
+        let _e2779 = phi_3387_;
+        if _e2779 {
+            phi_3391_ = _e2777;
+        } else {
+            phi_3391_ = false;
+        }
+        let _e2781 = phi_3391_;
         if _e2781 {
-            phi_3372_ = false;
-            phi_3373_ = true;
+            phi_3395_ = 0f;
         } else {
-            phi_3372_ = true;
-            phi_3373_ = _e2783;
+            phi_3395_ = 1f;
         }
-        let _e2785 = phi_3372_;
-        let _e2787 = phi_3373_;
-        if _e2787 {
-            phi_3377_ = _e2785;
-        } else {
-            phi_3377_ = false;
-        }
-        let _e2789 = phi_3377_;
-        if _e2789 {
-            phi_3381_ = 0f;
-        } else {
-            phi_3381_ = 1f;
-        }
-        let _e2791 = phi_3381_;
+        let _e2783 = phi_3395_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2791;
+        visibility.member[(0u + _e110)] = _e2783;
     }
     return;
 }

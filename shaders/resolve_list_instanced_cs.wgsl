@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -91,8 +92,8 @@ struct type_41 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -181,279 +182,275 @@ fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
     var phi_265_: f32;
-    var phi_321_: bool;
-    var phi_322_: bool;
-    var phi_323_: bool;
-    var phi_327_: bool;
-    var phi_328_: bool;
-    var phi_329_: bool;
-    var phi_330_: bool;
-    var phi_331_: bool;
-    var phi_332_: bool;
-    var phi_333_: bool;
-    var phi_334_: bool;
-    var phi_335_: bool;
-    var phi_336_: bool;
+    var phi_297_: bool;
+    var phi_298_: bool;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_304_: bool;
+    var phi_317_: bool;
+    var phi_318_: bool;
+    var phi_319_: bool;
+    var phi_320_: bool;
+    var phi_324_: bool;
     var phi_337_: bool;
     var phi_338_: bool;
     var phi_339_: bool;
-    var phi_340_: bool;
-    var phi_341_: bool;
-    var phi_342_: bool;
     var phi_343_: bool;
     var phi_344_: bool;
-    var phi_348_: bool;
-    var phi_352_: bool;
-    var phi_422_: f32;
-    var phi_429_: f32;
-    var phi_436_: f32;
-    var phi_443_: f32;
-    var phi_450_: f32;
-    var phi_457_: f32;
-    var phi_474_: f32;
-    var phi_479_: f32;
-    var phi_484_: f32;
-    var phi_505_: u32;
-    var phi_510_: u32;
-    var phi_515_: u32;
-    var phi_629_: bool;
-    var phi_630_: bool;
-    var phi_661_: u32;
-    var phi_663_: u32;
-    var phi_666_: bool;
-    var phi_746_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_773_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_800_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_806_: u32;
-    var phi_809_: u32;
-    var phi_823_: u32;
-    var phi_833_: u32;
-    var phi_843_: u32;
-    var phi_861_: u32;
-    var phi_871_: u32;
-    var phi_881_: u32;
-    var phi_917_: u32;
-    var phi_930_: u32;
-    var phi_935_: u32;
-    var phi_936_: u32;
+    var phi_345_: bool;
+    var phi_346_: bool;
+    var phi_347_: bool;
+    var phi_351_: bool;
+    var phi_421_: f32;
+    var phi_428_: f32;
+    var phi_435_: f32;
+    var phi_442_: f32;
+    var phi_449_: f32;
+    var phi_456_: f32;
+    var phi_473_: f32;
+    var phi_478_: f32;
+    var phi_483_: f32;
+    var phi_488_: f32;
+    var phi_493_: f32;
+    var phi_512_: u32;
+    var phi_517_: u32;
+    var phi_522_: u32;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_668_: u32;
+    var phi_670_: u32;
+    var phi_673_: bool;
+    var phi_753_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_780_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_807_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_813_: u32;
+    var phi_816_: u32;
+    var phi_830_: u32;
+    var phi_840_: u32;
+    var phi_850_: u32;
+    var phi_868_: u32;
+    var phi_878_: u32;
+    var phi_888_: u32;
+    var phi_924_: u32;
     var phi_937_: u32;
-    var phi_807_: u32;
-    var phi_810_: u32;
+    var phi_942_: u32;
+    var phi_943_: u32;
+    var phi_944_: u32;
+    var phi_814_: u32;
+    var phi_817_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_995_: u32;
-    var phi_998_: bool;
-    var phi_1047_: f32;
-    var phi_1052_: f32;
-    var phi_1057_: f32;
-    var phi_1065_: f32;
-    var phi_1070_: f32;
-    var phi_1075_: f32;
-    var phi_1219_: bool;
-    var phi_1220_: bool;
-    var phi_1221_: bool;
+    var phi_1002_: u32;
+    var phi_1005_: bool;
+    var phi_1054_: f32;
+    var phi_1059_: f32;
+    var phi_1064_: f32;
+    var phi_1072_: f32;
+    var phi_1077_: f32;
+    var phi_1082_: f32;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1209_: bool;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
+    var phi_1224_: bool;
     var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
-    var phi_1228_: bool;
     var phi_1229_: bool;
-    var phi_1230_: bool;
-    var phi_1231_: bool;
-    var phi_1232_: bool;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1239_: bool;
-    var phi_1240_: bool;
-    var phi_1241_: bool;
     var phi_1242_: bool;
-    var phi_1246_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
     var phi_1250_: bool;
-    var phi_1320_: f32;
-    var phi_1327_: f32;
-    var phi_1334_: f32;
-    var phi_1341_: f32;
-    var phi_1348_: f32;
-    var phi_1355_: f32;
-    var phi_1372_: f32;
-    var phi_1377_: f32;
-    var phi_1382_: f32;
-    var phi_1410_: bool;
-    var phi_1411_: bool;
-    var phi_1419_: u32;
-    var phi_1420_: u32;
-    var phi_1431_: vec3<f32>;
-    var phi_1432_: vec3<f32>;
-    var phi_1445_: u32;
-    var phi_1450_: u32;
-    var phi_1455_: u32;
-    var phi_1569_: bool;
-    var phi_1570_: bool;
-    var phi_1601_: u32;
-    var phi_1603_: u32;
-    var phi_1606_: bool;
-    var phi_1686_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1713_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1740_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1746_: u32;
-    var phi_1749_: u32;
+    var phi_1251_: bool;
+    var phi_1252_: bool;
+    var phi_1256_: bool;
+    var phi_1326_: f32;
+    var phi_1333_: f32;
+    var phi_1340_: f32;
+    var phi_1347_: f32;
+    var phi_1354_: f32;
+    var phi_1361_: f32;
+    var phi_1378_: f32;
+    var phi_1383_: f32;
+    var phi_1388_: f32;
+    var phi_1393_: f32;
+    var phi_1398_: f32;
+    var phi_1424_: bool;
+    var phi_1425_: bool;
+    var phi_1433_: u32;
+    var phi_1434_: u32;
+    var phi_1445_: vec3<f32>;
+    var phi_1446_: vec3<f32>;
+    var phi_1459_: u32;
+    var phi_1464_: u32;
+    var phi_1469_: u32;
+    var phi_1583_: bool;
+    var phi_1584_: bool;
+    var phi_1615_: u32;
+    var phi_1617_: u32;
+    var phi_1620_: bool;
+    var phi_1700_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1727_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1754_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1760_: u32;
     var phi_1763_: u32;
-    var phi_1773_: u32;
-    var phi_1783_: u32;
-    var phi_1801_: u32;
-    var phi_1811_: u32;
-    var phi_1821_: u32;
-    var phi_1857_: u32;
-    var phi_1870_: u32;
-    var phi_1875_: u32;
-    var phi_1876_: u32;
-    var phi_1877_: u32;
-    var phi_1747_: u32;
-    var phi_1750_: u32;
+    var phi_1777_: u32;
+    var phi_1787_: u32;
+    var phi_1797_: u32;
+    var phi_1815_: u32;
+    var phi_1825_: u32;
+    var phi_1835_: u32;
+    var phi_1871_: u32;
+    var phi_1884_: u32;
+    var phi_1889_: u32;
+    var phi_1890_: u32;
+    var phi_1891_: u32;
+    var phi_1761_: u32;
+    var phi_1764_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1935_: u32;
-    var phi_1938_: bool;
-    var phi_1982_: vec3<f32>;
-    var phi_1983_: vec3<f32>;
-    var phi_2012_: vec3<f32>;
-    var phi_2013_: vec3<f32>;
-    var phi_2042_: vec3<f32>;
-    var phi_2043_: vec3<f32>;
-    var phi_2061_: bool;
-    var phi_2062_: bool;
-    var phi_2066_: f32;
-    var phi_2067_: f32;
-    var phi_2068_: f32;
-    var phi_2069_: f32;
-    var phi_2077_: f32;
-    var phi_2087_: bool;
-    var phi_2088_: bool;
-    var phi_2092_: f32;
-    var phi_2093_: f32;
-    var phi_2094_: f32;
-    var phi_2095_: f32;
-    var phi_2103_: f32;
-    var phi_2113_: bool;
-    var phi_2114_: bool;
-    var phi_2118_: f32;
-    var phi_2119_: f32;
-    var phi_2120_: f32;
-    var phi_2121_: f32;
-    var phi_2129_: f32;
-    var phi_2144_: f32;
-    var phi_2145_: bool;
-    var phi_2146_: f32;
-    var phi_2147_: bool;
-    var phi_2148_: f32;
-    var phi_2149_: bool;
-    var phi_2167_: f32;
-    var phi_2168_: bool;
-    var phi_2169_: bool;
-    var phi_2170_: f32;
-    var phi_2171_: bool;
-    var phi_2172_: bool;
-    var phi_2176_: bool;
-    var phi_2177_: f32;
-    var phi_2178_: bool;
-    var phi_2206_: vec3<f32>;
-    var phi_2207_: vec3<f32>;
-    var phi_2232_: vec3<f32>;
-    var phi_2233_: vec3<f32>;
-    var phi_2258_: vec3<f32>;
-    var phi_2259_: vec3<f32>;
-    var phi_2315_: f32;
-    var phi_2324_: f32;
-    var phi_2333_: f32;
-    var phi_2342_: f32;
-    var phi_2349_: f32;
+    var phi_1949_: u32;
+    var phi_1952_: bool;
+    var phi_1996_: vec3<f32>;
+    var phi_1997_: vec3<f32>;
+    var phi_2026_: vec3<f32>;
+    var phi_2027_: vec3<f32>;
+    var phi_2056_: vec3<f32>;
+    var phi_2057_: vec3<f32>;
+    var phi_2075_: bool;
+    var phi_2076_: bool;
+    var phi_2080_: f32;
+    var phi_2081_: f32;
+    var phi_2082_: f32;
+    var phi_2083_: f32;
+    var phi_2091_: f32;
+    var phi_2101_: bool;
+    var phi_2102_: bool;
+    var phi_2106_: f32;
+    var phi_2107_: f32;
+    var phi_2108_: f32;
+    var phi_2109_: f32;
+    var phi_2117_: f32;
+    var phi_2127_: bool;
+    var phi_2128_: bool;
+    var phi_2132_: f32;
+    var phi_2133_: f32;
+    var phi_2134_: f32;
+    var phi_2135_: f32;
+    var phi_2143_: f32;
+    var phi_2158_: f32;
+    var phi_2159_: bool;
+    var phi_2160_: f32;
+    var phi_2161_: bool;
+    var phi_2162_: f32;
+    var phi_2163_: bool;
+    var phi_2181_: f32;
+    var phi_2182_: bool;
+    var phi_2183_: bool;
+    var phi_2184_: f32;
+    var phi_2185_: bool;
+    var phi_2186_: bool;
+    var phi_2190_: bool;
+    var phi_2191_: f32;
+    var phi_2192_: bool;
+    var phi_2220_: vec3<f32>;
+    var phi_2221_: vec3<f32>;
+    var phi_2246_: vec3<f32>;
+    var phi_2247_: vec3<f32>;
+    var phi_2272_: vec3<f32>;
+    var phi_2273_: vec3<f32>;
+    var phi_2329_: f32;
+    var phi_2338_: f32;
+    var phi_2347_: f32;
     var phi_2356_: f32;
-    var phi_2369_: f32;
-    var phi_2378_: f32;
-    var phi_2387_: f32;
-    var phi_2396_: f32;
-    var phi_2403_: f32;
+    var phi_2363_: f32;
+    var phi_2370_: f32;
+    var phi_2383_: f32;
+    var phi_2392_: f32;
+    var phi_2401_: f32;
     var phi_2410_: f32;
-    var phi_2427_: f32;
-    var phi_2432_: f32;
-    var phi_2437_: f32;
-    var phi_2445_: f32;
-    var phi_2450_: f32;
-    var phi_2455_: f32;
-    var phi_2467_: f32;
-    var phi_2472_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: f32;
-    var phi_2487_: lt_bvh_triangle_Intersection;
-    var phi_2488_: bool;
-    var phi_2489_: lt_bvh_triangle_Intersection;
-    var phi_2490_: bool;
-    var phi_2494_: lt_bvh_triangle_Intersection;
-    var phi_2495_: bool;
-    var phi_2496_: lt_bvh_triangle_Intersection;
-    var phi_2497_: bool;
-    var phi_2498_: bool;
+    var phi_2417_: f32;
+    var phi_2424_: f32;
+    var phi_2441_: f32;
+    var phi_2446_: f32;
+    var phi_2451_: f32;
+    var phi_2459_: f32;
+    var phi_2464_: f32;
+    var phi_2469_: f32;
+    var phi_2481_: f32;
+    var phi_2486_: f32;
+    var phi_2491_: f32;
+    var phi_2496_: f32;
+    var phi_2501_: lt_bvh_triangle_Intersection;
     var phi_2502_: bool;
-    var phi_2506_: lt_bvh_triangle_Intersection;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2528_: bool;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_2531_: bool;
-    var phi_2532_: bool;
-    var phi_1936_: u32;
-    var phi_1939_: bool;
-    var phi_2536_: bool;
+    var phi_2503_: lt_bvh_triangle_Intersection;
+    var phi_2504_: bool;
+    var phi_2508_: lt_bvh_triangle_Intersection;
+    var phi_2509_: bool;
+    var phi_2510_: lt_bvh_triangle_Intersection;
+    var phi_2511_: bool;
+    var phi_2512_: bool;
+    var phi_2516_: bool;
+    var phi_2520_: lt_bvh_triangle_Intersection;
+    var phi_2540_: bool;
+    var phi_2541_: bool;
+    var phi_2542_: bool;
+    var phi_2543_: bool;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_1950_: u32;
+    var phi_1953_: bool;
+    var phi_2550_: bool;
     var local_8: bool;
-    var phi_2578_: bool;
-    var phi_2579_: bool;
-    var phi_2610_: u32;
-    var phi_2611_: u32;
-    var phi_1604_: u32;
-    var phi_1607_: bool;
-    var phi_2612_: bool;
-    var phi_2613_: bool;
+    var phi_2592_: bool;
+    var phi_2593_: bool;
+    var phi_2624_: u32;
+    var phi_2625_: u32;
+    var phi_1618_: u32;
+    var phi_1621_: bool;
+    var phi_2626_: bool;
+    var phi_2627_: bool;
     var local_9: bool;
-    var phi_2617_: bool;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_2623_: bool;
-    var phi_2624_: bool;
-    var phi_2628_: bool;
-    var phi_2632_: bool;
-    var phi_2633_: bool;
-    var phi_2634_: bool;
+    var phi_2631_: bool;
     var phi_2635_: bool;
     var phi_2636_: bool;
     var phi_2637_: bool;
     var phi_2638_: bool;
-    var phi_996_: u32;
-    var phi_999_: bool;
     var phi_2642_: bool;
+    var phi_2646_: bool;
+    var phi_2647_: bool;
+    var phi_2648_: bool;
+    var phi_2649_: bool;
+    var phi_2650_: bool;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
+    var phi_1003_: u32;
+    var phi_1006_: bool;
+    var phi_2656_: bool;
     var local_10: bool;
-    var phi_2684_: bool;
-    var phi_2685_: bool;
-    var phi_2716_: u32;
-    var phi_2717_: u32;
-    var phi_664_: u32;
-    var phi_667_: bool;
-    var phi_2718_: bool;
-    var phi_2719_: bool;
-    var local_11: bool;
-    var phi_2723_: bool;
-    var phi_2727_: bool;
-    var phi_2728_: bool;
-    var phi_2729_: bool;
+    var phi_2698_: bool;
+    var phi_2699_: bool;
+    var phi_2730_: u32;
+    var phi_2731_: u32;
+    var phi_671_: u32;
+    var phi_674_: bool;
+    var phi_2732_: bool;
     var phi_2733_: bool;
-    var phi_2734_: bool;
-    var phi_2738_: bool;
-    var phi_2742_: f32;
+    var local_11: bool;
+    var phi_2737_: bool;
+    var phi_2741_: bool;
+    var phi_2742_: bool;
+    var phi_2743_: bool;
+    var phi_2747_: bool;
+    var phi_2748_: bool;
+    var phi_2752_: bool;
+    var phi_2756_: f32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
@@ -498,1854 +495,1856 @@ fn function_() {
         let _e125 = (_e113.x - (_e107 * _e113.w));
         let _e126 = (_e113.y - (_e109 * _e113.w));
         let _e127 = (_e113.z - (_e111 * _e113.w));
-        let _e131 = abs(_e125);
-        let _e132 = abs(_e126);
-        let _e133 = abs(_e127);
+        let _e128 = abs(_e125);
+        let _e129 = abs(_e126);
+        let _e130 = abs(_e127);
         if (abs(_e107) < 1000000000000000f) {
             if (abs(_e109) < 1000000000000000f) {
-                if (abs(_e111) < 1000000000000000f) {
-                    if (_e131 < 1000000000000000f) {
-                        if (_e132 < 1000000000000000f) {
-                            if (_e133 < 1000000000000000f) {
-                                if (_e131 > 0f) {
-                                    phi_322_ = bool();
-                                    phi_323_ = true;
-                                } else {
-                                    let _e141 = (_e132 > 0f);
-                                    if _e141 {
-                                        phi_321_ = bool();
-                                    } else {
-                                        phi_321_ = (_e133 > 0f);
-                                    }
-                                    let _e144 = phi_321_;
-                                    phi_322_ = _e144;
-                                    phi_323_ = _e141;
-                                }
-                                let _e146 = phi_322_;
-                                let _e148 = phi_323_;
-                                if _e148 {
-                                    phi_327_ = true;
-                                } else {
-                                    phi_327_ = _e146;
-                                }
-                                let _e150 = phi_327_;
-                                phi_328_ = _e150;
-                                phi_329_ = false;
-                            } else {
-                                phi_328_ = bool();
-                                phi_329_ = true;
-                            }
-                            let _e152 = phi_328_;
-                            let _e154 = phi_329_;
-                            phi_330_ = _e152;
-                            phi_331_ = false;
-                            phi_332_ = _e154;
-                        } else {
-                            phi_330_ = bool();
-                            phi_331_ = true;
-                            phi_332_ = false;
-                        }
-                        let _e156 = phi_330_;
-                        let _e158 = phi_331_;
-                        let _e160 = phi_332_;
-                        phi_333_ = _e156;
-                        phi_334_ = _e158;
-                        phi_335_ = _e160;
-                    } else {
-                        phi_333_ = bool();
-                        phi_334_ = true;
-                        phi_335_ = false;
-                    }
-                    let _e162 = phi_333_;
-                    let _e164 = phi_334_;
-                    let _e166 = phi_335_;
-                    phi_336_ = _e162;
-                    phi_337_ = _e164;
-                    phi_338_ = _e166;
-                } else {
-                    phi_336_ = bool();
-                    phi_337_ = true;
-                    phi_338_ = false;
-                }
-                let _e168 = phi_336_;
-                let _e170 = phi_337_;
-                let _e172 = phi_338_;
-                phi_339_ = _e168;
-                phi_340_ = _e170;
-                phi_341_ = _e172;
+                phi_297_ = (abs(_e111) < 1000000000000000f);
+                phi_298_ = false;
             } else {
-                phi_339_ = bool();
-                phi_340_ = true;
-                phi_341_ = false;
+                phi_297_ = bool();
+                phi_298_ = true;
             }
-            let _e174 = phi_339_;
-            let _e176 = phi_340_;
-            let _e178 = phi_341_;
-            phi_342_ = _e174;
-            phi_343_ = _e176;
-            phi_344_ = _e178;
+            let _e138 = phi_297_;
+            let _e140 = phi_298_;
+            phi_299_ = _e138;
+            phi_300_ = _e140;
         } else {
-            phi_342_ = bool();
-            phi_343_ = true;
-            phi_344_ = false;
+            phi_299_ = bool();
+            phi_300_ = true;
         }
-        let _e180 = phi_342_;
-        let _e182 = phi_343_;
-        let _e184 = phi_344_;
-        if _e182 {
-            phi_348_ = true;
+        let _e142 = phi_299_;
+        let _e144 = phi_300_;
+        if _e144 {
+            phi_304_ = false;
         } else {
-            phi_348_ = _e184;
+            phi_304_ = _e142;
         }
-        let _e186 = phi_348_;
-        if _e186 {
-            phi_352_ = false;
+        let _e146 = phi_304_;
+        if _e146 {
+            if (_e128 < 1000000000000000f) {
+                if (_e129 < 1000000000000000f) {
+                    phi_317_ = (_e130 < 1000000000000000f);
+                    phi_318_ = false;
+                } else {
+                    phi_317_ = bool();
+                    phi_318_ = true;
+                }
+                let _e151 = phi_317_;
+                let _e153 = phi_318_;
+                phi_319_ = _e151;
+                phi_320_ = _e153;
+            } else {
+                phi_319_ = bool();
+                phi_320_ = true;
+            }
+            let _e155 = phi_319_;
+            let _e157 = phi_320_;
+            if _e157 {
+                phi_324_ = false;
+            } else {
+                phi_324_ = _e155;
+            }
+            let _e159 = phi_324_;
+            if _e159 {
+                if (_e128 > 0f) {
+                    phi_338_ = bool();
+                    phi_339_ = true;
+                } else {
+                    let _e161 = (_e129 > 0f);
+                    if _e161 {
+                        phi_337_ = bool();
+                    } else {
+                        phi_337_ = (_e130 > 0f);
+                    }
+                    let _e164 = phi_337_;
+                    phi_338_ = _e164;
+                    phi_339_ = _e161;
+                }
+                let _e166 = phi_338_;
+                let _e168 = phi_339_;
+                if _e168 {
+                    phi_343_ = true;
+                } else {
+                    phi_343_ = _e166;
+                }
+                let _e170 = phi_343_;
+                phi_344_ = _e170;
+                phi_345_ = false;
+            } else {
+                phi_344_ = bool();
+                phi_345_ = true;
+            }
+            let _e172 = phi_344_;
+            let _e174 = phi_345_;
+            phi_346_ = _e172;
+            phi_347_ = _e174;
         } else {
-            phi_352_ = _e180;
+            phi_346_ = bool();
+            phi_347_ = true;
         }
-        let _e188 = phi_352_;
-        if _e188 {
-            let _e189 = (_e87 >= _e60);
-            if _e189 {
-                phi_2727_ = false;
+        let _e176 = phi_346_;
+        let _e178 = phi_347_;
+        if _e178 {
+            phi_351_ = false;
+        } else {
+            phi_351_ = _e176;
+        }
+        let _e180 = phi_351_;
+        if _e180 {
+            let _e181 = (_e87 >= _e60);
+            if _e181 {
+                phi_2741_ = false;
             } else {
                 if (_e87 < _e60) {
                 } else {
                     return;
                 }
-                let _e195 = nodes.member[(0u + _e87)].frame[0u];
-                let _e199 = nodes.member[(0u + _e87)].frame[1u];
-                let _e203 = nodes.member[(0u + _e87)].frame[2u];
-                let _e207 = nodes.member[(0u + _e87)].frame[0u];
-                let _e211 = nodes.member[(0u + _e87)].frame[1u];
-                let _e215 = nodes.member[(0u + _e87)].frame[2u];
-                let _e219 = nodes.member[(0u + _e87)].frame[3u];
-                let _e253 = core_intrinsics_maximum_number_nsz_f32_(abs(_e125), abs(_e126));
-                let _e254 = core_intrinsics_maximum_number_nsz_f32_(_e253, abs(_e127));
-                let _e255 = (_e254 * 0.0000000000009094947f);
-                if (abs(_e125) < _e255) {
-                    phi_422_ = _e255;
+                let _e187 = nodes.member[(0u + _e87)].frame[0u];
+                let _e191 = nodes.member[(0u + _e87)].frame[1u];
+                let _e195 = nodes.member[(0u + _e87)].frame[2u];
+                let _e199 = nodes.member[(0u + _e87)].frame[0u];
+                let _e203 = nodes.member[(0u + _e87)].frame[1u];
+                let _e207 = nodes.member[(0u + _e87)].frame[2u];
+                let _e211 = nodes.member[(0u + _e87)].frame[3u];
+                let _e245 = core_intrinsics_maximum_number_nsz_f32_(abs(_e125), abs(_e126));
+                let _e246 = core_intrinsics_maximum_number_nsz_f32_(_e245, abs(_e127));
+                let _e247 = (_e246 * 0.0000000000009094947f);
+                if (abs(_e125) < _e247) {
+                    phi_421_ = _e247;
                 } else {
-                    phi_422_ = abs(_e125);
+                    phi_421_ = abs(_e125);
                 }
-                let _e260 = phi_422_;
+                let _e252 = phi_421_;
                 if (_e125 < 0f) {
-                    phi_429_ = (-1f / _e260);
+                    phi_428_ = (-1f / _e252);
                 } else {
-                    phi_429_ = (1f / _e260);
+                    phi_428_ = (1f / _e252);
                 }
-                let _e265 = phi_429_;
-                if (abs(_e126) < _e255) {
-                    phi_436_ = _e255;
+                let _e257 = phi_428_;
+                if (abs(_e126) < _e247) {
+                    phi_435_ = _e247;
                 } else {
-                    phi_436_ = abs(_e126);
+                    phi_435_ = abs(_e126);
                 }
-                let _e270 = phi_436_;
+                let _e262 = phi_435_;
                 if (_e126 < 0f) {
-                    phi_443_ = (-1f / _e270);
+                    phi_442_ = (-1f / _e262);
                 } else {
-                    phi_443_ = (1f / _e270);
+                    phi_442_ = (1f / _e262);
                 }
-                let _e275 = phi_443_;
-                if (abs(_e127) < _e255) {
-                    phi_450_ = _e255;
+                let _e267 = phi_442_;
+                if (abs(_e127) < _e247) {
+                    phi_449_ = _e247;
                 } else {
-                    phi_450_ = abs(_e127);
+                    phi_449_ = abs(_e127);
                 }
-                let _e280 = phi_450_;
+                let _e272 = phi_449_;
                 if (_e127 < 0f) {
-                    phi_457_ = (-1f / _e280);
+                    phi_456_ = (-1f / _e272);
                 } else {
-                    phi_457_ = (1f / _e280);
+                    phi_456_ = (1f / _e272);
                 }
-                let _e285 = phi_457_;
-                let _e289 = abs((bitcast<f32>(_e195) - _e107));
-                let _e290 = abs((bitcast<f32>(_e199) - _e109));
-                let _e291 = abs((bitcast<f32>(_e203) - _e111));
-                let _e295 = abs(((bitcast<f32>(_e207) + (bitcast<f32>((((_e219 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
-                let _e296 = abs(((bitcast<f32>(_e211) + (bitcast<f32>((((_e219 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
-                let _e297 = abs(((bitcast<f32>(_e215) + (bitcast<f32>((((_e219 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e111));
-                if (_e289 > _e295) {
-                    phi_474_ = _e289;
+                let _e277 = phi_456_;
+                let _e281 = abs((bitcast<f32>(_e187) - _e107));
+                let _e282 = abs((bitcast<f32>(_e191) - _e109));
+                let _e283 = abs((bitcast<f32>(_e195) - _e111));
+                let _e287 = abs(((bitcast<f32>(_e199) + (bitcast<f32>((((_e211 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
+                let _e288 = abs(((bitcast<f32>(_e203) + (bitcast<f32>((((_e211 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
+                let _e289 = abs(((bitcast<f32>(_e207) + (bitcast<f32>((((_e211 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e111));
+                if (_e281 > _e287) {
+                    phi_473_ = _e281;
                 } else {
-                    phi_474_ = _e295;
+                    phi_473_ = _e287;
                 }
-                let _e300 = phi_474_;
-                if (_e290 > _e296) {
-                    phi_479_ = _e290;
+                let _e292 = phi_473_;
+                if (_e282 > _e288) {
+                    phi_478_ = _e282;
                 } else {
-                    phi_479_ = _e296;
+                    phi_478_ = _e288;
                 }
-                let _e303 = phi_479_;
-                if (_e291 > _e297) {
-                    phi_484_ = _e291;
+                let _e295 = phi_478_;
+                if (_e283 > _e289) {
+                    phi_483_ = _e283;
                 } else {
-                    phi_484_ = _e297;
+                    phi_483_ = _e289;
                 }
-                let _e306 = phi_484_;
-                let _e307 = core_intrinsics_maximum_number_nsz_f32_(_e300, _e303);
-                let _e308 = core_intrinsics_maximum_number_nsz_f32_(_e307, _e306);
-                let _e312 = (_e308 * 0.0000019073486f);
-                let _e313 = (abs(_e265) * _e312);
-                let _e314 = (abs(_e275) * _e312);
-                let _e315 = (abs(_e285) * _e312);
-                let _e319 = (_e308 * 0.0000009536743f);
-                let _e320 = (abs(_e265) * _e319);
-                let _e321 = (abs(_e275) * _e319);
-                let _e322 = (abs(_e285) * _e319);
-                if (_e265 < 0f) {
-                    phi_505_ = 0u;
+                let _e298 = phi_483_;
+                if (_e292 > _e295) {
+                    phi_488_ = _e292;
                 } else {
-                    phi_505_ = 1u;
+                    phi_488_ = _e295;
                 }
-                let _e325 = phi_505_;
-                if (_e275 < 0f) {
-                    phi_510_ = 0u;
+                let _e301 = phi_488_;
+                if (_e301 > _e298) {
+                    phi_493_ = _e301;
                 } else {
-                    phi_510_ = 2u;
+                    phi_493_ = _e298;
                 }
-                let _e328 = phi_510_;
-                if (_e285 < 0f) {
-                    phi_515_ = 0u;
+                let _e304 = phi_493_;
+                let _e308 = (_e304 * 0.0000019073486f);
+                let _e309 = (abs(_e257) * _e308);
+                let _e310 = (abs(_e267) * _e308);
+                let _e311 = (abs(_e277) * _e308);
+                let _e315 = (_e304 * 0.0000009536743f);
+                let _e316 = (abs(_e257) * _e315);
+                let _e317 = (abs(_e267) * _e315);
+                let _e318 = (abs(_e277) * _e315);
+                if (_e257 < 0f) {
+                    phi_512_ = 0u;
                 } else {
-                    phi_515_ = 4u;
+                    phi_512_ = 1u;
                 }
-                let _e331 = phi_515_;
-                let _e333 = ((_e325 | _e328) | _e331);
-                let _e334 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e87, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e334.first[0], _e334.first[1], _e334.first[2], _e334.first[3], _e334.first[4], _e334.first[5], _e334.first[6], _e334.first[7], _e334.first[8], _e334.first[9], _e334.first[10], _e334.first[11], _e334.first[12], _e334.first[13], _e334.first[14], _e334.first[15], _e334.first[16], _e334.first[17], _e334.first[18], _e334.first[19], _e334.first[20], _e334.first[21], _e334.first[22], _e334.first[23], _e334.first[24], _e334.first[25], _e334.first[26], _e334.first[27], _e334.first[28], _e334.first[29], _e334.first[30], _e334.first[31]), array<u32, 32>(_e334.mask[0], _e334.mask[1], _e334.mask[2], _e334.mask[3], _e334.mask[4], _e334.mask[5], _e334.mask[6], _e334.mask[7], _e334.mask[8], _e334.mask[9], _e334.mask[10], _e334.mask[11], _e334.mask[12], _e334.mask[13], _e334.mask[14], _e334.mask[15], _e334.mask[16], _e334.mask[17], _e334.mask[18], _e334.mask[19], _e334.mask[20], _e334.mask[21], _e334.mask[22], _e334.mask[23], _e334.mask[24], _e334.mask[25], _e334.mask[26], _e334.mask[27], _e334.mask[28], _e334.mask[29], _e334.mask[30], _e334.mask[31]), _e334.len, _e334.group, _e334.group_mask);
-                let _e408 = local_1.group_mask;
-                if ((_e408 & 4278190080u) == 0u) {
-                    let _e412 = local_1.len;
-                    if (_e412 == 0u) {
-                        phi_629_ = false;
+                let _e321 = phi_512_;
+                if (_e267 < 0f) {
+                    phi_517_ = 0u;
+                } else {
+                    phi_517_ = 2u;
+                }
+                let _e324 = phi_517_;
+                if (_e277 < 0f) {
+                    phi_522_ = 0u;
+                } else {
+                    phi_522_ = 4u;
+                }
+                let _e327 = phi_522_;
+                let _e329 = ((_e321 | _e324) | _e327);
+                let _e330 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e87, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e330.first[0], _e330.first[1], _e330.first[2], _e330.first[3], _e330.first[4], _e330.first[5], _e330.first[6], _e330.first[7], _e330.first[8], _e330.first[9], _e330.first[10], _e330.first[11], _e330.first[12], _e330.first[13], _e330.first[14], _e330.first[15], _e330.first[16], _e330.first[17], _e330.first[18], _e330.first[19], _e330.first[20], _e330.first[21], _e330.first[22], _e330.first[23], _e330.first[24], _e330.first[25], _e330.first[26], _e330.first[27], _e330.first[28], _e330.first[29], _e330.first[30], _e330.first[31]), array<u32, 32>(_e330.mask[0], _e330.mask[1], _e330.mask[2], _e330.mask[3], _e330.mask[4], _e330.mask[5], _e330.mask[6], _e330.mask[7], _e330.mask[8], _e330.mask[9], _e330.mask[10], _e330.mask[11], _e330.mask[12], _e330.mask[13], _e330.mask[14], _e330.mask[15], _e330.mask[16], _e330.mask[17], _e330.mask[18], _e330.mask[19], _e330.mask[20], _e330.mask[21], _e330.mask[22], _e330.mask[23], _e330.mask[24], _e330.mask[25], _e330.mask[26], _e330.mask[27], _e330.mask[28], _e330.mask[29], _e330.mask[30], _e330.mask[31]), _e330.len, _e330.group, _e330.group_mask);
+                let _e404 = local_1.group_mask;
+                if ((_e404 & 4278190080u) == 0u) {
+                    let _e408 = local_1.len;
+                    if (_e408 == 0u) {
+                        phi_636_ = false;
                     } else {
-                        let _e416 = local_1.len;
-                        local_1.len = (_e416 - 1u);
-                        let _e419 = local_1.len;
-                        if (_e419 < 32u) {
+                        let _e412 = local_1.len;
+                        local_1.len = (_e412 - 1u);
+                        let _e415 = local_1.len;
+                        if (_e415 < 32u) {
                         } else {
                             return;
                         }
-                        let _e424 = local_1.first[(0u + _e419)];
-                        local_1.group = _e424;
-                        let _e427 = local_1.len;
-                        if (_e427 < 32u) {
+                        let _e420 = local_1.first[(0u + _e415)];
+                        local_1.group = _e420;
+                        let _e423 = local_1.len;
+                        if (_e423 < 32u) {
                         } else {
                             return;
                         }
-                        let _e432 = local_1.mask[(0u + _e427)];
-                        local_1.group_mask = _e432;
-                        phi_629_ = true;
+                        let _e428 = local_1.mask[(0u + _e423)];
+                        local_1.group_mask = _e428;
+                        phi_636_ = true;
                     }
-                    let _e435 = phi_629_;
-                    phi_630_ = _e435;
+                    let _e431 = phi_636_;
+                    phi_637_ = _e431;
                 } else {
-                    phi_630_ = true;
+                    phi_637_ = true;
                 }
-                let _e437 = phi_630_;
-                if _e437 {
-                    let _e439 = local_1.group_mask;
-                    let _e445 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e439)), 32u, (_e439 == 0u)));
-                    let _e449 = local_1.group_mask;
-                    let _e463 = local_1.group_mask;
-                    local_1.group_mask = (_e463 & ~((1u << bitcast<u32>((_e445 & 31u)))));
-                    let _e466 = local_1.group;
-                    phi_661_ = (_e466 + countOneBits(((_e449 & ~((4294967295u << bitcast<u32>((((_e445 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e433 = phi_637_;
+                if _e433 {
+                    let _e435 = local_1.group_mask;
+                    let _e441 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e435)), 32u, (_e435 == 0u)));
+                    let _e445 = local_1.group_mask;
+                    let _e459 = local_1.group_mask;
+                    local_1.group_mask = (_e459 & ~((1u << bitcast<u32>((_e441 & 31u)))));
+                    let _e462 = local_1.group;
+                    phi_668_ = (_e462 + countOneBits(((_e445 & ~((4294967295u << bitcast<u32>((((_e441 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_661_ = 4294967295u;
+                    phi_668_ = 4294967295u;
                 }
-                let _e469 = phi_661_;
-                phi_663_ = _e469;
-                phi_666_ = false;
+                let _e465 = phi_668_;
+                phi_670_ = _e465;
+                phi_673_ = false;
                 loop {
-                    let _e471 = phi_663_;
-                    let _e473 = phi_666_;
-                    if (_e471 != 4294967295u) {
-                        if (_e471 < _e60) {
+                    let _e467 = phi_670_;
+                    let _e469 = phi_673_;
+                    if (_e467 != 4294967295u) {
+                        if (_e467 < _e60) {
                         } else {
                             return;
                         }
-                        let _e480 = nodes.member[(0u + _e471)].frame[3u];
-                        let _e505 = (bitcast<f32>((((_e480 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e265);
-                        let _e506 = (bitcast<f32>((((_e480 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e275);
-                        let _e507 = (bitcast<f32>((((_e480 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
-                        let _e510 = nodes.member[(0u + _e471)].frame[0u];
-                        let _e514 = nodes.member[(0u + _e471)].frame[1u];
-                        let _e518 = nodes.member[(0u + _e471)].frame[2u];
-                        let _e523 = ((bitcast<f32>(_e510) - _e107) * _e265);
-                        let _e524 = ((bitcast<f32>(_e514) - _e109) * _e275);
-                        let _e525 = ((bitcast<f32>(_e518) - _e111) * _e285);
-                        let _e533 = nodes.member[(0u + _e471)].x;
-                        if (_e265 < 0f) {
-                            let _e544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e550 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e544.unnamed.root, _e533.w), _e544.unnamed_1);
-                            let _e556 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e550.unnamed, lt_bvh_traverse_Tree(_e533.x, _e550.unnamed_1.first_primitive));
-                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e556.unnamed, lt_bvh_traverse_Tree(_e556.unnamed_1.root, _e533.y));
+                        let _e476 = nodes.member[(0u + _e467)].frame[3u];
+                        let _e501 = (bitcast<f32>((((_e476 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e257);
+                        let _e502 = (bitcast<f32>((((_e476 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e267);
+                        let _e503 = (bitcast<f32>((((_e476 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e277);
+                        let _e506 = nodes.member[(0u + _e467)].frame[0u];
+                        let _e510 = nodes.member[(0u + _e467)].frame[1u];
+                        let _e514 = nodes.member[(0u + _e467)].frame[2u];
+                        let _e519 = ((bitcast<f32>(_e506) - _e107) * _e257);
+                        let _e520 = ((bitcast<f32>(_e510) - _e109) * _e267);
+                        let _e521 = ((bitcast<f32>(_e514) - _e111) * _e277);
+                        let _e529 = nodes.member[(0u + _e467)].x;
+                        if (_e257 < 0f) {
+                            let _e540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e529.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e540.unnamed.word, _e529.w), _e540.unnamed_1);
+                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e546.unnamed, lt_mask_LightPlace(_e529.x, _e546.unnamed_1.shift));
+                            phi_753_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_mask_LightPlace(_e552.unnamed_1.word, _e529.y));
                         } else {
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e533.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e572.unnamed.root, _e533.y), _e572.unnamed_1);
-                            let _e584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e533.z, _e578.unnamed_1.first_primitive));
-                            phi_746_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e584.unnamed, lt_bvh_traverse_Tree(_e584.unnamed_1.root, _e533.w));
+                            let _e568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e529.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e568.unnamed.word, _e529.y), _e568.unnamed_1);
+                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e574.unnamed, lt_mask_LightPlace(_e529.z, _e574.unnamed_1.shift));
+                            phi_753_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e580.unnamed_1.word, _e529.w));
                         }
-                        let _e592 = phi_746_;
-                        let _e602 = nodes.member[(0u + _e471)].y;
-                        if (_e275 < 0f) {
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e613.unnamed.root, _e602.w), _e613.unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_bvh_traverse_Tree(_e602.x, _e619.unnamed_1.first_primitive));
-                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e625.unnamed_1.root, _e602.y));
+                        let _e588 = phi_753_;
+                        let _e598 = nodes.member[(0u + _e467)].y;
+                        if (_e267 < 0f) {
+                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e609.unnamed.word, _e598.w), _e609.unnamed_1);
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e615.unnamed, lt_mask_LightPlace(_e598.x, _e615.unnamed_1.shift));
+                            phi_780_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e621.unnamed_1.word, _e598.y));
                         } else {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.unnamed.root, _e602.y), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e602.z, _e647.unnamed_1.first_primitive));
-                            phi_773_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e653.unnamed_1.root, _e602.w));
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.unnamed.word, _e598.y), _e637.unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_mask_LightPlace(_e598.z, _e643.unnamed_1.shift));
+                            phi_780_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e649.unnamed_1.word, _e598.w));
                         }
-                        let _e661 = phi_773_;
-                        let _e671 = nodes.member[(0u + _e471)].z;
-                        if (_e285 < 0f) {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e682.unnamed.root, _e671.w), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_bvh_traverse_Tree(_e671.x, _e688.unnamed_1.first_primitive));
-                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e694.unnamed_1.root, _e671.y));
+                        let _e657 = phi_780_;
+                        let _e667 = nodes.member[(0u + _e467)].z;
+                        if (_e277 < 0f) {
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e678.unnamed.word, _e667.w), _e678.unnamed_1);
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e667.x, _e684.unnamed_1.shift));
+                            phi_807_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e690.unnamed_1.word, _e667.y));
                         } else {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.unnamed.root, _e671.y), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e671.z, _e716.unnamed_1.first_primitive));
-                            phi_800_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e722.unnamed_1.root, _e671.w));
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.unnamed.word, _e667.y), _e706.unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_mask_LightPlace(_e667.z, _e712.unnamed_1.shift));
+                            phi_807_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e718.unnamed_1.word, _e667.w));
                         }
-                        let _e730 = phi_800_;
-                        phi_806_ = 0u;
-                        phi_809_ = 0u;
+                        let _e726 = phi_807_;
+                        phi_813_ = 0u;
+                        phi_816_ = 0u;
                         loop {
-                            let _e740 = phi_806_;
-                            let _e742 = phi_809_;
-                            local_2 = _e742;
-                            local_3 = _e742;
-                            local_4 = _e742;
-                            let _e743 = (_e740 < 8u);
-                            if _e743 {
-                                let _e745 = (_e740 >> bitcast<u32>(2i));
-                                let _e746 = (_e740 & 3u);
-                                if (_e745 == 0u) {
-                                    phi_823_ = _e592.unnamed.root;
+                            let _e736 = phi_813_;
+                            let _e738 = phi_816_;
+                            local_2 = _e738;
+                            local_3 = _e738;
+                            local_4 = _e738;
+                            let _e739 = (_e736 < 8u);
+                            if _e739 {
+                                let _e741 = (_e736 >> bitcast<u32>(2i));
+                                let _e742 = (_e736 & 3u);
+                                if (_e741 == 0u) {
+                                    phi_830_ = _e588.unnamed.word;
                                 } else {
-                                    phi_823_ = _e592.unnamed.first_primitive;
+                                    phi_830_ = _e588.unnamed.shift;
                                 }
-                                let _e749 = phi_823_;
-                                if (_e745 == 0u) {
-                                    phi_833_ = _e661.unnamed.root;
+                                let _e745 = phi_830_;
+                                if (_e741 == 0u) {
+                                    phi_840_ = _e657.unnamed.word;
                                 } else {
-                                    phi_833_ = _e661.unnamed.first_primitive;
+                                    phi_840_ = _e657.unnamed.shift;
                                 }
-                                let _e758 = phi_833_;
-                                if (_e745 == 0u) {
-                                    phi_843_ = _e730.unnamed.root;
+                                let _e754 = phi_840_;
+                                if (_e741 == 0u) {
+                                    phi_850_ = _e726.unnamed.word;
                                 } else {
-                                    phi_843_ = _e730.unnamed.first_primitive;
+                                    phi_850_ = _e726.unnamed.shift;
                                 }
-                                let _e767 = phi_843_;
-                                let _e780 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e749 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 - _e313)), ((f32(((_e758 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 - _e314)));
-                                let _e781 = core_intrinsics_maximum_number_nsz_f32_(_e780, ((f32(((_e767 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e315)));
-                                if (_e745 == 0u) {
-                                    phi_861_ = _e592.unnamed_1.root;
+                                let _e763 = phi_850_;
+                                let _e776 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e745 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e501) + (_e519 - _e309)), ((f32(((_e754 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e502) + (_e520 - _e310)));
+                                let _e777 = core_intrinsics_maximum_number_nsz_f32_(_e776, ((f32(((_e763 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e503) + (_e521 - _e311)));
+                                if (_e741 == 0u) {
+                                    phi_868_ = _e588.unnamed_1.word;
                                 } else {
-                                    phi_861_ = _e592.unnamed_1.first_primitive;
+                                    phi_868_ = _e588.unnamed_1.shift;
                                 }
-                                let _e784 = phi_861_;
-                                if (_e745 == 0u) {
-                                    phi_871_ = _e661.unnamed_1.root;
+                                let _e780 = phi_868_;
+                                if (_e741 == 0u) {
+                                    phi_878_ = _e657.unnamed_1.word;
                                 } else {
-                                    phi_871_ = _e661.unnamed_1.first_primitive;
+                                    phi_878_ = _e657.unnamed_1.shift;
                                 }
-                                let _e793 = phi_871_;
-                                if (_e745 == 0u) {
-                                    phi_881_ = _e730.unnamed_1.root;
+                                let _e789 = phi_878_;
+                                if (_e741 == 0u) {
+                                    phi_888_ = _e726.unnamed_1.word;
                                 } else {
-                                    phi_881_ = _e730.unnamed_1.first_primitive;
+                                    phi_888_ = _e726.unnamed_1.shift;
                                 }
-                                let _e802 = phi_881_;
-                                let _e815 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e784 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e505) + (_e523 + _e313)), ((f32(((_e793 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e506) + (_e524 + _e314)));
-                                let _e816 = core_intrinsics_minimum_number_nsz_f32_(_e815, ((f32(((_e802 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e315)));
-                                if (_e781 <= _e816) {
-                                    if (_e781 <= _e117) {
-                                        if (_e816 >= 0f) {
-                                            if (_e745 == 0u) {
-                                                let _e823 = nodes.member[(0u + _e471)].links[2u];
-                                                phi_917_ = _e823;
+                                let _e798 = phi_888_;
+                                let _e811 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e780 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e501) + (_e519 + _e309)), ((f32(((_e789 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e502) + (_e520 + _e310)));
+                                let _e812 = core_intrinsics_minimum_number_nsz_f32_(_e811, ((f32(((_e798 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e503) + (_e521 + _e311)));
+                                if (_e777 <= _e812) {
+                                    if (_e777 <= _e117) {
+                                        if (_e812 >= 0f) {
+                                            if (_e741 == 0u) {
+                                                let _e819 = nodes.member[(0u + _e467)].links[2u];
+                                                phi_924_ = _e819;
                                             } else {
-                                                let _e826 = nodes.member[(0u + _e471)].links[3u];
-                                                phi_917_ = _e826;
+                                                let _e822 = nodes.member[(0u + _e467)].links[3u];
+                                                phi_924_ = _e822;
                                             }
-                                            let _e828 = phi_917_;
-                                            let _e833 = ((_e828 >> bitcast<u32>(((_e746 * 8u) & 31u))) & 255u);
-                                            let _e834 = (_e833 & 31u);
-                                            if (_e834 >= 24u) {
-                                                phi_930_ = (24u + ((_e834 - 24u) ^ _e333));
+                                            let _e824 = phi_924_;
+                                            let _e829 = ((_e824 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u);
+                                            let _e830 = (_e829 & 31u);
+                                            if (_e830 >= 24u) {
+                                                phi_937_ = (24u + ((_e830 - 24u) ^ _e329));
                                             } else {
-                                                phi_930_ = _e834;
+                                                phi_937_ = _e830;
                                             }
-                                            let _e840 = phi_930_;
-                                            phi_935_ = (_e742 | ((_e833 >> bitcast<u32>(5i)) << bitcast<u32>((_e840 & 31u))));
+                                            let _e836 = phi_937_;
+                                            phi_942_ = (_e738 | ((_e829 >> bitcast<u32>(5i)) << bitcast<u32>((_e836 & 31u))));
                                         } else {
-                                            phi_935_ = _e742;
+                                            phi_942_ = _e738;
                                         }
-                                        let _e848 = phi_935_;
-                                        phi_936_ = _e848;
+                                        let _e844 = phi_942_;
+                                        phi_943_ = _e844;
                                     } else {
-                                        phi_936_ = _e742;
+                                        phi_943_ = _e738;
                                     }
-                                    let _e850 = phi_936_;
-                                    phi_937_ = _e850;
+                                    let _e846 = phi_943_;
+                                    phi_944_ = _e846;
                                 } else {
-                                    phi_937_ = _e742;
+                                    phi_944_ = _e738;
                                 }
-                                let _e852 = phi_937_;
-                                phi_807_ = (_e740 + 1u);
-                                phi_810_ = _e852;
+                                let _e848 = phi_944_;
+                                phi_814_ = (_e736 + 1u);
+                                phi_817_ = _e848;
                             } else {
-                                phi_807_ = u32();
-                                phi_810_ = u32();
+                                phi_814_ = u32();
+                                phi_817_ = u32();
                             }
-                            let _e855 = phi_807_;
-                            let _e857 = phi_810_;
+                            let _e851 = phi_814_;
+                            let _e853 = phi_817_;
                             continue;
                             continuing {
-                                phi_806_ = _e855;
-                                phi_809_ = _e857;
-                                break if !(_e743);
+                                phi_813_ = _e851;
+                                phi_816_ = _e853;
+                                break if !(_e739);
                             }
                         }
-                        let _e861 = nodes.member[(0u + _e471)].links[0u];
-                        let _e865 = nodes.member[(0u + _e471)].frame[3u];
-                        let _e869 = local_2;
-                        if ((_e869 & 4278190080u) == 0u) {
+                        let _e857 = nodes.member[(0u + _e467)].links[0u];
+                        let _e861 = nodes.member[(0u + _e467)].frame[3u];
+                        let _e865 = local_2;
+                        if ((_e865 & 4278190080u) == 0u) {
                         } else {
-                            let _e873 = local_1.group_mask;
-                            if ((_e873 & 4278190080u) == 0u) {
+                            let _e869 = local_1.group_mask;
+                            if ((_e869 & 4278190080u) == 0u) {
                             } else {
-                                let _e877 = local_1.len;
-                                if (_e877 < 32u) {
-                                    let _e880 = local_1.group;
-                                    let _e882 = local_1.len;
-                                    if (_e882 < 32u) {
+                                let _e873 = local_1.len;
+                                if (_e873 < 32u) {
+                                    let _e876 = local_1.group;
+                                    let _e878 = local_1.len;
+                                    if (_e878 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e882)] = _e880;
-                                    let _e888 = local_1.group_mask;
-                                    let _e890 = local_1.len;
-                                    if (_e890 < 32u) {
+                                    local_1.first[(0u + _e878)] = _e876;
+                                    let _e884 = local_1.group_mask;
+                                    let _e886 = local_1.len;
+                                    if (_e886 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e890)] = _e888;
-                                    let _e897 = local_1.len;
-                                    local_1.len = (_e897 + 1u);
+                                    local_1.mask[(0u + _e886)] = _e884;
+                                    let _e893 = local_1.len;
+                                    local_1.len = (_e893 + 1u);
                                 }
                             }
-                            local_1.group = (_e87 + _e861);
-                            let _e901 = local_3;
-                            local_1.group_mask = ((_e901 & 4278190080u) | (_e865 >> bitcast<u32>(24i)));
+                            local_1.group = (_e87 + _e857);
+                            let _e897 = local_3;
+                            local_1.group_mask = ((_e897 & 4278190080u) | (_e861 >> bitcast<u32>(24i)));
                         }
-                        let _e906 = local_4;
-                        phi_995_ = (_e906 & 16777215u);
-                        phi_998_ = _e473;
+                        let _e902 = local_4;
+                        phi_1002_ = (_e902 & 16777215u);
+                        phi_1005_ = _e469;
                         loop {
-                            let _e909 = phi_995_;
-                            let _e911 = phi_998_;
-                            local_15 = _e911;
-                            let _e912 = (_e909 == 0u);
-                            local_10 = _e912;
-                            local_16 = _e912;
-                            if _e912 {
-                                phi_996_ = u32();
-                                phi_999_ = bool();
-                                phi_2642_ = false;
+                            let _e905 = phi_1002_;
+                            let _e907 = phi_1005_;
+                            local_15 = _e907;
+                            let _e908 = (_e905 == 0u);
+                            local_10 = _e908;
+                            local_16 = _e908;
+                            if _e908 {
+                                phi_1003_ = u32();
+                                phi_1006_ = bool();
+                                phi_2656_ = false;
                             } else {
-                                let _e915 = nodes.member[(0u + _e471)].links[1u];
-                                let _e919 = (_e915 + select(firstTrailingBit(_e909), 32u, (_e909 == 0u)));
-                                if (_e919 < arrayLength((&instances.member))) {
+                                let _e911 = nodes.member[(0u + _e467)].links[1u];
+                                let _e915 = (_e911 + select(firstTrailingBit(_e905), 32u, (_e905 == 0u)));
+                                if (_e915 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e926 = instances.member[(0u + _e919)].low_world;
-                                let _e928 = instances.member[(0u + _e919)].high_world;
-                                let _e935 = ((_e926.x - _e107) * _e265);
-                                let _e936 = ((_e926.y - _e109) * _e275);
-                                let _e937 = ((_e926.z - _e111) * _e285);
-                                let _e944 = ((_e928.x - _e107) * _e265);
-                                let _e945 = ((_e928.y - _e109) * _e275);
-                                let _e946 = ((_e928.z - _e111) * _e285);
-                                if (_e935 < _e944) {
-                                    phi_1047_ = _e935;
+                                let _e922 = instances.member[(0u + _e915)].low_world;
+                                let _e924 = instances.member[(0u + _e915)].high_world;
+                                let _e931 = ((_e922.x - _e107) * _e257);
+                                let _e932 = ((_e922.y - _e109) * _e267);
+                                let _e933 = ((_e922.z - _e111) * _e277);
+                                let _e940 = ((_e924.x - _e107) * _e257);
+                                let _e941 = ((_e924.y - _e109) * _e267);
+                                let _e942 = ((_e924.z - _e111) * _e277);
+                                if (_e931 < _e940) {
+                                    phi_1054_ = _e931;
                                 } else {
-                                    phi_1047_ = _e944;
+                                    phi_1054_ = _e940;
                                 }
-                                let _e949 = phi_1047_;
-                                if (_e936 < _e945) {
-                                    phi_1052_ = _e936;
+                                let _e945 = phi_1054_;
+                                if (_e932 < _e941) {
+                                    phi_1059_ = _e932;
                                 } else {
-                                    phi_1052_ = _e945;
+                                    phi_1059_ = _e941;
                                 }
-                                let _e952 = phi_1052_;
-                                if (_e937 < _e946) {
-                                    phi_1057_ = _e937;
+                                let _e948 = phi_1059_;
+                                if (_e933 < _e942) {
+                                    phi_1064_ = _e933;
                                 } else {
-                                    phi_1057_ = _e946;
+                                    phi_1064_ = _e942;
                                 }
-                                let _e955 = phi_1057_;
-                                if (_e935 > _e944) {
-                                    phi_1065_ = _e935;
+                                let _e951 = phi_1064_;
+                                if (_e931 > _e940) {
+                                    phi_1072_ = _e931;
                                 } else {
-                                    phi_1065_ = _e944;
+                                    phi_1072_ = _e940;
                                 }
-                                let _e961 = phi_1065_;
-                                if (_e936 > _e945) {
-                                    phi_1070_ = _e936;
+                                let _e957 = phi_1072_;
+                                if (_e932 > _e941) {
+                                    phi_1077_ = _e932;
                                 } else {
-                                    phi_1070_ = _e945;
+                                    phi_1077_ = _e941;
                                 }
-                                let _e964 = phi_1070_;
-                                if (_e937 > _e946) {
-                                    phi_1075_ = _e937;
+                                let _e960 = phi_1077_;
+                                if (_e933 > _e942) {
+                                    phi_1082_ = _e933;
                                 } else {
-                                    phi_1075_ = _e946;
+                                    phi_1082_ = _e942;
                                 }
-                                let _e967 = phi_1075_;
-                                let _e971 = core_intrinsics_maximum_number_nsz_f32_((_e949 - _e320), (_e952 - _e321));
-                                let _e972 = core_intrinsics_maximum_number_nsz_f32_(_e971, (_e955 - _e322));
-                                let _e973 = core_intrinsics_minimum_number_nsz_f32_((_e961 + _e320), (_e964 + _e321));
-                                let _e974 = core_intrinsics_minimum_number_nsz_f32_(_e973, (_e967 + _e322));
-                                if (_e972 <= _e974) {
-                                    if (_e972 <= _e117) {
-                                        if (_e974 >= 0f) {
-                                            let _e980 = instances.member[(0u + _e919)].world_to_object[0u];
-                                            let _e991 = ((((_e980.x * _e107) + (_e980.y * _e109)) + (_e980.z * _e111)) + (_e980.w * 1f));
-                                            let _e993 = instances.member[(0u + _e919)].world_to_object[1u];
-                                            let _e1004 = ((((_e993.x * _e107) + (_e993.y * _e109)) + (_e993.z * _e111)) + (_e993.w * 1f));
-                                            let _e1006 = instances.member[(0u + _e919)].world_to_object[2u];
-                                            let _e1017 = ((((_e1006.x * _e107) + (_e1006.y * _e109)) + (_e1006.z * _e111)) + (_e1006.w * 1f));
-                                            let _e1020 = instances.member[(0u + _e919)].world_to_object[0u];
-                                            let _e1031 = ((((_e1020.x * _e125) + (_e1020.y * _e126)) + (_e1020.z * _e127)) + (_e1020.w * 0f));
-                                            let _e1033 = instances.member[(0u + _e919)].world_to_object[1u];
-                                            let _e1044 = ((((_e1033.x * _e125) + (_e1033.y * _e126)) + (_e1033.z * _e127)) + (_e1033.w * 0f));
-                                            let _e1046 = instances.member[(0u + _e919)].world_to_object[2u];
-                                            let _e1057 = ((((_e1046.x * _e125) + (_e1046.y * _e126)) + (_e1046.z * _e127)) + (_e1046.w * 0f));
-                                            let _e1060 = instances.member[(0u + _e919)].root;
-                                            let _e1062 = instances.member[(0u + _e919)].first_triangle;
-                                            let _e1066 = abs(_e1031);
-                                            let _e1067 = abs(_e1044);
-                                            let _e1068 = abs(_e1057);
-                                            if (abs(_e991) < 1000000000000000f) {
-                                                if (abs(_e1004) < 1000000000000000f) {
-                                                    if (abs(_e1017) < 1000000000000000f) {
-                                                        if (_e1066 < 1000000000000000f) {
-                                                            if (_e1067 < 1000000000000000f) {
-                                                                if (_e1068 < 1000000000000000f) {
-                                                                    if (_e1066 > 0f) {
-                                                                        phi_1220_ = bool();
-                                                                        phi_1221_ = true;
-                                                                    } else {
-                                                                        let _e1076 = (_e1067 > 0f);
-                                                                        if _e1076 {
-                                                                            phi_1219_ = bool();
-                                                                        } else {
-                                                                            phi_1219_ = (_e1068 > 0f);
-                                                                        }
-                                                                        let _e1079 = phi_1219_;
-                                                                        phi_1220_ = _e1079;
-                                                                        phi_1221_ = _e1076;
-                                                                    }
-                                                                    let _e1081 = phi_1220_;
-                                                                    let _e1083 = phi_1221_;
-                                                                    if _e1083 {
-                                                                        phi_1225_ = true;
-                                                                    } else {
-                                                                        phi_1225_ = _e1081;
-                                                                    }
-                                                                    let _e1085 = phi_1225_;
-                                                                    phi_1226_ = _e1085;
-                                                                    phi_1227_ = false;
-                                                                } else {
-                                                                    phi_1226_ = bool();
-                                                                    phi_1227_ = true;
-                                                                }
-                                                                let _e1087 = phi_1226_;
-                                                                let _e1089 = phi_1227_;
-                                                                phi_1228_ = _e1087;
-                                                                phi_1229_ = false;
-                                                                phi_1230_ = _e1089;
-                                                            } else {
-                                                                phi_1228_ = bool();
-                                                                phi_1229_ = true;
-                                                                phi_1230_ = false;
-                                                            }
-                                                            let _e1091 = phi_1228_;
-                                                            let _e1093 = phi_1229_;
-                                                            let _e1095 = phi_1230_;
-                                                            phi_1231_ = _e1091;
-                                                            phi_1232_ = _e1093;
-                                                            phi_1233_ = _e1095;
-                                                        } else {
-                                                            phi_1231_ = bool();
-                                                            phi_1232_ = true;
-                                                            phi_1233_ = false;
-                                                        }
-                                                        let _e1097 = phi_1231_;
-                                                        let _e1099 = phi_1232_;
-                                                        let _e1101 = phi_1233_;
-                                                        phi_1234_ = _e1097;
-                                                        phi_1235_ = _e1099;
-                                                        phi_1236_ = _e1101;
-                                                    } else {
-                                                        phi_1234_ = bool();
-                                                        phi_1235_ = true;
-                                                        phi_1236_ = false;
-                                                    }
-                                                    let _e1103 = phi_1234_;
-                                                    let _e1105 = phi_1235_;
-                                                    let _e1107 = phi_1236_;
-                                                    phi_1237_ = _e1103;
-                                                    phi_1238_ = _e1105;
-                                                    phi_1239_ = _e1107;
+                                let _e963 = phi_1082_;
+                                let _e967 = core_intrinsics_maximum_number_nsz_f32_((_e945 - _e316), (_e948 - _e317));
+                                let _e968 = core_intrinsics_maximum_number_nsz_f32_(_e967, (_e951 - _e318));
+                                let _e969 = core_intrinsics_minimum_number_nsz_f32_((_e957 + _e316), (_e960 + _e317));
+                                let _e970 = core_intrinsics_minimum_number_nsz_f32_(_e969, (_e963 + _e318));
+                                if (_e968 <= _e970) {
+                                    if (_e968 <= _e117) {
+                                        if (_e970 >= 0f) {
+                                            let _e976 = instances.member[(0u + _e915)].world_to_object[0u];
+                                            let _e987 = ((((_e976.x * _e107) + (_e976.y * _e109)) + (_e976.z * _e111)) + (_e976.w * 1f));
+                                            let _e989 = instances.member[(0u + _e915)].world_to_object[1u];
+                                            let _e1000 = ((((_e989.x * _e107) + (_e989.y * _e109)) + (_e989.z * _e111)) + (_e989.w * 1f));
+                                            let _e1002 = instances.member[(0u + _e915)].world_to_object[2u];
+                                            let _e1013 = ((((_e1002.x * _e107) + (_e1002.y * _e109)) + (_e1002.z * _e111)) + (_e1002.w * 1f));
+                                            let _e1016 = instances.member[(0u + _e915)].world_to_object[0u];
+                                            let _e1027 = ((((_e1016.x * _e125) + (_e1016.y * _e126)) + (_e1016.z * _e127)) + (_e1016.w * 0f));
+                                            let _e1029 = instances.member[(0u + _e915)].world_to_object[1u];
+                                            let _e1040 = ((((_e1029.x * _e125) + (_e1029.y * _e126)) + (_e1029.z * _e127)) + (_e1029.w * 0f));
+                                            let _e1042 = instances.member[(0u + _e915)].world_to_object[2u];
+                                            let _e1053 = ((((_e1042.x * _e125) + (_e1042.y * _e126)) + (_e1042.z * _e127)) + (_e1042.w * 0f));
+                                            let _e1056 = instances.member[(0u + _e915)].root;
+                                            let _e1058 = instances.member[(0u + _e915)].first_triangle;
+                                            let _e1059 = abs(_e1027);
+                                            let _e1060 = abs(_e1040);
+                                            let _e1061 = abs(_e1053);
+                                            if (abs(_e987) < 1000000000000000f) {
+                                                if (abs(_e1000) < 1000000000000000f) {
+                                                    phi_1202_ = (abs(_e1013) < 1000000000000000f);
+                                                    phi_1203_ = false;
                                                 } else {
-                                                    phi_1237_ = bool();
-                                                    phi_1238_ = true;
-                                                    phi_1239_ = false;
+                                                    phi_1202_ = bool();
+                                                    phi_1203_ = true;
                                                 }
-                                                let _e1109 = phi_1237_;
-                                                let _e1111 = phi_1238_;
-                                                let _e1113 = phi_1239_;
-                                                phi_1240_ = _e1109;
-                                                phi_1241_ = _e1111;
-                                                phi_1242_ = _e1113;
+                                                let _e1069 = phi_1202_;
+                                                let _e1071 = phi_1203_;
+                                                phi_1204_ = _e1069;
+                                                phi_1205_ = _e1071;
                                             } else {
-                                                phi_1240_ = bool();
-                                                phi_1241_ = true;
-                                                phi_1242_ = false;
+                                                phi_1204_ = bool();
+                                                phi_1205_ = true;
                                             }
-                                            let _e1115 = phi_1240_;
-                                            let _e1117 = phi_1241_;
-                                            let _e1119 = phi_1242_;
-                                            if _e1117 {
-                                                phi_1246_ = true;
+                                            let _e1073 = phi_1204_;
+                                            let _e1075 = phi_1205_;
+                                            if _e1075 {
+                                                phi_1209_ = false;
                                             } else {
-                                                phi_1246_ = _e1119;
+                                                phi_1209_ = _e1073;
                                             }
-                                            let _e1121 = phi_1246_;
-                                            if _e1121 {
-                                                phi_1250_ = false;
-                                            } else {
-                                                phi_1250_ = _e1115;
-                                            }
-                                            let _e1123 = phi_1250_;
-                                            if _e1123 {
-                                                let _e1124 = (_e1060 >= _e60);
-                                                if _e1124 {
-                                                    phi_2622_ = bool();
+                                            let _e1077 = phi_1209_;
+                                            if _e1077 {
+                                                if (_e1059 < 1000000000000000f) {
+                                                    if (_e1060 < 1000000000000000f) {
+                                                        phi_1222_ = (_e1061 < 1000000000000000f);
+                                                        phi_1223_ = false;
+                                                    } else {
+                                                        phi_1222_ = bool();
+                                                        phi_1223_ = true;
+                                                    }
+                                                    let _e1082 = phi_1222_;
+                                                    let _e1084 = phi_1223_;
+                                                    phi_1224_ = _e1082;
+                                                    phi_1225_ = _e1084;
                                                 } else {
-                                                    if (_e1060 < _e60) {
+                                                    phi_1224_ = bool();
+                                                    phi_1225_ = true;
+                                                }
+                                                let _e1086 = phi_1224_;
+                                                let _e1088 = phi_1225_;
+                                                if _e1088 {
+                                                    phi_1229_ = false;
+                                                } else {
+                                                    phi_1229_ = _e1086;
+                                                }
+                                                let _e1090 = phi_1229_;
+                                                if _e1090 {
+                                                    if (_e1059 > 0f) {
+                                                        phi_1243_ = bool();
+                                                        phi_1244_ = true;
+                                                    } else {
+                                                        let _e1092 = (_e1060 > 0f);
+                                                        if _e1092 {
+                                                            phi_1242_ = bool();
+                                                        } else {
+                                                            phi_1242_ = (_e1061 > 0f);
+                                                        }
+                                                        let _e1095 = phi_1242_;
+                                                        phi_1243_ = _e1095;
+                                                        phi_1244_ = _e1092;
+                                                    }
+                                                    let _e1097 = phi_1243_;
+                                                    let _e1099 = phi_1244_;
+                                                    if _e1099 {
+                                                        phi_1248_ = true;
+                                                    } else {
+                                                        phi_1248_ = _e1097;
+                                                    }
+                                                    let _e1101 = phi_1248_;
+                                                    phi_1249_ = _e1101;
+                                                    phi_1250_ = false;
+                                                } else {
+                                                    phi_1249_ = bool();
+                                                    phi_1250_ = true;
+                                                }
+                                                let _e1103 = phi_1249_;
+                                                let _e1105 = phi_1250_;
+                                                phi_1251_ = _e1103;
+                                                phi_1252_ = _e1105;
+                                            } else {
+                                                phi_1251_ = bool();
+                                                phi_1252_ = true;
+                                            }
+                                            let _e1107 = phi_1251_;
+                                            let _e1109 = phi_1252_;
+                                            if _e1109 {
+                                                phi_1256_ = false;
+                                            } else {
+                                                phi_1256_ = _e1107;
+                                            }
+                                            let _e1111 = phi_1256_;
+                                            if _e1111 {
+                                                let _e1112 = (_e1056 >= _e60);
+                                                if _e1112 {
+                                                    phi_2636_ = bool();
+                                                } else {
+                                                    if (_e1056 < _e60) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1130 = nodes.member[(0u + _e1060)].frame[0u];
-                                                    let _e1134 = nodes.member[(0u + _e1060)].frame[1u];
-                                                    let _e1138 = nodes.member[(0u + _e1060)].frame[2u];
-                                                    let _e1142 = nodes.member[(0u + _e1060)].frame[0u];
-                                                    let _e1146 = nodes.member[(0u + _e1060)].frame[1u];
-                                                    let _e1150 = nodes.member[(0u + _e1060)].frame[2u];
-                                                    let _e1154 = nodes.member[(0u + _e1060)].frame[3u];
-                                                    let _e1188 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1031), abs(_e1044));
-                                                    let _e1189 = core_intrinsics_maximum_number_nsz_f32_(_e1188, abs(_e1057));
-                                                    let _e1190 = (_e1189 * 0.0000000000009094947f);
-                                                    if (abs(_e1031) < _e1190) {
-                                                        phi_1320_ = _e1190;
+                                                    let _e1118 = nodes.member[(0u + _e1056)].frame[0u];
+                                                    let _e1122 = nodes.member[(0u + _e1056)].frame[1u];
+                                                    let _e1126 = nodes.member[(0u + _e1056)].frame[2u];
+                                                    let _e1130 = nodes.member[(0u + _e1056)].frame[0u];
+                                                    let _e1134 = nodes.member[(0u + _e1056)].frame[1u];
+                                                    let _e1138 = nodes.member[(0u + _e1056)].frame[2u];
+                                                    let _e1142 = nodes.member[(0u + _e1056)].frame[3u];
+                                                    let _e1176 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1027), abs(_e1040));
+                                                    let _e1177 = core_intrinsics_maximum_number_nsz_f32_(_e1176, abs(_e1053));
+                                                    let _e1178 = (_e1177 * 0.0000000000009094947f);
+                                                    if (abs(_e1027) < _e1178) {
+                                                        phi_1326_ = _e1178;
                                                     } else {
-                                                        phi_1320_ = abs(_e1031);
+                                                        phi_1326_ = abs(_e1027);
                                                     }
-                                                    let _e1195 = phi_1320_;
-                                                    if (_e1031 < 0f) {
-                                                        phi_1327_ = (-1f / _e1195);
+                                                    let _e1183 = phi_1326_;
+                                                    if (_e1027 < 0f) {
+                                                        phi_1333_ = (-1f / _e1183);
                                                     } else {
-                                                        phi_1327_ = (1f / _e1195);
+                                                        phi_1333_ = (1f / _e1183);
                                                     }
-                                                    let _e1200 = phi_1327_;
-                                                    if (abs(_e1044) < _e1190) {
-                                                        phi_1334_ = _e1190;
+                                                    let _e1188 = phi_1333_;
+                                                    if (abs(_e1040) < _e1178) {
+                                                        phi_1340_ = _e1178;
                                                     } else {
-                                                        phi_1334_ = abs(_e1044);
+                                                        phi_1340_ = abs(_e1040);
                                                     }
-                                                    let _e1205 = phi_1334_;
-                                                    if (_e1044 < 0f) {
-                                                        phi_1341_ = (-1f / _e1205);
+                                                    let _e1193 = phi_1340_;
+                                                    if (_e1040 < 0f) {
+                                                        phi_1347_ = (-1f / _e1193);
                                                     } else {
-                                                        phi_1341_ = (1f / _e1205);
+                                                        phi_1347_ = (1f / _e1193);
                                                     }
-                                                    let _e1210 = phi_1341_;
-                                                    if (abs(_e1057) < _e1190) {
-                                                        phi_1348_ = _e1190;
+                                                    let _e1198 = phi_1347_;
+                                                    if (abs(_e1053) < _e1178) {
+                                                        phi_1354_ = _e1178;
                                                     } else {
-                                                        phi_1348_ = abs(_e1057);
+                                                        phi_1354_ = abs(_e1053);
                                                     }
-                                                    let _e1215 = phi_1348_;
-                                                    if (_e1057 < 0f) {
-                                                        phi_1355_ = (-1f / _e1215);
+                                                    let _e1203 = phi_1354_;
+                                                    if (_e1053 < 0f) {
+                                                        phi_1361_ = (-1f / _e1203);
                                                     } else {
-                                                        phi_1355_ = (1f / _e1215);
+                                                        phi_1361_ = (1f / _e1203);
                                                     }
-                                                    let _e1220 = phi_1355_;
-                                                    let _e1224 = abs((bitcast<f32>(_e1130) - _e991));
-                                                    let _e1225 = abs((bitcast<f32>(_e1134) - _e1004));
-                                                    let _e1226 = abs((bitcast<f32>(_e1138) - _e1017));
-                                                    let _e1230 = abs(((bitcast<f32>(_e1142) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e991));
-                                                    let _e1231 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1004));
-                                                    let _e1232 = abs(((bitcast<f32>(_e1150) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1017));
-                                                    if (_e1224 > _e1230) {
-                                                        phi_1372_ = _e1224;
+                                                    let _e1208 = phi_1361_;
+                                                    let _e1212 = abs((bitcast<f32>(_e1118) - _e987));
+                                                    let _e1213 = abs((bitcast<f32>(_e1122) - _e1000));
+                                                    let _e1214 = abs((bitcast<f32>(_e1126) - _e1013));
+                                                    let _e1218 = abs(((bitcast<f32>(_e1130) + (bitcast<f32>((((_e1142 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e987));
+                                                    let _e1219 = abs(((bitcast<f32>(_e1134) + (bitcast<f32>((((_e1142 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1000));
+                                                    let _e1220 = abs(((bitcast<f32>(_e1138) + (bitcast<f32>((((_e1142 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1013));
+                                                    if (_e1212 > _e1218) {
+                                                        phi_1378_ = _e1212;
                                                     } else {
-                                                        phi_1372_ = _e1230;
+                                                        phi_1378_ = _e1218;
                                                     }
-                                                    let _e1235 = phi_1372_;
-                                                    if (_e1225 > _e1231) {
-                                                        phi_1377_ = _e1225;
+                                                    let _e1223 = phi_1378_;
+                                                    if (_e1213 > _e1219) {
+                                                        phi_1383_ = _e1213;
                                                     } else {
-                                                        phi_1377_ = _e1231;
+                                                        phi_1383_ = _e1219;
                                                     }
-                                                    let _e1238 = phi_1377_;
-                                                    if (_e1226 > _e1232) {
-                                                        phi_1382_ = _e1226;
+                                                    let _e1226 = phi_1383_;
+                                                    if (_e1214 > _e1220) {
+                                                        phi_1388_ = _e1214;
                                                     } else {
-                                                        phi_1382_ = _e1232;
+                                                        phi_1388_ = _e1220;
                                                     }
-                                                    let _e1241 = phi_1382_;
-                                                    let _e1242 = core_intrinsics_maximum_number_nsz_f32_(_e1235, _e1238);
-                                                    let _e1243 = core_intrinsics_maximum_number_nsz_f32_(_e1242, _e1241);
-                                                    let _e1247 = (_e1243 * 0.0000019073486f);
-                                                    let _e1248 = (abs(_e1200) * _e1247);
-                                                    let _e1249 = (abs(_e1210) * _e1247);
-                                                    let _e1250 = (abs(_e1220) * _e1247);
-                                                    let _e1254 = (_e1243 * 0.0000009536743f);
-                                                    let _e1255 = (abs(_e1200) * _e1254);
-                                                    let _e1256 = (abs(_e1210) * _e1254);
-                                                    let _e1257 = (abs(_e1220) * _e1254);
-                                                    let _e1258 = abs(_e1031);
-                                                    let _e1259 = abs(_e1044);
-                                                    let _e1260 = abs(_e1057);
-                                                    if (_e1258 >= _e1259) {
-                                                        if (_e1258 >= _e1260) {
-                                                            phi_1410_ = false;
+                                                    let _e1229 = phi_1388_;
+                                                    if (_e1223 > _e1226) {
+                                                        phi_1393_ = _e1223;
+                                                    } else {
+                                                        phi_1393_ = _e1226;
+                                                    }
+                                                    let _e1232 = phi_1393_;
+                                                    if (_e1232 > _e1229) {
+                                                        phi_1398_ = _e1232;
+                                                    } else {
+                                                        phi_1398_ = _e1229;
+                                                    }
+                                                    let _e1235 = phi_1398_;
+                                                    let _e1239 = (_e1235 * 0.0000019073486f);
+                                                    let _e1240 = (abs(_e1188) * _e1239);
+                                                    let _e1241 = (abs(_e1198) * _e1239);
+                                                    let _e1242 = (abs(_e1208) * _e1239);
+                                                    let _e1246 = (_e1235 * 0.0000009536743f);
+                                                    let _e1247 = (abs(_e1188) * _e1246);
+                                                    let _e1248 = (abs(_e1198) * _e1246);
+                                                    let _e1249 = (abs(_e1208) * _e1246);
+                                                    let _e1250 = abs(_e1027);
+                                                    let _e1251 = abs(_e1040);
+                                                    let _e1252 = abs(_e1053);
+                                                    if (_e1250 >= _e1251) {
+                                                        if (_e1250 >= _e1252) {
+                                                            phi_1424_ = false;
                                                         } else {
-                                                            phi_1410_ = true;
+                                                            phi_1424_ = true;
                                                         }
-                                                        let _e1264 = phi_1410_;
-                                                        phi_1411_ = _e1264;
+                                                        let _e1256 = phi_1424_;
+                                                        phi_1425_ = _e1256;
                                                     } else {
-                                                        phi_1411_ = true;
+                                                        phi_1425_ = true;
                                                     }
-                                                    let _e1266 = phi_1411_;
-                                                    if _e1266 {
-                                                        if (_e1259 >= _e1260) {
-                                                            phi_1419_ = 1u;
+                                                    let _e1258 = phi_1425_;
+                                                    if _e1258 {
+                                                        if (_e1251 >= _e1252) {
+                                                            phi_1433_ = 1u;
                                                         } else {
-                                                            phi_1419_ = 2u;
+                                                            phi_1433_ = 2u;
                                                         }
-                                                        let _e1269 = phi_1419_;
-                                                        phi_1420_ = _e1269;
+                                                        let _e1261 = phi_1433_;
+                                                        phi_1434_ = _e1261;
                                                     } else {
-                                                        phi_1420_ = 0u;
+                                                        phi_1434_ = 0u;
                                                     }
-                                                    let _e1271 = phi_1420_;
-                                                    if (_e1271 == 0u) {
-                                                        phi_1432_ = vec3<f32>(_e1044, _e1057, _e1031);
+                                                    let _e1263 = phi_1434_;
+                                                    if (_e1263 == 0u) {
+                                                        phi_1446_ = vec3<f32>(_e1040, _e1053, _e1027);
                                                     } else {
-                                                        if (_e1271 == 1u) {
-                                                            phi_1431_ = vec3<f32>(_e1057, _e1031, _e1044);
+                                                        if (_e1263 == 1u) {
+                                                            phi_1445_ = vec3<f32>(_e1053, _e1027, _e1040);
                                                         } else {
-                                                            phi_1431_ = vec3<f32>(_e1031, _e1044, _e1057);
+                                                            phi_1445_ = vec3<f32>(_e1027, _e1040, _e1053);
                                                         }
-                                                        let _e1277 = phi_1431_;
-                                                        phi_1432_ = _e1277;
+                                                        let _e1269 = phi_1445_;
+                                                        phi_1446_ = _e1269;
                                                     }
-                                                    let _e1279 = phi_1432_;
-                                                    let _e1282 = (_e1279.x / _e1279.z);
-                                                    let _e1285 = (_e1279.y / _e1279.z);
-                                                    if (_e1200 < 0f) {
-                                                        phi_1445_ = 0u;
+                                                    let _e1271 = phi_1446_;
+                                                    let _e1274 = (_e1271.x / _e1271.z);
+                                                    let _e1277 = (_e1271.y / _e1271.z);
+                                                    if (_e1188 < 0f) {
+                                                        phi_1459_ = 0u;
                                                     } else {
-                                                        phi_1445_ = 1u;
+                                                        phi_1459_ = 1u;
                                                     }
-                                                    let _e1290 = phi_1445_;
-                                                    if (_e1210 < 0f) {
-                                                        phi_1450_ = 0u;
+                                                    let _e1282 = phi_1459_;
+                                                    if (_e1198 < 0f) {
+                                                        phi_1464_ = 0u;
                                                     } else {
-                                                        phi_1450_ = 2u;
+                                                        phi_1464_ = 2u;
                                                     }
-                                                    let _e1293 = phi_1450_;
-                                                    if (_e1220 < 0f) {
-                                                        phi_1455_ = 0u;
+                                                    let _e1285 = phi_1464_;
+                                                    if (_e1208 < 0f) {
+                                                        phi_1469_ = 0u;
                                                     } else {
-                                                        phi_1455_ = 4u;
+                                                        phi_1469_ = 4u;
                                                     }
-                                                    let _e1296 = phi_1455_;
-                                                    let _e1298 = ((_e1290 | _e1293) | _e1296);
-                                                    let _e1299 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1060, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1299.first[0], _e1299.first[1], _e1299.first[2], _e1299.first[3], _e1299.first[4], _e1299.first[5], _e1299.first[6], _e1299.first[7], _e1299.first[8], _e1299.first[9], _e1299.first[10], _e1299.first[11], _e1299.first[12], _e1299.first[13], _e1299.first[14], _e1299.first[15], _e1299.first[16], _e1299.first[17], _e1299.first[18], _e1299.first[19], _e1299.first[20], _e1299.first[21], _e1299.first[22], _e1299.first[23], _e1299.first[24], _e1299.first[25], _e1299.first[26], _e1299.first[27], _e1299.first[28], _e1299.first[29], _e1299.first[30], _e1299.first[31]), array<u32, 32>(_e1299.mask[0], _e1299.mask[1], _e1299.mask[2], _e1299.mask[3], _e1299.mask[4], _e1299.mask[5], _e1299.mask[6], _e1299.mask[7], _e1299.mask[8], _e1299.mask[9], _e1299.mask[10], _e1299.mask[11], _e1299.mask[12], _e1299.mask[13], _e1299.mask[14], _e1299.mask[15], _e1299.mask[16], _e1299.mask[17], _e1299.mask[18], _e1299.mask[19], _e1299.mask[20], _e1299.mask[21], _e1299.mask[22], _e1299.mask[23], _e1299.mask[24], _e1299.mask[25], _e1299.mask[26], _e1299.mask[27], _e1299.mask[28], _e1299.mask[29], _e1299.mask[30], _e1299.mask[31]), _e1299.len, _e1299.group, _e1299.group_mask);
-                                                    let _e1373 = local.group_mask;
-                                                    if ((_e1373 & 4278190080u) == 0u) {
-                                                        let _e1377 = local.len;
-                                                        if (_e1377 == 0u) {
-                                                            phi_1569_ = false;
+                                                    let _e1288 = phi_1469_;
+                                                    let _e1290 = ((_e1282 | _e1285) | _e1288);
+                                                    let _e1291 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1056, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1291.first[0], _e1291.first[1], _e1291.first[2], _e1291.first[3], _e1291.first[4], _e1291.first[5], _e1291.first[6], _e1291.first[7], _e1291.first[8], _e1291.first[9], _e1291.first[10], _e1291.first[11], _e1291.first[12], _e1291.first[13], _e1291.first[14], _e1291.first[15], _e1291.first[16], _e1291.first[17], _e1291.first[18], _e1291.first[19], _e1291.first[20], _e1291.first[21], _e1291.first[22], _e1291.first[23], _e1291.first[24], _e1291.first[25], _e1291.first[26], _e1291.first[27], _e1291.first[28], _e1291.first[29], _e1291.first[30], _e1291.first[31]), array<u32, 32>(_e1291.mask[0], _e1291.mask[1], _e1291.mask[2], _e1291.mask[3], _e1291.mask[4], _e1291.mask[5], _e1291.mask[6], _e1291.mask[7], _e1291.mask[8], _e1291.mask[9], _e1291.mask[10], _e1291.mask[11], _e1291.mask[12], _e1291.mask[13], _e1291.mask[14], _e1291.mask[15], _e1291.mask[16], _e1291.mask[17], _e1291.mask[18], _e1291.mask[19], _e1291.mask[20], _e1291.mask[21], _e1291.mask[22], _e1291.mask[23], _e1291.mask[24], _e1291.mask[25], _e1291.mask[26], _e1291.mask[27], _e1291.mask[28], _e1291.mask[29], _e1291.mask[30], _e1291.mask[31]), _e1291.len, _e1291.group, _e1291.group_mask);
+                                                    let _e1365 = local.group_mask;
+                                                    if ((_e1365 & 4278190080u) == 0u) {
+                                                        let _e1369 = local.len;
+                                                        if (_e1369 == 0u) {
+                                                            phi_1583_ = false;
                                                         } else {
-                                                            let _e1381 = local.len;
-                                                            local.len = (_e1381 - 1u);
+                                                            let _e1373 = local.len;
+                                                            local.len = (_e1373 - 1u);
+                                                            let _e1376 = local.len;
+                                                            if (_e1376 < 32u) {
+                                                            } else {
+                                                                return;
+                                                            }
+                                                            let _e1381 = local.first[(0u + _e1376)];
+                                                            local.group = _e1381;
                                                             let _e1384 = local.len;
                                                             if (_e1384 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1389 = local.first[(0u + _e1384)];
-                                                            local.group = _e1389;
-                                                            let _e1392 = local.len;
-                                                            if (_e1392 < 32u) {
-                                                            } else {
-                                                                return;
-                                                            }
-                                                            let _e1397 = local.mask[(0u + _e1392)];
-                                                            local.group_mask = _e1397;
-                                                            phi_1569_ = true;
+                                                            let _e1389 = local.mask[(0u + _e1384)];
+                                                            local.group_mask = _e1389;
+                                                            phi_1583_ = true;
                                                         }
-                                                        let _e1400 = phi_1569_;
-                                                        phi_1570_ = _e1400;
+                                                        let _e1392 = phi_1583_;
+                                                        phi_1584_ = _e1392;
                                                     } else {
-                                                        phi_1570_ = true;
+                                                        phi_1584_ = true;
                                                     }
-                                                    let _e1402 = phi_1570_;
-                                                    if _e1402 {
-                                                        let _e1404 = local.group_mask;
-                                                        let _e1410 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1404)), 32u, (_e1404 == 0u)));
-                                                        let _e1414 = local.group_mask;
-                                                        let _e1428 = local.group_mask;
-                                                        local.group_mask = (_e1428 & ~((1u << bitcast<u32>((_e1410 & 31u)))));
-                                                        let _e1431 = local.group;
-                                                        phi_1601_ = (_e1431 + countOneBits(((_e1414 & ~((4294967295u << bitcast<u32>((((_e1410 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1394 = phi_1584_;
+                                                    if _e1394 {
+                                                        let _e1396 = local.group_mask;
+                                                        let _e1402 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1396)), 32u, (_e1396 == 0u)));
+                                                        let _e1406 = local.group_mask;
+                                                        let _e1420 = local.group_mask;
+                                                        local.group_mask = (_e1420 & ~((1u << bitcast<u32>((_e1402 & 31u)))));
+                                                        let _e1423 = local.group;
+                                                        phi_1615_ = (_e1423 + countOneBits(((_e1406 & ~((4294967295u << bitcast<u32>((((_e1402 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1601_ = 4294967295u;
+                                                        phi_1615_ = 4294967295u;
                                                     }
-                                                    let _e1434 = phi_1601_;
-                                                    phi_1603_ = _e1434;
-                                                    phi_1606_ = _e911;
+                                                    let _e1426 = phi_1615_;
+                                                    phi_1617_ = _e1426;
+                                                    phi_1620_ = _e907;
                                                     loop {
-                                                        let _e1436 = phi_1603_;
-                                                        let _e1438 = phi_1606_;
-                                                        local_14 = _e1438;
-                                                        if (_e1436 != 4294967295u) {
-                                                            if (_e1436 < _e60) {
+                                                        let _e1428 = phi_1617_;
+                                                        let _e1430 = phi_1620_;
+                                                        local_14 = _e1430;
+                                                        if (_e1428 != 4294967295u) {
+                                                            if (_e1428 < _e60) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1445 = nodes.member[(0u + _e1436)].frame[3u];
-                                                            let _e1470 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1200);
-                                                            let _e1471 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1210);
-                                                            let _e1472 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1220);
-                                                            let _e1475 = nodes.member[(0u + _e1436)].frame[0u];
-                                                            let _e1479 = nodes.member[(0u + _e1436)].frame[1u];
-                                                            let _e1483 = nodes.member[(0u + _e1436)].frame[2u];
-                                                            let _e1488 = ((bitcast<f32>(_e1475) - _e991) * _e1200);
-                                                            let _e1489 = ((bitcast<f32>(_e1479) - _e1004) * _e1210);
-                                                            let _e1490 = ((bitcast<f32>(_e1483) - _e1017) * _e1220);
-                                                            let _e1498 = nodes.member[(0u + _e1436)].x;
-                                                            if (_e1200 < 0f) {
-                                                                let _e1509 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1515 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1509.unnamed.root, _e1498.w), _e1509.unnamed_1);
-                                                                let _e1521 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1515.unnamed, lt_bvh_traverse_Tree(_e1498.x, _e1515.unnamed_1.first_primitive));
-                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1521.unnamed, lt_bvh_traverse_Tree(_e1521.unnamed_1.root, _e1498.y));
+                                                            let _e1437 = nodes.member[(0u + _e1428)].frame[3u];
+                                                            let _e1462 = (bitcast<f32>((((_e1437 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1188);
+                                                            let _e1463 = (bitcast<f32>((((_e1437 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1198);
+                                                            let _e1464 = (bitcast<f32>((((_e1437 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1208);
+                                                            let _e1467 = nodes.member[(0u + _e1428)].frame[0u];
+                                                            let _e1471 = nodes.member[(0u + _e1428)].frame[1u];
+                                                            let _e1475 = nodes.member[(0u + _e1428)].frame[2u];
+                                                            let _e1480 = ((bitcast<f32>(_e1467) - _e987) * _e1188);
+                                                            let _e1481 = ((bitcast<f32>(_e1471) - _e1000) * _e1198);
+                                                            let _e1482 = ((bitcast<f32>(_e1475) - _e1013) * _e1208);
+                                                            let _e1490 = nodes.member[(0u + _e1428)].x;
+                                                            if (_e1188 < 0f) {
+                                                                let _e1501 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1490.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1501.unnamed.word, _e1490.w), _e1501.unnamed_1);
+                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1507.unnamed, lt_mask_LightPlace(_e1490.x, _e1507.unnamed_1.shift));
+                                                                phi_1700_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_mask_LightPlace(_e1513.unnamed_1.word, _e1490.y));
                                                             } else {
-                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1537.unnamed.root, _e1498.y), _e1537.unnamed_1);
-                                                                let _e1549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1498.z, _e1543.unnamed_1.first_primitive));
-                                                                phi_1686_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1549.unnamed, lt_bvh_traverse_Tree(_e1549.unnamed_1.root, _e1498.w));
+                                                                let _e1529 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1490.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1529.unnamed.word, _e1490.y), _e1529.unnamed_1);
+                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1535.unnamed, lt_mask_LightPlace(_e1490.z, _e1535.unnamed_1.shift));
+                                                                phi_1700_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_mask_LightPlace(_e1541.unnamed_1.word, _e1490.w));
                                                             }
-                                                            let _e1557 = phi_1686_;
-                                                            let _e1567 = nodes.member[(0u + _e1436)].y;
-                                                            if (_e1210 < 0f) {
-                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1578.unnamed.root, _e1567.w), _e1578.unnamed_1);
-                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1584.unnamed, lt_bvh_traverse_Tree(_e1567.x, _e1584.unnamed_1.first_primitive));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_bvh_traverse_Tree(_e1590.unnamed_1.root, _e1567.y));
+                                                            let _e1549 = phi_1700_;
+                                                            let _e1559 = nodes.member[(0u + _e1428)].y;
+                                                            if (_e1198 < 0f) {
+                                                                let _e1570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1570.unnamed.word, _e1559.w), _e1570.unnamed_1);
+                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1576.unnamed, lt_mask_LightPlace(_e1559.x, _e1576.unnamed_1.shift));
+                                                                phi_1727_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_mask_LightPlace(_e1582.unnamed_1.word, _e1559.y));
                                                             } else {
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1606.unnamed.root, _e1567.y), _e1606.unnamed_1);
-                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1567.z, _e1612.unnamed_1.first_primitive));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_bvh_traverse_Tree(_e1618.unnamed_1.root, _e1567.w));
+                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1598.unnamed.word, _e1559.y), _e1598.unnamed_1);
+                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_mask_LightPlace(_e1559.z, _e1604.unnamed_1.shift));
+                                                                phi_1727_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_mask_LightPlace(_e1610.unnamed_1.word, _e1559.w));
                                                             }
-                                                            let _e1626 = phi_1713_;
-                                                            let _e1636 = nodes.member[(0u + _e1436)].z;
-                                                            if (_e1220 < 0f) {
-                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1647.unnamed.root, _e1636.w), _e1647.unnamed_1);
-                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1653.unnamed, lt_bvh_traverse_Tree(_e1636.x, _e1653.unnamed_1.first_primitive));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_bvh_traverse_Tree(_e1659.unnamed_1.root, _e1636.y));
+                                                            let _e1618 = phi_1727_;
+                                                            let _e1628 = nodes.member[(0u + _e1428)].z;
+                                                            if (_e1208 < 0f) {
+                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1639.unnamed.word, _e1628.w), _e1639.unnamed_1);
+                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1628.x, _e1645.unnamed_1.shift));
+                                                                phi_1754_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_mask_LightPlace(_e1651.unnamed_1.word, _e1628.y));
                                                             } else {
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1675.unnamed.root, _e1636.y), _e1675.unnamed_1);
-                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1636.z, _e1681.unnamed_1.first_primitive));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_bvh_traverse_Tree(_e1687.unnamed_1.root, _e1636.w));
+                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1667.unnamed.word, _e1628.y), _e1667.unnamed_1);
+                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_mask_LightPlace(_e1628.z, _e1673.unnamed_1.shift));
+                                                                phi_1754_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1679.unnamed_1.word, _e1628.w));
                                                             }
-                                                            let _e1695 = phi_1740_;
-                                                            phi_1746_ = 0u;
-                                                            phi_1749_ = 0u;
+                                                            let _e1687 = phi_1754_;
+                                                            phi_1760_ = 0u;
+                                                            phi_1763_ = 0u;
                                                             loop {
-                                                                let _e1705 = phi_1746_;
-                                                                let _e1707 = phi_1749_;
-                                                                local_5 = _e1707;
-                                                                local_6 = _e1707;
-                                                                local_7 = _e1707;
-                                                                let _e1708 = (_e1705 < 8u);
-                                                                if _e1708 {
-                                                                    let _e1710 = (_e1705 >> bitcast<u32>(2i));
-                                                                    let _e1711 = (_e1705 & 3u);
-                                                                    if (_e1710 == 0u) {
-                                                                        phi_1763_ = _e1557.unnamed.root;
+                                                                let _e1697 = phi_1760_;
+                                                                let _e1699 = phi_1763_;
+                                                                local_5 = _e1699;
+                                                                local_6 = _e1699;
+                                                                local_7 = _e1699;
+                                                                let _e1700 = (_e1697 < 8u);
+                                                                if _e1700 {
+                                                                    let _e1702 = (_e1697 >> bitcast<u32>(2i));
+                                                                    let _e1703 = (_e1697 & 3u);
+                                                                    if (_e1702 == 0u) {
+                                                                        phi_1777_ = _e1549.unnamed.word;
                                                                     } else {
-                                                                        phi_1763_ = _e1557.unnamed.first_primitive;
+                                                                        phi_1777_ = _e1549.unnamed.shift;
                                                                     }
-                                                                    let _e1714 = phi_1763_;
-                                                                    if (_e1710 == 0u) {
-                                                                        phi_1773_ = _e1626.unnamed.root;
+                                                                    let _e1706 = phi_1777_;
+                                                                    if (_e1702 == 0u) {
+                                                                        phi_1787_ = _e1618.unnamed.word;
                                                                     } else {
-                                                                        phi_1773_ = _e1626.unnamed.first_primitive;
+                                                                        phi_1787_ = _e1618.unnamed.shift;
                                                                     }
-                                                                    let _e1723 = phi_1773_;
-                                                                    if (_e1710 == 0u) {
-                                                                        phi_1783_ = _e1695.unnamed.root;
+                                                                    let _e1715 = phi_1787_;
+                                                                    if (_e1702 == 0u) {
+                                                                        phi_1797_ = _e1687.unnamed.word;
                                                                     } else {
-                                                                        phi_1783_ = _e1695.unnamed.first_primitive;
+                                                                        phi_1797_ = _e1687.unnamed.shift;
                                                                     }
-                                                                    let _e1732 = phi_1783_;
-                                                                    let _e1745 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1714 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)), ((f32(((_e1723 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 - _e1249)));
-                                                                    let _e1746 = core_intrinsics_maximum_number_nsz_f32_(_e1745, ((f32(((_e1732 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 - _e1250)));
-                                                                    if (_e1710 == 0u) {
-                                                                        phi_1801_ = _e1557.unnamed_1.root;
+                                                                    let _e1724 = phi_1797_;
+                                                                    let _e1737 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1706 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1462) + (_e1480 - _e1240)), ((f32(((_e1715 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 - _e1241)));
+                                                                    let _e1738 = core_intrinsics_maximum_number_nsz_f32_(_e1737, ((f32(((_e1724 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 - _e1242)));
+                                                                    if (_e1702 == 0u) {
+                                                                        phi_1815_ = _e1549.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1801_ = _e1557.unnamed_1.first_primitive;
+                                                                        phi_1815_ = _e1549.unnamed_1.shift;
                                                                     }
-                                                                    let _e1749 = phi_1801_;
-                                                                    if (_e1710 == 0u) {
-                                                                        phi_1811_ = _e1626.unnamed_1.root;
+                                                                    let _e1741 = phi_1815_;
+                                                                    if (_e1702 == 0u) {
+                                                                        phi_1825_ = _e1618.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1811_ = _e1626.unnamed_1.first_primitive;
+                                                                        phi_1825_ = _e1618.unnamed_1.shift;
                                                                     }
-                                                                    let _e1758 = phi_1811_;
-                                                                    if (_e1710 == 0u) {
-                                                                        phi_1821_ = _e1695.unnamed_1.root;
+                                                                    let _e1750 = phi_1825_;
+                                                                    if (_e1702 == 0u) {
+                                                                        phi_1835_ = _e1687.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1821_ = _e1695.unnamed_1.first_primitive;
+                                                                        phi_1835_ = _e1687.unnamed_1.shift;
                                                                     }
-                                                                    let _e1767 = phi_1821_;
-                                                                    let _e1780 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1749 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1248)), ((f32(((_e1758 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 + _e1249)));
-                                                                    let _e1781 = core_intrinsics_minimum_number_nsz_f32_(_e1780, ((f32(((_e1767 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 + _e1250)));
-                                                                    if (_e1746 <= _e1781) {
-                                                                        if (_e1746 <= _e117) {
-                                                                            if (_e1781 >= 0f) {
-                                                                                if (_e1710 == 0u) {
-                                                                                    let _e1788 = nodes.member[(0u + _e1436)].links[2u];
-                                                                                    phi_1857_ = _e1788;
+                                                                    let _e1759 = phi_1835_;
+                                                                    let _e1772 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1741 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1462) + (_e1480 + _e1240)), ((f32(((_e1750 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 + _e1241)));
+                                                                    let _e1773 = core_intrinsics_minimum_number_nsz_f32_(_e1772, ((f32(((_e1759 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 + _e1242)));
+                                                                    if (_e1738 <= _e1773) {
+                                                                        if (_e1738 <= _e117) {
+                                                                            if (_e1773 >= 0f) {
+                                                                                if (_e1702 == 0u) {
+                                                                                    let _e1780 = nodes.member[(0u + _e1428)].links[2u];
+                                                                                    phi_1871_ = _e1780;
                                                                                 } else {
-                                                                                    let _e1791 = nodes.member[(0u + _e1436)].links[3u];
-                                                                                    phi_1857_ = _e1791;
+                                                                                    let _e1783 = nodes.member[(0u + _e1428)].links[3u];
+                                                                                    phi_1871_ = _e1783;
                                                                                 }
-                                                                                let _e1793 = phi_1857_;
-                                                                                let _e1798 = ((_e1793 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u);
-                                                                                let _e1799 = (_e1798 & 31u);
-                                                                                if (_e1799 >= 24u) {
-                                                                                    phi_1870_ = (24u + ((_e1799 - 24u) ^ _e1298));
+                                                                                let _e1785 = phi_1871_;
+                                                                                let _e1790 = ((_e1785 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u);
+                                                                                let _e1791 = (_e1790 & 31u);
+                                                                                if (_e1791 >= 24u) {
+                                                                                    phi_1884_ = (24u + ((_e1791 - 24u) ^ _e1290));
                                                                                 } else {
-                                                                                    phi_1870_ = _e1799;
+                                                                                    phi_1884_ = _e1791;
                                                                                 }
-                                                                                let _e1805 = phi_1870_;
-                                                                                phi_1875_ = (_e1707 | ((_e1798 >> bitcast<u32>(5i)) << bitcast<u32>((_e1805 & 31u))));
+                                                                                let _e1797 = phi_1884_;
+                                                                                phi_1889_ = (_e1699 | ((_e1790 >> bitcast<u32>(5i)) << bitcast<u32>((_e1797 & 31u))));
                                                                             } else {
-                                                                                phi_1875_ = _e1707;
+                                                                                phi_1889_ = _e1699;
                                                                             }
-                                                                            let _e1813 = phi_1875_;
-                                                                            phi_1876_ = _e1813;
+                                                                            let _e1805 = phi_1889_;
+                                                                            phi_1890_ = _e1805;
                                                                         } else {
-                                                                            phi_1876_ = _e1707;
+                                                                            phi_1890_ = _e1699;
                                                                         }
-                                                                        let _e1815 = phi_1876_;
-                                                                        phi_1877_ = _e1815;
+                                                                        let _e1807 = phi_1890_;
+                                                                        phi_1891_ = _e1807;
                                                                     } else {
-                                                                        phi_1877_ = _e1707;
+                                                                        phi_1891_ = _e1699;
                                                                     }
-                                                                    let _e1817 = phi_1877_;
-                                                                    phi_1747_ = (_e1705 + 1u);
-                                                                    phi_1750_ = _e1817;
+                                                                    let _e1809 = phi_1891_;
+                                                                    phi_1761_ = (_e1697 + 1u);
+                                                                    phi_1764_ = _e1809;
                                                                 } else {
-                                                                    phi_1747_ = u32();
-                                                                    phi_1750_ = u32();
+                                                                    phi_1761_ = u32();
+                                                                    phi_1764_ = u32();
                                                                 }
-                                                                let _e1820 = phi_1747_;
-                                                                let _e1822 = phi_1750_;
+                                                                let _e1812 = phi_1761_;
+                                                                let _e1814 = phi_1764_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1746_ = _e1820;
-                                                                    phi_1749_ = _e1822;
-                                                                    break if !(_e1708);
+                                                                    phi_1760_ = _e1812;
+                                                                    phi_1763_ = _e1814;
+                                                                    break if !(_e1700);
                                                                 }
                                                             }
-                                                            let _e1826 = nodes.member[(0u + _e1436)].links[0u];
-                                                            let _e1830 = nodes.member[(0u + _e1436)].frame[3u];
-                                                            let _e1834 = local_5;
-                                                            if ((_e1834 & 4278190080u) == 0u) {
+                                                            let _e1818 = nodes.member[(0u + _e1428)].links[0u];
+                                                            let _e1822 = nodes.member[(0u + _e1428)].frame[3u];
+                                                            let _e1826 = local_5;
+                                                            if ((_e1826 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1838 = local.group_mask;
-                                                                if ((_e1838 & 4278190080u) == 0u) {
+                                                                let _e1830 = local.group_mask;
+                                                                if ((_e1830 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1842 = local.len;
-                                                                    if (_e1842 < 32u) {
-                                                                        let _e1845 = local.group;
+                                                                    let _e1834 = local.len;
+                                                                    if (_e1834 < 32u) {
+                                                                        let _e1837 = local.group;
+                                                                        let _e1839 = local.len;
+                                                                        if (_e1839 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        local.first[(0u + _e1839)] = _e1837;
+                                                                        let _e1845 = local.group_mask;
                                                                         let _e1847 = local.len;
                                                                         if (_e1847 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1847)] = _e1845;
-                                                                        let _e1853 = local.group_mask;
-                                                                        let _e1855 = local.len;
-                                                                        if (_e1855 < 32u) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        local.mask[(0u + _e1855)] = _e1853;
-                                                                        let _e1862 = local.len;
-                                                                        local.len = (_e1862 + 1u);
+                                                                        local.mask[(0u + _e1847)] = _e1845;
+                                                                        let _e1854 = local.len;
+                                                                        local.len = (_e1854 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1060 + _e1826);
-                                                                let _e1866 = local_6;
-                                                                local.group_mask = ((_e1866 & 4278190080u) | (_e1830 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1056 + _e1818);
+                                                                let _e1858 = local_6;
+                                                                local.group_mask = ((_e1858 & 4278190080u) | (_e1822 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1871 = local_7;
-                                                            phi_1935_ = (_e1871 & 16777215u);
-                                                            phi_1938_ = _e1438;
+                                                            let _e1863 = local_7;
+                                                            phi_1949_ = (_e1863 & 16777215u);
+                                                            phi_1952_ = _e1430;
                                                             loop {
-                                                                let _e1874 = phi_1935_;
-                                                                let _e1876 = phi_1938_;
-                                                                local_12 = _e1876;
-                                                                let _e1877 = (_e1874 == 0u);
-                                                                local_8 = _e1877;
-                                                                local_13 = _e1877;
-                                                                if _e1877 {
-                                                                    phi_1936_ = u32();
-                                                                    phi_1939_ = bool();
-                                                                    phi_2536_ = false;
+                                                                let _e1866 = phi_1949_;
+                                                                let _e1868 = phi_1952_;
+                                                                local_12 = _e1868;
+                                                                let _e1869 = (_e1866 == 0u);
+                                                                local_8 = _e1869;
+                                                                local_13 = _e1869;
+                                                                if _e1869 {
+                                                                    phi_1950_ = u32();
+                                                                    phi_1953_ = bool();
+                                                                    phi_2550_ = false;
                                                                 } else {
-                                                                    let _e1880 = nodes.member[(0u + _e1436)].links[1u];
-                                                                    let _e1885 = ((_e1062 + _e1880) + select(firstTrailingBit(_e1874), 32u, (_e1874 == 0u)));
-                                                                    if (_e1885 < arrayLength((&triangles.member))) {
+                                                                    let _e1872 = nodes.member[(0u + _e1428)].links[1u];
+                                                                    let _e1877 = ((_e1058 + _e1872) + select(firstTrailingBit(_e1866), 32u, (_e1866 == 0u)));
+                                                                    if (_e1877 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1892 = triangles.member[(0u + _e1885)].v0_;
-                                                                    let _e1894 = (_e1892.x - _e991);
-                                                                    let _e1896 = (_e1892.y - _e1004);
-                                                                    let _e1898 = (_e1892.z - _e1017);
-                                                                    if (_e1271 == 0u) {
-                                                                        phi_1983_ = vec3<f32>(_e1896, _e1898, _e1894);
+                                                                    let _e1884 = triangles.member[(0u + _e1877)].v0_;
+                                                                    let _e1886 = (_e1884.x - _e987);
+                                                                    let _e1888 = (_e1884.y - _e1000);
+                                                                    let _e1890 = (_e1884.z - _e1013);
+                                                                    if (_e1263 == 0u) {
+                                                                        phi_1997_ = vec3<f32>(_e1888, _e1890, _e1886);
                                                                     } else {
-                                                                        if (_e1271 == 1u) {
-                                                                            phi_1982_ = vec3<f32>(_e1898, _e1894, _e1896);
+                                                                        if (_e1263 == 1u) {
+                                                                            phi_1996_ = vec3<f32>(_e1890, _e1886, _e1888);
                                                                         } else {
-                                                                            phi_1982_ = (_e1892 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_1996_ = (_e1884 - vec3<f32>(_e987, _e1000, _e1013));
                                                                         }
-                                                                        let _e1906 = phi_1982_;
-                                                                        phi_1983_ = _e1906;
+                                                                        let _e1898 = phi_1996_;
+                                                                        phi_1997_ = _e1898;
                                                                     }
-                                                                    let _e1908 = phi_1983_;
-                                                                    let _e1912 = (_e1908.x - (_e1282 * _e1908.z));
-                                                                    let _e1916 = (_e1908.y - (_e1285 * _e1908.z));
-                                                                    let _e1918 = triangles.member[(0u + _e1885)].v1_;
-                                                                    let _e1920 = (_e1918.x - _e991);
-                                                                    let _e1922 = (_e1918.y - _e1004);
-                                                                    let _e1924 = (_e1918.z - _e1017);
-                                                                    if (_e1271 == 0u) {
-                                                                        phi_2013_ = vec3<f32>(_e1922, _e1924, _e1920);
+                                                                    let _e1900 = phi_1997_;
+                                                                    let _e1904 = (_e1900.x - (_e1274 * _e1900.z));
+                                                                    let _e1908 = (_e1900.y - (_e1277 * _e1900.z));
+                                                                    let _e1910 = triangles.member[(0u + _e1877)].v1_;
+                                                                    let _e1912 = (_e1910.x - _e987);
+                                                                    let _e1914 = (_e1910.y - _e1000);
+                                                                    let _e1916 = (_e1910.z - _e1013);
+                                                                    if (_e1263 == 0u) {
+                                                                        phi_2027_ = vec3<f32>(_e1914, _e1916, _e1912);
                                                                     } else {
-                                                                        if (_e1271 == 1u) {
-                                                                            phi_2012_ = vec3<f32>(_e1924, _e1920, _e1922);
+                                                                        if (_e1263 == 1u) {
+                                                                            phi_2026_ = vec3<f32>(_e1916, _e1912, _e1914);
                                                                         } else {
-                                                                            phi_2012_ = (_e1918 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_2026_ = (_e1910 - vec3<f32>(_e987, _e1000, _e1013));
                                                                         }
-                                                                        let _e1932 = phi_2012_;
-                                                                        phi_2013_ = _e1932;
+                                                                        let _e1924 = phi_2026_;
+                                                                        phi_2027_ = _e1924;
                                                                     }
-                                                                    let _e1934 = phi_2013_;
-                                                                    let _e1938 = (_e1934.x - (_e1282 * _e1934.z));
-                                                                    let _e1942 = (_e1934.y - (_e1285 * _e1934.z));
-                                                                    let _e1944 = triangles.member[(0u + _e1885)].v2_;
-                                                                    let _e1946 = (_e1944.x - _e991);
-                                                                    let _e1948 = (_e1944.y - _e1004);
-                                                                    let _e1950 = (_e1944.z - _e1017);
-                                                                    if (_e1271 == 0u) {
-                                                                        phi_2043_ = vec3<f32>(_e1948, _e1950, _e1946);
+                                                                    let _e1926 = phi_2027_;
+                                                                    let _e1930 = (_e1926.x - (_e1274 * _e1926.z));
+                                                                    let _e1934 = (_e1926.y - (_e1277 * _e1926.z));
+                                                                    let _e1936 = triangles.member[(0u + _e1877)].v2_;
+                                                                    let _e1938 = (_e1936.x - _e987);
+                                                                    let _e1940 = (_e1936.y - _e1000);
+                                                                    let _e1942 = (_e1936.z - _e1013);
+                                                                    if (_e1263 == 0u) {
+                                                                        phi_2057_ = vec3<f32>(_e1940, _e1942, _e1938);
                                                                     } else {
-                                                                        if (_e1271 == 1u) {
-                                                                            phi_2042_ = vec3<f32>(_e1950, _e1946, _e1948);
+                                                                        if (_e1263 == 1u) {
+                                                                            phi_2056_ = vec3<f32>(_e1942, _e1938, _e1940);
                                                                         } else {
-                                                                            phi_2042_ = (_e1944 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_2056_ = (_e1936 - vec3<f32>(_e987, _e1000, _e1013));
                                                                         }
-                                                                        let _e1958 = phi_2042_;
-                                                                        phi_2043_ = _e1958;
+                                                                        let _e1950 = phi_2056_;
+                                                                        phi_2057_ = _e1950;
                                                                     }
-                                                                    let _e1960 = phi_2043_;
-                                                                    let _e1964 = (_e1960.x - (_e1282 * _e1960.z));
-                                                                    let _e1968 = (_e1960.y - (_e1285 * _e1960.z));
-                                                                    if (_e1938 < _e1964) {
-                                                                        phi_2062_ = true;
+                                                                    let _e1952 = phi_2057_;
+                                                                    let _e1956 = (_e1952.x - (_e1274 * _e1952.z));
+                                                                    let _e1960 = (_e1952.y - (_e1277 * _e1952.z));
+                                                                    if (_e1930 < _e1956) {
+                                                                        phi_2076_ = true;
                                                                     } else {
-                                                                        if (_e1938 == _e1964) {
-                                                                            phi_2061_ = (_e1942 < _e1968);
+                                                                        if (_e1930 == _e1956) {
+                                                                            phi_2075_ = (_e1934 < _e1960);
                                                                         } else {
-                                                                            phi_2061_ = false;
+                                                                            phi_2075_ = false;
                                                                         }
-                                                                        let _e1973 = phi_2061_;
-                                                                        phi_2062_ = _e1973;
+                                                                        let _e1965 = phi_2075_;
+                                                                        phi_2076_ = _e1965;
                                                                     }
-                                                                    let _e1975 = phi_2062_;
-                                                                    if _e1975 {
-                                                                        phi_2066_ = _e1968;
-                                                                        phi_2067_ = _e1964;
-                                                                        phi_2068_ = _e1942;
-                                                                        phi_2069_ = _e1938;
+                                                                    let _e1967 = phi_2076_;
+                                                                    if _e1967 {
+                                                                        phi_2080_ = _e1960;
+                                                                        phi_2081_ = _e1956;
+                                                                        phi_2082_ = _e1934;
+                                                                        phi_2083_ = _e1930;
                                                                     } else {
-                                                                        phi_2066_ = _e1942;
-                                                                        phi_2067_ = _e1938;
-                                                                        phi_2068_ = _e1968;
-                                                                        phi_2069_ = _e1964;
+                                                                        phi_2080_ = _e1934;
+                                                                        phi_2081_ = _e1930;
+                                                                        phi_2082_ = _e1960;
+                                                                        phi_2083_ = _e1956;
                                                                     }
-                                                                    let _e1977 = phi_2066_;
-                                                                    let _e1979 = phi_2067_;
-                                                                    let _e1981 = phi_2068_;
-                                                                    let _e1983 = phi_2069_;
-                                                                    let _e1986 = ((_e1983 * _e1977) - (_e1981 * _e1979));
-                                                                    if _e1975 {
-                                                                        phi_2077_ = -(_e1986);
+                                                                    let _e1969 = phi_2080_;
+                                                                    let _e1971 = phi_2081_;
+                                                                    let _e1973 = phi_2082_;
+                                                                    let _e1975 = phi_2083_;
+                                                                    let _e1978 = ((_e1975 * _e1969) - (_e1973 * _e1971));
+                                                                    if _e1967 {
+                                                                        phi_2091_ = -(_e1978);
                                                                     } else {
-                                                                        phi_2077_ = _e1986;
+                                                                        phi_2091_ = _e1978;
                                                                     }
-                                                                    let _e1989 = phi_2077_;
-                                                                    if (_e1964 < _e1912) {
-                                                                        phi_2088_ = true;
+                                                                    let _e1981 = phi_2091_;
+                                                                    if (_e1956 < _e1904) {
+                                                                        phi_2102_ = true;
                                                                     } else {
-                                                                        if (_e1964 == _e1912) {
-                                                                            phi_2087_ = (_e1968 < _e1916);
+                                                                        if (_e1956 == _e1904) {
+                                                                            phi_2101_ = (_e1960 < _e1908);
                                                                         } else {
-                                                                            phi_2087_ = false;
+                                                                            phi_2101_ = false;
                                                                         }
-                                                                        let _e1994 = phi_2087_;
-                                                                        phi_2088_ = _e1994;
+                                                                        let _e1986 = phi_2101_;
+                                                                        phi_2102_ = _e1986;
                                                                     }
-                                                                    let _e1996 = phi_2088_;
-                                                                    if _e1996 {
-                                                                        phi_2092_ = _e1916;
-                                                                        phi_2093_ = _e1912;
-                                                                        phi_2094_ = _e1968;
-                                                                        phi_2095_ = _e1964;
+                                                                    let _e1988 = phi_2102_;
+                                                                    if _e1988 {
+                                                                        phi_2106_ = _e1908;
+                                                                        phi_2107_ = _e1904;
+                                                                        phi_2108_ = _e1960;
+                                                                        phi_2109_ = _e1956;
                                                                     } else {
-                                                                        phi_2092_ = _e1968;
-                                                                        phi_2093_ = _e1964;
-                                                                        phi_2094_ = _e1916;
-                                                                        phi_2095_ = _e1912;
+                                                                        phi_2106_ = _e1960;
+                                                                        phi_2107_ = _e1956;
+                                                                        phi_2108_ = _e1908;
+                                                                        phi_2109_ = _e1904;
                                                                     }
-                                                                    let _e1998 = phi_2092_;
-                                                                    let _e2000 = phi_2093_;
-                                                                    let _e2002 = phi_2094_;
-                                                                    let _e2004 = phi_2095_;
-                                                                    let _e2007 = ((_e2004 * _e1998) - (_e2002 * _e2000));
-                                                                    if _e1996 {
-                                                                        phi_2103_ = -(_e2007);
+                                                                    let _e1990 = phi_2106_;
+                                                                    let _e1992 = phi_2107_;
+                                                                    let _e1994 = phi_2108_;
+                                                                    let _e1996 = phi_2109_;
+                                                                    let _e1999 = ((_e1996 * _e1990) - (_e1994 * _e1992));
+                                                                    if _e1988 {
+                                                                        phi_2117_ = -(_e1999);
                                                                     } else {
-                                                                        phi_2103_ = _e2007;
+                                                                        phi_2117_ = _e1999;
                                                                     }
-                                                                    let _e2010 = phi_2103_;
-                                                                    if (_e1912 < _e1938) {
-                                                                        phi_2114_ = true;
+                                                                    let _e2002 = phi_2117_;
+                                                                    if (_e1904 < _e1930) {
+                                                                        phi_2128_ = true;
                                                                     } else {
-                                                                        if (_e1912 == _e1938) {
-                                                                            phi_2113_ = (_e1916 < _e1942);
+                                                                        if (_e1904 == _e1930) {
+                                                                            phi_2127_ = (_e1908 < _e1934);
                                                                         } else {
-                                                                            phi_2113_ = false;
+                                                                            phi_2127_ = false;
                                                                         }
-                                                                        let _e2015 = phi_2113_;
-                                                                        phi_2114_ = _e2015;
+                                                                        let _e2007 = phi_2127_;
+                                                                        phi_2128_ = _e2007;
                                                                     }
-                                                                    let _e2017 = phi_2114_;
-                                                                    if _e2017 {
-                                                                        phi_2118_ = _e1942;
-                                                                        phi_2119_ = _e1938;
-                                                                        phi_2120_ = _e1916;
-                                                                        phi_2121_ = _e1912;
+                                                                    let _e2009 = phi_2128_;
+                                                                    if _e2009 {
+                                                                        phi_2132_ = _e1934;
+                                                                        phi_2133_ = _e1930;
+                                                                        phi_2134_ = _e1908;
+                                                                        phi_2135_ = _e1904;
                                                                     } else {
-                                                                        phi_2118_ = _e1916;
-                                                                        phi_2119_ = _e1912;
-                                                                        phi_2120_ = _e1942;
-                                                                        phi_2121_ = _e1938;
+                                                                        phi_2132_ = _e1908;
+                                                                        phi_2133_ = _e1904;
+                                                                        phi_2134_ = _e1934;
+                                                                        phi_2135_ = _e1930;
                                                                     }
-                                                                    let _e2019 = phi_2118_;
-                                                                    let _e2021 = phi_2119_;
-                                                                    let _e2023 = phi_2120_;
-                                                                    let _e2025 = phi_2121_;
-                                                                    let _e2028 = ((_e2025 * _e2019) - (_e2023 * _e2021));
-                                                                    if _e2017 {
-                                                                        phi_2129_ = -(_e2028);
+                                                                    let _e2011 = phi_2132_;
+                                                                    let _e2013 = phi_2133_;
+                                                                    let _e2015 = phi_2134_;
+                                                                    let _e2017 = phi_2135_;
+                                                                    let _e2020 = ((_e2017 * _e2011) - (_e2015 * _e2013));
+                                                                    if _e2009 {
+                                                                        phi_2143_ = -(_e2020);
                                                                     } else {
-                                                                        phi_2129_ = _e2028;
+                                                                        phi_2143_ = _e2020;
                                                                     }
-                                                                    let _e2031 = phi_2129_;
-                                                                    if (_e1989 >= 0f) {
-                                                                        if (_e2010 >= 0f) {
-                                                                            if (_e2031 >= 0f) {
-                                                                                phi_2144_ = ((_e1989 + _e2010) + _e2031);
-                                                                                phi_2145_ = false;
+                                                                    let _e2023 = phi_2143_;
+                                                                    if (_e1981 >= 0f) {
+                                                                        if (_e2002 >= 0f) {
+                                                                            if (_e2023 >= 0f) {
+                                                                                phi_2158_ = ((_e1981 + _e2002) + _e2023);
+                                                                                phi_2159_ = false;
                                                                             } else {
-                                                                                phi_2144_ = f32();
-                                                                                phi_2145_ = true;
+                                                                                phi_2158_ = f32();
+                                                                                phi_2159_ = true;
                                                                             }
-                                                                            let _e2038 = phi_2144_;
-                                                                            let _e2040 = phi_2145_;
-                                                                            phi_2146_ = _e2038;
-                                                                            phi_2147_ = _e2040;
+                                                                            let _e2030 = phi_2158_;
+                                                                            let _e2032 = phi_2159_;
+                                                                            phi_2160_ = _e2030;
+                                                                            phi_2161_ = _e2032;
                                                                         } else {
-                                                                            phi_2146_ = f32();
-                                                                            phi_2147_ = true;
+                                                                            phi_2160_ = f32();
+                                                                            phi_2161_ = true;
                                                                         }
-                                                                        let _e2042 = phi_2146_;
-                                                                        let _e2044 = phi_2147_;
-                                                                        phi_2148_ = _e2042;
-                                                                        phi_2149_ = _e2044;
+                                                                        let _e2034 = phi_2160_;
+                                                                        let _e2036 = phi_2161_;
+                                                                        phi_2162_ = _e2034;
+                                                                        phi_2163_ = _e2036;
                                                                     } else {
-                                                                        phi_2148_ = f32();
-                                                                        phi_2149_ = true;
+                                                                        phi_2162_ = f32();
+                                                                        phi_2163_ = true;
                                                                     }
-                                                                    let _e2046 = phi_2148_;
-                                                                    let _e2048 = phi_2149_;
-                                                                    if _e2048 {
-                                                                        if (_e1989 <= 0f) {
-                                                                            if (_e2010 <= 0f) {
-                                                                                let _e2051 = (_e2031 <= 0f);
-                                                                                if _e2051 {
+                                                                    let _e2038 = phi_2162_;
+                                                                    let _e2040 = phi_2163_;
+                                                                    if _e2040 {
+                                                                        if (_e1981 <= 0f) {
+                                                                            if (_e2002 <= 0f) {
+                                                                                let _e2043 = (_e2023 <= 0f);
+                                                                                if _e2043 {
                                                                                 }
-                                                                                phi_2167_ = ((_e1989 + _e2010) + _e2031);
-                                                                                phi_2168_ = false;
-                                                                                phi_2169_ = _e2051;
+                                                                                phi_2181_ = ((_e1981 + _e2002) + _e2023);
+                                                                                phi_2182_ = false;
+                                                                                phi_2183_ = _e2043;
                                                                             } else {
-                                                                                phi_2167_ = f32();
-                                                                                phi_2168_ = true;
-                                                                                phi_2169_ = false;
+                                                                                phi_2181_ = f32();
+                                                                                phi_2182_ = true;
+                                                                                phi_2183_ = false;
                                                                             }
-                                                                            let _e2055 = phi_2167_;
-                                                                            let _e2057 = phi_2168_;
-                                                                            let _e2059 = phi_2169_;
-                                                                            phi_2170_ = _e2055;
-                                                                            phi_2171_ = _e2057;
-                                                                            phi_2172_ = _e2059;
+                                                                            let _e2047 = phi_2181_;
+                                                                            let _e2049 = phi_2182_;
+                                                                            let _e2051 = phi_2183_;
+                                                                            phi_2184_ = _e2047;
+                                                                            phi_2185_ = _e2049;
+                                                                            phi_2186_ = _e2051;
                                                                         } else {
-                                                                            phi_2170_ = f32();
-                                                                            phi_2171_ = true;
-                                                                            phi_2172_ = false;
+                                                                            phi_2184_ = f32();
+                                                                            phi_2185_ = true;
+                                                                            phi_2186_ = false;
                                                                         }
-                                                                        let _e2061 = phi_2170_;
-                                                                        let _e2063 = phi_2171_;
-                                                                        let _e2065 = phi_2172_;
-                                                                        if _e2063 {
-                                                                            phi_2176_ = false;
+                                                                        let _e2053 = phi_2184_;
+                                                                        let _e2055 = phi_2185_;
+                                                                        let _e2057 = phi_2186_;
+                                                                        if _e2055 {
+                                                                            phi_2190_ = false;
                                                                         } else {
-                                                                            phi_2176_ = _e2065;
+                                                                            phi_2190_ = _e2057;
                                                                         }
-                                                                        let _e2067 = phi_2176_;
-                                                                        phi_2177_ = _e2061;
-                                                                        phi_2178_ = _e2067;
+                                                                        let _e2059 = phi_2190_;
+                                                                        phi_2191_ = _e2053;
+                                                                        phi_2192_ = _e2059;
                                                                     } else {
-                                                                        phi_2177_ = _e2046;
-                                                                        phi_2178_ = true;
+                                                                        phi_2191_ = _e2038;
+                                                                        phi_2192_ = true;
                                                                     }
-                                                                    let _e2069 = phi_2177_;
-                                                                    let _e2071 = phi_2178_;
-                                                                    if _e2071 {
-                                                                        let _e2072 = (_e2069 == 0f);
-                                                                        if _e2072 {
-                                                                            phi_2494_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2495_ = false;
+                                                                    let _e2061 = phi_2191_;
+                                                                    let _e2063 = phi_2192_;
+                                                                    if _e2063 {
+                                                                        let _e2064 = (_e2061 == 0f);
+                                                                        if _e2064 {
+                                                                            phi_2508_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2509_ = false;
                                                                         } else {
-                                                                            let _e2074 = triangles.member[(0u + _e1885)].v0_;
-                                                                            let _e2076 = (_e2074.x - _e991);
-                                                                            let _e2078 = (_e2074.y - _e1004);
-                                                                            let _e2080 = (_e2074.z - _e1017);
-                                                                            if (_e1271 == 0u) {
-                                                                                phi_2207_ = vec3<f32>(_e2078, _e2080, _e2076);
+                                                                            let _e2066 = triangles.member[(0u + _e1877)].v0_;
+                                                                            let _e2068 = (_e2066.x - _e987);
+                                                                            let _e2070 = (_e2066.y - _e1000);
+                                                                            let _e2072 = (_e2066.z - _e1013);
+                                                                            if (_e1263 == 0u) {
+                                                                                phi_2221_ = vec3<f32>(_e2070, _e2072, _e2068);
                                                                             } else {
-                                                                                if (_e1271 == 1u) {
-                                                                                    phi_2206_ = vec3<f32>(_e2080, _e2076, _e2078);
+                                                                                if (_e1263 == 1u) {
+                                                                                    phi_2220_ = vec3<f32>(_e2072, _e2068, _e2070);
                                                                                 } else {
-                                                                                    phi_2206_ = (_e2074 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                                    phi_2220_ = (_e2066 - vec3<f32>(_e987, _e1000, _e1013));
                                                                                 }
-                                                                                let _e2088 = phi_2206_;
-                                                                                phi_2207_ = _e2088;
+                                                                                let _e2080 = phi_2220_;
+                                                                                phi_2221_ = _e2080;
                                                                             }
-                                                                            let _e2090 = phi_2207_;
-                                                                            let _e2092 = triangles.member[(0u + _e1885)].v1_;
-                                                                            let _e2094 = triangles.member[(0u + _e1885)].v0_;
-                                                                            let _e2097 = (_e2092.x - _e2094.x);
-                                                                            let _e2100 = (_e2092.y - _e2094.y);
-                                                                            let _e2103 = (_e2092.z - _e2094.z);
-                                                                            if (_e1271 == 0u) {
-                                                                                phi_2233_ = vec3<f32>(_e2100, _e2103, _e2097);
+                                                                            let _e2082 = phi_2221_;
+                                                                            let _e2084 = triangles.member[(0u + _e1877)].v1_;
+                                                                            let _e2086 = triangles.member[(0u + _e1877)].v0_;
+                                                                            let _e2089 = (_e2084.x - _e2086.x);
+                                                                            let _e2092 = (_e2084.y - _e2086.y);
+                                                                            let _e2095 = (_e2084.z - _e2086.z);
+                                                                            if (_e1263 == 0u) {
+                                                                                phi_2247_ = vec3<f32>(_e2092, _e2095, _e2089);
                                                                             } else {
-                                                                                if (_e1271 == 1u) {
-                                                                                    phi_2232_ = vec3<f32>(_e2103, _e2097, _e2100);
+                                                                                if (_e1263 == 1u) {
+                                                                                    phi_2246_ = vec3<f32>(_e2095, _e2089, _e2092);
                                                                                 } else {
-                                                                                    phi_2232_ = (_e2092 - _e2094);
+                                                                                    phi_2246_ = (_e2084 - _e2086);
                                                                                 }
-                                                                                let _e2110 = phi_2232_;
-                                                                                phi_2233_ = _e2110;
+                                                                                let _e2102 = phi_2246_;
+                                                                                phi_2247_ = _e2102;
                                                                             }
-                                                                            let _e2112 = phi_2233_;
-                                                                            let _e2114 = triangles.member[(0u + _e1885)].v2_;
-                                                                            let _e2116 = triangles.member[(0u + _e1885)].v0_;
-                                                                            let _e2119 = (_e2114.x - _e2116.x);
-                                                                            let _e2122 = (_e2114.y - _e2116.y);
-                                                                            let _e2125 = (_e2114.z - _e2116.z);
-                                                                            if (_e1271 == 0u) {
-                                                                                phi_2259_ = vec3<f32>(_e2122, _e2125, _e2119);
+                                                                            let _e2104 = phi_2247_;
+                                                                            let _e2106 = triangles.member[(0u + _e1877)].v2_;
+                                                                            let _e2108 = triangles.member[(0u + _e1877)].v0_;
+                                                                            let _e2111 = (_e2106.x - _e2108.x);
+                                                                            let _e2114 = (_e2106.y - _e2108.y);
+                                                                            let _e2117 = (_e2106.z - _e2108.z);
+                                                                            if (_e1263 == 0u) {
+                                                                                phi_2273_ = vec3<f32>(_e2114, _e2117, _e2111);
                                                                             } else {
-                                                                                if (_e1271 == 1u) {
-                                                                                    phi_2258_ = vec3<f32>(_e2125, _e2119, _e2122);
+                                                                                if (_e1263 == 1u) {
+                                                                                    phi_2272_ = vec3<f32>(_e2117, _e2111, _e2114);
                                                                                 } else {
-                                                                                    phi_2258_ = (_e2114 - _e2116);
+                                                                                    phi_2272_ = (_e2106 - _e2108);
                                                                                 }
-                                                                                let _e2132 = phi_2258_;
-                                                                                phi_2259_ = _e2132;
+                                                                                let _e2124 = phi_2272_;
+                                                                                phi_2273_ = _e2124;
                                                                             }
-                                                                            let _e2134 = phi_2259_;
-                                                                            let _e2141 = ((_e2112.y * _e2134.z) - (_e2112.z * _e2134.y));
-                                                                            let _e2148 = ((_e2112.z * _e2134.x) - (_e2112.x * _e2134.z));
-                                                                            let _e2155 = ((_e2112.x * _e2134.y) - (_e2112.y * _e2134.x));
-                                                                            let _e2169 = (((1f / _e1279.z) * (((_e2141 * _e2090.x) + (_e2148 * _e2090.y)) + (_e2155 * _e2090.z))) / (((_e2141 * _e1282) + (_e2148 * _e1285)) + _e2155));
-                                                                            if (_e2169 > 0f) {
-                                                                                if (_e2169 < _e117) {
-                                                                                    let _e2173 = triangles.member[(0u + _e1885)].v0_;
-                                                                                    let _e2175 = triangles.member[(0u + _e1885)].v1_;
-                                                                                    if (_e2173.x < _e2175.x) {
-                                                                                        phi_2315_ = _e2173.x;
+                                                                            let _e2126 = phi_2273_;
+                                                                            let _e2133 = ((_e2104.y * _e2126.z) - (_e2104.z * _e2126.y));
+                                                                            let _e2140 = ((_e2104.z * _e2126.x) - (_e2104.x * _e2126.z));
+                                                                            let _e2147 = ((_e2104.x * _e2126.y) - (_e2104.y * _e2126.x));
+                                                                            let _e2161 = (((1f / _e1271.z) * (((_e2133 * _e2082.x) + (_e2140 * _e2082.y)) + (_e2147 * _e2082.z))) / (((_e2133 * _e1274) + (_e2140 * _e1277)) + _e2147));
+                                                                            if (_e2161 > 0f) {
+                                                                                if (_e2161 < _e117) {
+                                                                                    let _e2165 = triangles.member[(0u + _e1877)].v0_;
+                                                                                    let _e2167 = triangles.member[(0u + _e1877)].v1_;
+                                                                                    if (_e2165.x < _e2167.x) {
+                                                                                        phi_2329_ = _e2165.x;
                                                                                     } else {
-                                                                                        phi_2315_ = _e2175.x;
+                                                                                        phi_2329_ = _e2167.x;
                                                                                     }
-                                                                                    let _e2182 = phi_2315_;
-                                                                                    if (_e2173.y < _e2175.y) {
-                                                                                        phi_2324_ = _e2173.y;
+                                                                                    let _e2174 = phi_2329_;
+                                                                                    if (_e2165.y < _e2167.y) {
+                                                                                        phi_2338_ = _e2165.y;
                                                                                     } else {
-                                                                                        phi_2324_ = _e2175.y;
+                                                                                        phi_2338_ = _e2167.y;
                                                                                     }
-                                                                                    let _e2189 = phi_2324_;
-                                                                                    if (_e2173.z < _e2175.z) {
-                                                                                        phi_2333_ = _e2173.z;
+                                                                                    let _e2181 = phi_2338_;
+                                                                                    if (_e2165.z < _e2167.z) {
+                                                                                        phi_2347_ = _e2165.z;
                                                                                     } else {
-                                                                                        phi_2333_ = _e2175.z;
+                                                                                        phi_2347_ = _e2167.z;
                                                                                     }
-                                                                                    let _e2196 = phi_2333_;
-                                                                                    let _e2198 = triangles.member[(0u + _e1885)].v2_;
-                                                                                    if (_e2182 < _e2198.x) {
-                                                                                        phi_2342_ = _e2182;
+                                                                                    let _e2188 = phi_2347_;
+                                                                                    let _e2190 = triangles.member[(0u + _e1877)].v2_;
+                                                                                    if (_e2174 < _e2190.x) {
+                                                                                        phi_2356_ = _e2174;
                                                                                     } else {
-                                                                                        phi_2342_ = _e2198.x;
+                                                                                        phi_2356_ = _e2190.x;
                                                                                     }
-                                                                                    let _e2203 = phi_2342_;
-                                                                                    if (_e2189 < _e2198.y) {
-                                                                                        phi_2349_ = _e2189;
+                                                                                    let _e2195 = phi_2356_;
+                                                                                    if (_e2181 < _e2190.y) {
+                                                                                        phi_2363_ = _e2181;
                                                                                     } else {
-                                                                                        phi_2349_ = _e2198.y;
+                                                                                        phi_2363_ = _e2190.y;
                                                                                     }
-                                                                                    let _e2208 = phi_2349_;
-                                                                                    if (_e2196 < _e2198.z) {
-                                                                                        phi_2356_ = _e2196;
+                                                                                    let _e2200 = phi_2363_;
+                                                                                    if (_e2188 < _e2190.z) {
+                                                                                        phi_2370_ = _e2188;
                                                                                     } else {
-                                                                                        phi_2356_ = _e2198.z;
+                                                                                        phi_2370_ = _e2190.z;
                                                                                     }
-                                                                                    let _e2213 = phi_2356_;
-                                                                                    let _e2215 = triangles.member[(0u + _e1885)].v0_;
-                                                                                    let _e2217 = triangles.member[(0u + _e1885)].v1_;
-                                                                                    if (_e2215.x > _e2217.x) {
-                                                                                        phi_2369_ = _e2215.x;
+                                                                                    let _e2205 = phi_2370_;
+                                                                                    let _e2207 = triangles.member[(0u + _e1877)].v0_;
+                                                                                    let _e2209 = triangles.member[(0u + _e1877)].v1_;
+                                                                                    if (_e2207.x > _e2209.x) {
+                                                                                        phi_2383_ = _e2207.x;
                                                                                     } else {
-                                                                                        phi_2369_ = _e2217.x;
+                                                                                        phi_2383_ = _e2209.x;
                                                                                     }
-                                                                                    let _e2224 = phi_2369_;
-                                                                                    if (_e2215.y > _e2217.y) {
-                                                                                        phi_2378_ = _e2215.y;
+                                                                                    let _e2216 = phi_2383_;
+                                                                                    if (_e2207.y > _e2209.y) {
+                                                                                        phi_2392_ = _e2207.y;
                                                                                     } else {
-                                                                                        phi_2378_ = _e2217.y;
+                                                                                        phi_2392_ = _e2209.y;
                                                                                     }
-                                                                                    let _e2231 = phi_2378_;
-                                                                                    if (_e2215.z > _e2217.z) {
-                                                                                        phi_2387_ = _e2215.z;
+                                                                                    let _e2223 = phi_2392_;
+                                                                                    if (_e2207.z > _e2209.z) {
+                                                                                        phi_2401_ = _e2207.z;
                                                                                     } else {
-                                                                                        phi_2387_ = _e2217.z;
+                                                                                        phi_2401_ = _e2209.z;
                                                                                     }
-                                                                                    let _e2238 = phi_2387_;
-                                                                                    let _e2240 = triangles.member[(0u + _e1885)].v2_;
-                                                                                    if (_e2224 > _e2240.x) {
-                                                                                        phi_2396_ = _e2224;
+                                                                                    let _e2230 = phi_2401_;
+                                                                                    let _e2232 = triangles.member[(0u + _e1877)].v2_;
+                                                                                    if (_e2216 > _e2232.x) {
+                                                                                        phi_2410_ = _e2216;
                                                                                     } else {
-                                                                                        phi_2396_ = _e2240.x;
+                                                                                        phi_2410_ = _e2232.x;
                                                                                     }
-                                                                                    let _e2245 = phi_2396_;
-                                                                                    if (_e2231 > _e2240.y) {
-                                                                                        phi_2403_ = _e2231;
+                                                                                    let _e2237 = phi_2410_;
+                                                                                    if (_e2223 > _e2232.y) {
+                                                                                        phi_2417_ = _e2223;
                                                                                     } else {
-                                                                                        phi_2403_ = _e2240.y;
+                                                                                        phi_2417_ = _e2232.y;
                                                                                     }
-                                                                                    let _e2250 = phi_2403_;
-                                                                                    if (_e2238 > _e2240.z) {
-                                                                                        phi_2410_ = _e2238;
+                                                                                    let _e2242 = phi_2417_;
+                                                                                    if (_e2230 > _e2232.z) {
+                                                                                        phi_2424_ = _e2230;
                                                                                     } else {
-                                                                                        phi_2410_ = _e2240.z;
+                                                                                        phi_2424_ = _e2232.z;
                                                                                     }
-                                                                                    let _e2255 = phi_2410_;
-                                                                                    let _e2259 = ((_e2203 - _e991) * _e1200);
-                                                                                    let _e2260 = ((_e2208 - _e1004) * _e1210);
-                                                                                    let _e2261 = ((_e2213 - _e1017) * _e1220);
-                                                                                    let _e2265 = ((_e2245 - _e991) * _e1200);
-                                                                                    let _e2266 = ((_e2250 - _e1004) * _e1210);
-                                                                                    let _e2267 = ((_e2255 - _e1017) * _e1220);
-                                                                                    if (_e2259 < _e2265) {
-                                                                                        phi_2427_ = _e2259;
+                                                                                    let _e2247 = phi_2424_;
+                                                                                    let _e2251 = ((_e2195 - _e987) * _e1188);
+                                                                                    let _e2252 = ((_e2200 - _e1000) * _e1198);
+                                                                                    let _e2253 = ((_e2205 - _e1013) * _e1208);
+                                                                                    let _e2257 = ((_e2237 - _e987) * _e1188);
+                                                                                    let _e2258 = ((_e2242 - _e1000) * _e1198);
+                                                                                    let _e2259 = ((_e2247 - _e1013) * _e1208);
+                                                                                    if (_e2251 < _e2257) {
+                                                                                        phi_2441_ = _e2251;
                                                                                     } else {
-                                                                                        phi_2427_ = _e2265;
+                                                                                        phi_2441_ = _e2257;
                                                                                     }
-                                                                                    let _e2270 = phi_2427_;
-                                                                                    if (_e2260 < _e2266) {
-                                                                                        phi_2432_ = _e2260;
+                                                                                    let _e2262 = phi_2441_;
+                                                                                    if (_e2252 < _e2258) {
+                                                                                        phi_2446_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2432_ = _e2266;
+                                                                                        phi_2446_ = _e2258;
                                                                                     }
-                                                                                    let _e2273 = phi_2432_;
-                                                                                    if (_e2261 < _e2267) {
-                                                                                        phi_2437_ = _e2261;
+                                                                                    let _e2265 = phi_2446_;
+                                                                                    if (_e2253 < _e2259) {
+                                                                                        phi_2451_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2437_ = _e2267;
+                                                                                        phi_2451_ = _e2259;
                                                                                     }
-                                                                                    let _e2276 = phi_2437_;
-                                                                                    if (_e2259 > _e2265) {
-                                                                                        phi_2445_ = _e2259;
+                                                                                    let _e2268 = phi_2451_;
+                                                                                    if (_e2251 > _e2257) {
+                                                                                        phi_2459_ = _e2251;
                                                                                     } else {
-                                                                                        phi_2445_ = _e2265;
+                                                                                        phi_2459_ = _e2257;
                                                                                     }
-                                                                                    let _e2282 = phi_2445_;
-                                                                                    if (_e2260 > _e2266) {
-                                                                                        phi_2450_ = _e2260;
+                                                                                    let _e2274 = phi_2459_;
+                                                                                    if (_e2252 > _e2258) {
+                                                                                        phi_2464_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2450_ = _e2266;
+                                                                                        phi_2464_ = _e2258;
                                                                                     }
-                                                                                    let _e2285 = phi_2450_;
-                                                                                    if (_e2261 > _e2267) {
-                                                                                        phi_2455_ = _e2261;
+                                                                                    let _e2277 = phi_2464_;
+                                                                                    if (_e2253 > _e2259) {
+                                                                                        phi_2469_ = _e2253;
                                                                                     } else {
-                                                                                        phi_2455_ = _e2267;
+                                                                                        phi_2469_ = _e2259;
                                                                                     }
-                                                                                    let _e2288 = phi_2455_;
-                                                                                    let _e2292 = core_intrinsics_maximum_number_nsz_f32_((_e2270 - _e1255), (_e2273 - _e1256));
-                                                                                    let _e2293 = core_intrinsics_maximum_number_nsz_f32_(_e2292, (_e2276 - _e1257));
-                                                                                    let _e2294 = core_intrinsics_minimum_number_nsz_f32_((_e2282 + _e1255), (_e2285 + _e1256));
-                                                                                    let _e2295 = core_intrinsics_minimum_number_nsz_f32_(_e2294, (_e2288 + _e1257));
-                                                                                    if (_e2293 > _e972) {
-                                                                                        phi_2467_ = _e2293;
+                                                                                    let _e2280 = phi_2469_;
+                                                                                    let _e2284 = core_intrinsics_maximum_number_nsz_f32_((_e2262 - _e1247), (_e2265 - _e1248));
+                                                                                    let _e2285 = core_intrinsics_maximum_number_nsz_f32_(_e2284, (_e2268 - _e1249));
+                                                                                    let _e2286 = core_intrinsics_minimum_number_nsz_f32_((_e2274 + _e1247), (_e2277 + _e1248));
+                                                                                    let _e2287 = core_intrinsics_minimum_number_nsz_f32_(_e2286, (_e2280 + _e1249));
+                                                                                    if (_e2285 > _e968) {
+                                                                                        phi_2481_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2467_ = _e972;
+                                                                                        phi_2481_ = _e968;
                                                                                     }
-                                                                                    let _e2298 = phi_2467_;
-                                                                                    if (_e2295 < _e974) {
-                                                                                        phi_2472_ = _e2295;
+                                                                                    let _e2290 = phi_2481_;
+                                                                                    if (_e2287 < _e970) {
+                                                                                        phi_2486_ = _e2287;
                                                                                     } else {
-                                                                                        phi_2472_ = _e974;
+                                                                                        phi_2486_ = _e970;
                                                                                     }
-                                                                                    let _e2301 = phi_2472_;
-                                                                                    if (_e2169 < _e2298) {
-                                                                                        phi_2477_ = _e2298;
+                                                                                    let _e2293 = phi_2486_;
+                                                                                    if (_e2161 < _e2290) {
+                                                                                        phi_2491_ = _e2290;
                                                                                     } else {
-                                                                                        phi_2477_ = _e2169;
+                                                                                        phi_2491_ = _e2161;
                                                                                     }
-                                                                                    let _e2304 = phi_2477_;
-                                                                                    if (_e2304 > _e2301) {
-                                                                                        phi_2482_ = _e2301;
+                                                                                    let _e2296 = phi_2491_;
+                                                                                    if (_e2296 > _e2293) {
+                                                                                        phi_2496_ = _e2293;
                                                                                     } else {
-                                                                                        phi_2482_ = _e2304;
+                                                                                        phi_2496_ = _e2296;
                                                                                     }
-                                                                                    let _e2307 = phi_2482_;
-                                                                                    phi_2487_ = lt_bvh_triangle_Intersection(_e2307, (_e2010 / _e2069), (_e2031 / _e2069), (_e2298 <= _e2301));
-                                                                                    phi_2488_ = false;
+                                                                                    let _e2299 = phi_2496_;
+                                                                                    phi_2501_ = lt_bvh_triangle_Intersection(_e2299, (_e2002 / _e2061), (_e2023 / _e2061), (_e2290 <= _e2293));
+                                                                                    phi_2502_ = false;
                                                                                 } else {
-                                                                                    phi_2487_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2488_ = true;
+                                                                                    phi_2501_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2502_ = true;
                                                                                 }
-                                                                                let _e2313 = phi_2487_;
-                                                                                let _e2315 = phi_2488_;
-                                                                                phi_2489_ = _e2313;
-                                                                                phi_2490_ = _e2315;
+                                                                                let _e2305 = phi_2501_;
+                                                                                let _e2307 = phi_2502_;
+                                                                                phi_2503_ = _e2305;
+                                                                                phi_2504_ = _e2307;
                                                                             } else {
-                                                                                phi_2489_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2490_ = true;
+                                                                                phi_2503_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2504_ = true;
                                                                             }
-                                                                            let _e2317 = phi_2489_;
-                                                                            let _e2319 = phi_2490_;
-                                                                            if _e2319 {
+                                                                            let _e2309 = phi_2503_;
+                                                                            let _e2311 = phi_2504_;
+                                                                            if _e2311 {
                                                                             }
-                                                                            phi_2494_ = _e2317;
-                                                                            phi_2495_ = _e2319;
+                                                                            phi_2508_ = _e2309;
+                                                                            phi_2509_ = _e2311;
                                                                         }
-                                                                        let _e2321 = phi_2494_;
-                                                                        let _e2323 = phi_2495_;
-                                                                        phi_2496_ = _e2321;
-                                                                        phi_2497_ = _e2072;
-                                                                        phi_2498_ = _e2323;
+                                                                        let _e2313 = phi_2508_;
+                                                                        let _e2315 = phi_2509_;
+                                                                        phi_2510_ = _e2313;
+                                                                        phi_2511_ = _e2064;
+                                                                        phi_2512_ = _e2315;
                                                                     } else {
-                                                                        phi_2496_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2497_ = true;
-                                                                        phi_2498_ = false;
+                                                                        phi_2510_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2511_ = true;
+                                                                        phi_2512_ = false;
                                                                     }
-                                                                    let _e2325 = phi_2496_;
-                                                                    let _e2327 = phi_2497_;
-                                                                    let _e2329 = phi_2498_;
-                                                                    if _e2327 {
-                                                                        phi_2502_ = true;
+                                                                    let _e2317 = phi_2510_;
+                                                                    let _e2319 = phi_2511_;
+                                                                    let _e2321 = phi_2512_;
+                                                                    if _e2319 {
+                                                                        phi_2516_ = true;
                                                                     } else {
-                                                                        phi_2502_ = _e2329;
+                                                                        phi_2516_ = _e2321;
                                                                     }
-                                                                    let _e2331 = phi_2502_;
-                                                                    if _e2331 {
-                                                                        phi_2506_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2323 = phi_2516_;
+                                                                    if _e2323 {
+                                                                        phi_2520_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2506_ = _e2325;
+                                                                        phi_2520_ = _e2317;
                                                                     }
-                                                                    let _e2333 = phi_2506_;
-                                                                    if _e2333.is_hit {
-                                                                        if (_e2333.t > 0f) {
-                                                                            if (_e2333.t < _e117) {
+                                                                    let _e2325 = phi_2520_;
+                                                                    if _e2325.is_hit {
+                                                                        if (_e2325.t > 0f) {
+                                                                            if (_e2325.t < _e117) {
                                                                                 if true {
-                                                                                    phi_2526_ = false;
+                                                                                    phi_2540_ = false;
                                                                                 } else {
-                                                                                    phi_2526_ = true;
+                                                                                    phi_2540_ = true;
                                                                                 }
-                                                                                let _e2342 = phi_2526_;
-                                                                                phi_2527_ = true;
-                                                                                phi_2528_ = _e2342;
+                                                                                let _e2334 = phi_2540_;
+                                                                                phi_2541_ = true;
+                                                                                phi_2542_ = _e2334;
                                                                             } else {
-                                                                                phi_2527_ = _e1876;
-                                                                                phi_2528_ = true;
+                                                                                phi_2541_ = _e1868;
+                                                                                phi_2542_ = true;
                                                                             }
-                                                                            let _e2344 = phi_2527_;
-                                                                            let _e2346 = phi_2528_;
-                                                                            phi_2529_ = _e2344;
-                                                                            phi_2530_ = _e2346;
+                                                                            let _e2336 = phi_2541_;
+                                                                            let _e2338 = phi_2542_;
+                                                                            phi_2543_ = _e2336;
+                                                                            phi_2544_ = _e2338;
                                                                         } else {
-                                                                            phi_2529_ = _e1876;
-                                                                            phi_2530_ = true;
+                                                                            phi_2543_ = _e1868;
+                                                                            phi_2544_ = true;
                                                                         }
-                                                                        let _e2348 = phi_2529_;
-                                                                        let _e2350 = phi_2530_;
-                                                                        phi_2531_ = _e2348;
-                                                                        phi_2532_ = _e2350;
+                                                                        let _e2340 = phi_2543_;
+                                                                        let _e2342 = phi_2544_;
+                                                                        phi_2545_ = _e2340;
+                                                                        phi_2546_ = _e2342;
                                                                     } else {
-                                                                        phi_2531_ = _e1876;
-                                                                        phi_2532_ = true;
+                                                                        phi_2545_ = _e1868;
+                                                                        phi_2546_ = true;
                                                                     }
-                                                                    let _e2352 = phi_2531_;
-                                                                    let _e2354 = phi_2532_;
-                                                                    if _e2354 {
+                                                                    let _e2344 = phi_2545_;
+                                                                    let _e2346 = phi_2546_;
+                                                                    if _e2346 {
                                                                     }
-                                                                    phi_1936_ = (_e1874 & (_e1874 - 1u));
-                                                                    phi_1939_ = _e2352;
-                                                                    phi_2536_ = _e2354;
+                                                                    phi_1950_ = (_e1866 & (_e1866 - 1u));
+                                                                    phi_1953_ = _e2344;
+                                                                    phi_2550_ = _e2346;
                                                                 }
-                                                                let _e2356 = phi_1936_;
-                                                                let _e2358 = phi_1939_;
-                                                                let _e2360 = phi_2536_;
+                                                                let _e2348 = phi_1950_;
+                                                                let _e2350 = phi_1953_;
+                                                                let _e2352 = phi_2550_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1935_ = _e2356;
-                                                                    phi_1938_ = _e2358;
-                                                                    break if !(_e2360);
+                                                                    phi_1949_ = _e2348;
+                                                                    phi_1952_ = _e2350;
+                                                                    break if !(_e2352);
                                                                 }
                                                             }
-                                                            let _e2363 = local_8;
-                                                            if _e2363 {
-                                                                let _e2365 = local.group_mask;
-                                                                if ((_e2365 & 4278190080u) == 0u) {
-                                                                    let _e2369 = local.len;
-                                                                    if (_e2369 == 0u) {
-                                                                        phi_2578_ = false;
+                                                            let _e2355 = local_8;
+                                                            if _e2355 {
+                                                                let _e2357 = local.group_mask;
+                                                                if ((_e2357 & 4278190080u) == 0u) {
+                                                                    let _e2361 = local.len;
+                                                                    if (_e2361 == 0u) {
+                                                                        phi_2592_ = false;
                                                                     } else {
-                                                                        let _e2373 = local.len;
-                                                                        local.len = (_e2373 - 1u);
+                                                                        let _e2365 = local.len;
+                                                                        local.len = (_e2365 - 1u);
+                                                                        let _e2368 = local.len;
+                                                                        if (_e2368 < 32u) {
+                                                                        } else {
+                                                                            return;
+                                                                        }
+                                                                        let _e2373 = local.first[(0u + _e2368)];
+                                                                        local.group = _e2373;
                                                                         let _e2376 = local.len;
                                                                         if (_e2376 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2381 = local.first[(0u + _e2376)];
-                                                                        local.group = _e2381;
-                                                                        let _e2384 = local.len;
-                                                                        if (_e2384 < 32u) {
-                                                                        } else {
-                                                                            return;
-                                                                        }
-                                                                        let _e2389 = local.mask[(0u + _e2384)];
-                                                                        local.group_mask = _e2389;
-                                                                        phi_2578_ = true;
+                                                                        let _e2381 = local.mask[(0u + _e2376)];
+                                                                        local.group_mask = _e2381;
+                                                                        phi_2592_ = true;
                                                                     }
-                                                                    let _e2392 = phi_2578_;
-                                                                    phi_2579_ = _e2392;
+                                                                    let _e2384 = phi_2592_;
+                                                                    phi_2593_ = _e2384;
                                                                 } else {
-                                                                    phi_2579_ = true;
+                                                                    phi_2593_ = true;
                                                                 }
-                                                                let _e2394 = phi_2579_;
-                                                                if _e2394 {
-                                                                    let _e2396 = local.group_mask;
-                                                                    let _e2402 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2396)), 32u, (_e2396 == 0u)));
-                                                                    let _e2406 = local.group_mask;
-                                                                    let _e2420 = local.group_mask;
-                                                                    local.group_mask = (_e2420 & ~((1u << bitcast<u32>((_e2402 & 31u)))));
-                                                                    let _e2423 = local.group;
-                                                                    phi_2610_ = (_e2423 + countOneBits(((_e2406 & ~((4294967295u << bitcast<u32>((((_e2402 - 24u) ^ _e1298) & 31u))))) & 255u)));
+                                                                let _e2386 = phi_2593_;
+                                                                if _e2386 {
+                                                                    let _e2388 = local.group_mask;
+                                                                    let _e2394 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2388)), 32u, (_e2388 == 0u)));
+                                                                    let _e2398 = local.group_mask;
+                                                                    let _e2412 = local.group_mask;
+                                                                    local.group_mask = (_e2412 & ~((1u << bitcast<u32>((_e2394 & 31u)))));
+                                                                    let _e2415 = local.group;
+                                                                    phi_2624_ = (_e2415 + countOneBits(((_e2398 & ~((4294967295u << bitcast<u32>((((_e2394 - 24u) ^ _e1290) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2610_ = 4294967295u;
+                                                                    phi_2624_ = 4294967295u;
                                                                 }
-                                                                let _e2426 = phi_2610_;
-                                                                phi_2611_ = _e2426;
+                                                                let _e2418 = phi_2624_;
+                                                                phi_2625_ = _e2418;
                                                             } else {
-                                                                phi_2611_ = u32();
+                                                                phi_2625_ = u32();
                                                             }
-                                                            let _e2428 = phi_2611_;
-                                                            phi_1604_ = _e2428;
-                                                            let _e2808 = local_12;
-                                                            phi_1607_ = _e2808;
-                                                            let _e2811 = local_13;
-                                                            phi_2612_ = _e2811;
-                                                            phi_2613_ = false;
+                                                            let _e2420 = phi_2625_;
+                                                            phi_1618_ = _e2420;
+                                                            let _e2796 = local_12;
+                                                            phi_1621_ = _e2796;
+                                                            let _e2799 = local_13;
+                                                            phi_2626_ = _e2799;
+                                                            phi_2627_ = false;
                                                         } else {
-                                                            phi_1604_ = u32();
-                                                            phi_1607_ = bool();
-                                                            phi_2612_ = false;
-                                                            phi_2613_ = true;
+                                                            phi_1618_ = u32();
+                                                            phi_1621_ = bool();
+                                                            phi_2626_ = false;
+                                                            phi_2627_ = true;
                                                         }
-                                                        let _e2430 = phi_1604_;
-                                                        let _e2432 = phi_1607_;
-                                                        let _e2434 = phi_2612_;
-                                                        let _e2436 = phi_2613_;
-                                                        local_9 = _e2436;
+                                                        let _e2422 = phi_1618_;
+                                                        let _e2424 = phi_1621_;
+                                                        let _e2426 = phi_2626_;
+                                                        let _e2428 = phi_2627_;
+                                                        local_9 = _e2428;
                                                         continue;
                                                         continuing {
-                                                            phi_1603_ = _e2430;
-                                                            phi_1606_ = _e2432;
-                                                            break if !(_e2434);
+                                                            phi_1617_ = _e2422;
+                                                            phi_1620_ = _e2424;
+                                                            break if !(_e2426);
                                                         }
                                                     }
-                                                    let _e2439 = local_9;
-                                                    if _e2439 {
-                                                        phi_2617_ = false;
+                                                    let _e2431 = local_9;
+                                                    if _e2431 {
+                                                        phi_2631_ = false;
                                                     } else {
-                                                        phi_2617_ = true;
+                                                        phi_2631_ = true;
                                                     }
-                                                    let _e2441 = phi_2617_;
-                                                    if _e2441 {
-                                                        phi_2621_ = true;
+                                                    let _e2433 = phi_2631_;
+                                                    if _e2433 {
+                                                        phi_2635_ = true;
                                                     } else {
-                                                        let _e2817 = local_14;
-                                                        phi_2621_ = _e2817;
+                                                        let _e2805 = local_14;
+                                                        phi_2635_ = _e2805;
                                                     }
-                                                    let _e2443 = phi_2621_;
-                                                    phi_2622_ = _e2443;
+                                                    let _e2435 = phi_2635_;
+                                                    phi_2636_ = _e2435;
                                                 }
-                                                let _e2445 = phi_2622_;
-                                                phi_2623_ = _e2445;
-                                                phi_2624_ = _e1124;
+                                                let _e2437 = phi_2636_;
+                                                phi_2637_ = _e2437;
+                                                phi_2638_ = _e1112;
                                             } else {
-                                                phi_2623_ = bool();
-                                                phi_2624_ = true;
+                                                phi_2637_ = bool();
+                                                phi_2638_ = true;
                                             }
-                                            let _e2447 = phi_2623_;
-                                            let _e2449 = phi_2624_;
-                                            if _e2449 {
-                                                phi_2628_ = _e911;
+                                            let _e2439 = phi_2637_;
+                                            let _e2441 = phi_2638_;
+                                            if _e2441 {
+                                                phi_2642_ = _e907;
                                             } else {
-                                                phi_2628_ = _e2447;
+                                                phi_2642_ = _e2439;
                                             }
-                                            let _e2451 = phi_2628_;
-                                            if _e2451 {
-                                                phi_2632_ = false;
+                                            let _e2443 = phi_2642_;
+                                            if _e2443 {
+                                                phi_2646_ = false;
                                             } else {
-                                                phi_2632_ = true;
+                                                phi_2646_ = true;
                                             }
-                                            let _e2453 = phi_2632_;
-                                            phi_2633_ = _e2451;
-                                            phi_2634_ = _e2453;
+                                            let _e2445 = phi_2646_;
+                                            phi_2647_ = _e2443;
+                                            phi_2648_ = _e2445;
                                         } else {
-                                            phi_2633_ = _e911;
-                                            phi_2634_ = true;
+                                            phi_2647_ = _e907;
+                                            phi_2648_ = true;
                                         }
-                                        let _e2455 = phi_2633_;
-                                        let _e2457 = phi_2634_;
-                                        phi_2635_ = _e2455;
-                                        phi_2636_ = _e2457;
+                                        let _e2447 = phi_2647_;
+                                        let _e2449 = phi_2648_;
+                                        phi_2649_ = _e2447;
+                                        phi_2650_ = _e2449;
                                     } else {
-                                        phi_2635_ = _e911;
-                                        phi_2636_ = true;
+                                        phi_2649_ = _e907;
+                                        phi_2650_ = true;
                                     }
-                                    let _e2459 = phi_2635_;
-                                    let _e2461 = phi_2636_;
-                                    phi_2637_ = _e2459;
-                                    phi_2638_ = _e2461;
+                                    let _e2451 = phi_2649_;
+                                    let _e2453 = phi_2650_;
+                                    phi_2651_ = _e2451;
+                                    phi_2652_ = _e2453;
                                 } else {
-                                    phi_2637_ = _e911;
-                                    phi_2638_ = true;
+                                    phi_2651_ = _e907;
+                                    phi_2652_ = true;
                                 }
-                                let _e2463 = phi_2637_;
-                                let _e2465 = phi_2638_;
-                                if _e2465 {
+                                let _e2455 = phi_2651_;
+                                let _e2457 = phi_2652_;
+                                if _e2457 {
                                 }
-                                phi_996_ = (_e909 & (_e909 - 1u));
-                                phi_999_ = _e2463;
-                                phi_2642_ = _e2465;
+                                phi_1003_ = (_e905 & (_e905 - 1u));
+                                phi_1006_ = _e2455;
+                                phi_2656_ = _e2457;
                             }
-                            let _e2467 = phi_996_;
-                            let _e2469 = phi_999_;
-                            let _e2471 = phi_2642_;
+                            let _e2459 = phi_1003_;
+                            let _e2461 = phi_1006_;
+                            let _e2463 = phi_2656_;
                             continue;
                             continuing {
-                                phi_995_ = _e2467;
-                                phi_998_ = _e2469;
-                                break if !(_e2471);
+                                phi_1002_ = _e2459;
+                                phi_1005_ = _e2461;
+                                break if !(_e2463);
                             }
                         }
-                        let _e2474 = local_10;
-                        if _e2474 {
-                            let _e2476 = local_1.group_mask;
-                            if ((_e2476 & 4278190080u) == 0u) {
-                                let _e2480 = local_1.len;
-                                if (_e2480 == 0u) {
-                                    phi_2684_ = false;
+                        let _e2466 = local_10;
+                        if _e2466 {
+                            let _e2468 = local_1.group_mask;
+                            if ((_e2468 & 4278190080u) == 0u) {
+                                let _e2472 = local_1.len;
+                                if (_e2472 == 0u) {
+                                    phi_2698_ = false;
                                 } else {
-                                    let _e2484 = local_1.len;
-                                    local_1.len = (_e2484 - 1u);
+                                    let _e2476 = local_1.len;
+                                    local_1.len = (_e2476 - 1u);
+                                    let _e2479 = local_1.len;
+                                    if (_e2479 < 32u) {
+                                    } else {
+                                        return;
+                                    }
+                                    let _e2484 = local_1.first[(0u + _e2479)];
+                                    local_1.group = _e2484;
                                     let _e2487 = local_1.len;
                                     if (_e2487 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2492 = local_1.first[(0u + _e2487)];
-                                    local_1.group = _e2492;
-                                    let _e2495 = local_1.len;
-                                    if (_e2495 < 32u) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e2500 = local_1.mask[(0u + _e2495)];
-                                    local_1.group_mask = _e2500;
-                                    phi_2684_ = true;
+                                    let _e2492 = local_1.mask[(0u + _e2487)];
+                                    local_1.group_mask = _e2492;
+                                    phi_2698_ = true;
                                 }
-                                let _e2503 = phi_2684_;
-                                phi_2685_ = _e2503;
+                                let _e2495 = phi_2698_;
+                                phi_2699_ = _e2495;
                             } else {
-                                phi_2685_ = true;
+                                phi_2699_ = true;
                             }
-                            let _e2505 = phi_2685_;
-                            if _e2505 {
-                                let _e2507 = local_1.group_mask;
-                                let _e2513 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2507)), 32u, (_e2507 == 0u)));
-                                let _e2517 = local_1.group_mask;
-                                let _e2531 = local_1.group_mask;
-                                local_1.group_mask = (_e2531 & ~((1u << bitcast<u32>((_e2513 & 31u)))));
-                                let _e2534 = local_1.group;
-                                phi_2716_ = (_e2534 + countOneBits(((_e2517 & ~((4294967295u << bitcast<u32>((((_e2513 - 24u) ^ _e333) & 31u))))) & 255u)));
+                            let _e2497 = phi_2699_;
+                            if _e2497 {
+                                let _e2499 = local_1.group_mask;
+                                let _e2505 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2499)), 32u, (_e2499 == 0u)));
+                                let _e2509 = local_1.group_mask;
+                                let _e2523 = local_1.group_mask;
+                                local_1.group_mask = (_e2523 & ~((1u << bitcast<u32>((_e2505 & 31u)))));
+                                let _e2526 = local_1.group;
+                                phi_2730_ = (_e2526 + countOneBits(((_e2509 & ~((4294967295u << bitcast<u32>((((_e2505 - 24u) ^ _e329) & 31u))))) & 255u)));
                             } else {
-                                phi_2716_ = 4294967295u;
+                                phi_2730_ = 4294967295u;
                             }
-                            let _e2537 = phi_2716_;
-                            phi_2717_ = _e2537;
+                            let _e2529 = phi_2730_;
+                            phi_2731_ = _e2529;
                         } else {
-                            phi_2717_ = u32();
+                            phi_2731_ = u32();
                         }
-                        let _e2539 = phi_2717_;
-                        phi_664_ = _e2539;
-                        let _e2840 = local_15;
-                        phi_667_ = _e2840;
-                        let _e2843 = local_16;
-                        phi_2718_ = _e2843;
-                        phi_2719_ = false;
+                        let _e2531 = phi_2731_;
+                        phi_671_ = _e2531;
+                        let _e2828 = local_15;
+                        phi_674_ = _e2828;
+                        let _e2831 = local_16;
+                        phi_2732_ = _e2831;
+                        phi_2733_ = false;
                     } else {
-                        phi_664_ = u32();
-                        phi_667_ = bool();
-                        phi_2718_ = false;
-                        phi_2719_ = true;
+                        phi_671_ = u32();
+                        phi_674_ = bool();
+                        phi_2732_ = false;
+                        phi_2733_ = true;
                     }
-                    let _e2541 = phi_664_;
-                    let _e2543 = phi_667_;
-                    let _e2545 = phi_2718_;
-                    let _e2547 = phi_2719_;
-                    local_11 = _e2547;
+                    let _e2533 = phi_671_;
+                    let _e2535 = phi_674_;
+                    let _e2537 = phi_2732_;
+                    let _e2539 = phi_2733_;
+                    local_11 = _e2539;
                     continue;
                     continuing {
-                        phi_663_ = _e2541;
-                        phi_666_ = _e2543;
-                        break if !(_e2545);
+                        phi_670_ = _e2533;
+                        phi_673_ = _e2535;
+                        break if !(_e2537);
                     }
                 }
-                let _e2550 = local_11;
-                if _e2550 {
-                    phi_2723_ = false;
+                let _e2542 = local_11;
+                if _e2542 {
+                    phi_2737_ = false;
                 } else {
-                    phi_2723_ = true;
+                    phi_2737_ = true;
                 }
-                let _e2552 = phi_2723_;
-                if _e2552 {
+                let _e2544 = phi_2737_;
+                if _e2544 {
                 }
-                phi_2727_ = _e2552;
+                phi_2741_ = _e2544;
             }
-            let _e2554 = phi_2727_;
-            phi_2728_ = _e189;
-            phi_2729_ = _e2554;
+            let _e2546 = phi_2741_;
+            phi_2742_ = _e181;
+            phi_2743_ = _e2546;
         } else {
-            phi_2728_ = true;
-            phi_2729_ = false;
+            phi_2742_ = true;
+            phi_2743_ = false;
         }
-        let _e2556 = phi_2728_;
-        let _e2558 = phi_2729_;
+        let _e2548 = phi_2742_;
+        let _e2550 = phi_2743_;
+        if _e2548 {
+            phi_2747_ = false;
+            phi_2748_ = true;
+        } else {
+            phi_2747_ = true;
+            phi_2748_ = _e2550;
+        }
+        let _e2552 = phi_2747_;
+        let _e2554 = phi_2748_;
+        if _e2554 {
+            phi_2752_ = _e2552;
+        } else {
+            phi_2752_ = false;
+        }
+        let _e2556 = phi_2752_;
         if _e2556 {
-            phi_2733_ = false;
-            phi_2734_ = true;
+            phi_2756_ = 0f;
         } else {
-            phi_2733_ = true;
-            phi_2734_ = _e2558;
+            phi_2756_ = 1f;
         }
-        let _e2560 = phi_2733_;
-        let _e2562 = phi_2734_;
-        if _e2562 {
-            phi_2738_ = _e2560;
-        } else {
-            phi_2738_ = false;
-        }
-        let _e2564 = phi_2738_;
-        if _e2564 {
-            phi_2742_ = 0f;
-        } else {
-            phi_2742_ = 1f;
-        }
-        let _e2566 = phi_2742_;
+        let _e2558 = phi_2756_;
         if (_e85 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e85)] = _e2566;
+        visibility.member[(0u + _e85)] = _e2558;
     }
     return;
 }

@@ -17,7 +17,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -37,13 +38,13 @@ struct type_13 {
     member: array<u32>,
 }
 
-struct type_17 {
-    member: array<f32>,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct type_31 {
+    member: array<vec4<f32>>,
 }
 
 struct abi_ShadeParams {
@@ -63,397 +64,338 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(2) 
-var<storage> visibility: type_17;
+var<storage> light: type_31;
 @group(0) @binding(3) 
 var<storage, read_write> picture: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_132_: lt_bvh_traverse_Tree;
-    var phi_133_: bool;
-    var phi_134_: lt_bvh_traverse_Tree;
-    var phi_135_: bool;
-    var phi_140_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_131_: lt_mask_LightPlace;
+    var phi_132_: bool;
+    var phi_133_: lt_mask_LightPlace;
+    var phi_134_: bool;
+    var phi_139_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_132_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_133_ = false;
+            phi_131_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_132_ = false;
         } else {
-            phi_132_ = lt_bvh_traverse_Tree();
-            phi_133_ = true;
+            phi_131_ = lt_mask_LightPlace();
+            phi_132_ = true;
         }
-        let _e62 = phi_132_;
-        let _e64 = phi_133_;
-        phi_134_ = _e62;
-        phi_135_ = _e64;
+        let _e62 = phi_131_;
+        let _e64 = phi_132_;
+        phi_133_ = _e62;
+        phi_134_ = _e64;
     } else {
-        phi_134_ = lt_bvh_traverse_Tree();
-        phi_135_ = true;
+        phi_133_ = lt_mask_LightPlace();
+        phi_134_ = true;
     }
-    let _e66 = phi_134_;
-    let _e68 = phi_135_;
+    let _e66 = phi_133_;
+    let _e68 = phi_134_;
     if _e68 {
-        phi_140_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_139_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_140_ = _e66;
+        phi_139_ = _e66;
     }
-    let _e73 = phi_140_;
-    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
+    let _e73 = phi_139_;
+    return lt_mask_LightPlace(_e73.word, _e73.shift);
 }
 
 fn function_() {
-    var phi_259_: bool;
-    var phi_260_: bool;
     var phi_261_: bool;
     var phi_262_: bool;
-    var phi_266_: bool;
-    var phi_360_: f32;
-    var phi_361_: f32;
-    var phi_362_: f32;
-    var phi_365_: f32;
-    var phi_367_: f32;
-    var phi_384_: vec3<f32>;
-    var phi_510_: f32;
-    var phi_511_: f32;
-    var phi_531_: f32;
-    var phi_532_: f32;
-    var phi_541_: f32;
-    var phi_542_: f32;
-    var phi_562_: f32;
-    var phi_563_: f32;
-    var phi_572_: f32;
-    var phi_573_: f32;
-    var phi_593_: f32;
-    var phi_594_: f32;
+    var phi_263_: bool;
+    var phi_264_: bool;
+    var phi_268_: bool;
+    var phi_397_: f32;
+    var phi_398_: f32;
+    var phi_418_: f32;
+    var phi_419_: f32;
+    var phi_428_: f32;
+    var phi_429_: f32;
+    var phi_449_: f32;
+    var phi_450_: f32;
+    var phi_459_: f32;
+    var phi_460_: f32;
+    var phi_480_: f32;
+    var phi_481_: f32;
+    var phi_518_: f32;
+    var phi_547_: f32;
+    var phi_548_: f32;
+    var phi_568_: f32;
+    var phi_569_: f32;
+    var phi_578_: f32;
+    var phi_579_: f32;
+    var phi_599_: f32;
+    var phi_600_: f32;
+    var phi_609_: f32;
+    var phi_610_: f32;
+    var phi_630_: f32;
     var phi_631_: f32;
-    var phi_660_: f32;
-    var phi_661_: f32;
-    var phi_681_: f32;
-    var phi_682_: f32;
-    var phi_691_: f32;
-    var phi_692_: f32;
-    var phi_712_: f32;
-    var phi_713_: f32;
-    var phi_722_: f32;
-    var phi_723_: f32;
-    var phi_743_: f32;
-    var phi_744_: f32;
-    var phi_777_: u32;
+    var phi_664_: u32;
 
     let _e49 = id_1;
     let _e63 = p.member.camera.size[0u];
     let _e65 = p.member.camera.size[1u];
     let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
-    if (bitcast<i32>(_e66.root) != 0i) {
-        if (_e66.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e66.word) != 0i) {
+        if (_e66.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e66.first_primitive < arrayLength((&visibility.member))) {
+        if (_e66.shift < arrayLength((&light.member))) {
         } else {
             return;
         }
-        let _e79 = visibility.member[(0u + _e66.first_primitive)];
-        let _e85 = p.member.camera.size[0u];
-        let _e89 = ((((f32(_e49.x) + 0.5f) / f32(_e85)) * 2f) - 1f);
-        let _e94 = p.member.camera.size[1u];
-        let _e98 = (1f - (((f32(_e49.y) + 0.5f) / f32(_e94)) * 2f));
-        let _e100 = p.member.camera.forward;
-        let _e102 = p.member.camera.right;
-        let _e116 = p.member.camera.up;
-        let _e123 = ((_e100.x + (_e102.x * _e89)) + (_e116.x * _e98));
-        let _e124 = ((_e100.y + (_e102.y * _e89)) + (_e116.y * _e98));
-        let _e125 = ((_e100.z + (_e102.z * _e89)) + (_e116.z * _e98));
-        let _e132 = (1f / sqrt((((_e123 * _e123) + (_e124 * _e124)) + (_e125 * _e125))));
-        let _e134 = (_e124 * _e132);
-        let _e138 = samples.member[(0u + _e66.first_primitive)].normal[0u];
-        let _e140 = global[0u];
-        if (_e138 == _e140) {
-            let _e143 = samples.member[(0u + _e66.first_primitive)].normal[1u];
-            let _e145 = global[1u];
-            if (_e143 == _e145) {
-                let _e148 = samples.member[(0u + _e66.first_primitive)].normal[2u];
-                let _e150 = global[2u];
-                phi_259_ = (_e148 == _e150);
-                phi_260_ = false;
+        let _e79 = light.member[(0u + _e66.shift)];
+        let _e88 = p.member.camera.size[0u];
+        let _e92 = ((((f32(_e49.x) + 0.5f) / f32(_e88)) * 2f) - 1f);
+        let _e97 = p.member.camera.size[1u];
+        let _e101 = (1f - (((f32(_e49.y) + 0.5f) / f32(_e97)) * 2f));
+        let _e103 = p.member.camera.forward;
+        let _e105 = p.member.camera.right;
+        let _e119 = p.member.camera.up;
+        let _e126 = ((_e103.x + (_e105.x * _e92)) + (_e119.x * _e101));
+        let _e127 = ((_e103.y + (_e105.y * _e92)) + (_e119.y * _e101));
+        let _e128 = ((_e103.z + (_e105.z * _e92)) + (_e119.z * _e101));
+        let _e135 = (1f / sqrt((((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128))));
+        let _e137 = (_e127 * _e135);
+        let _e141 = samples.member[(0u + _e66.shift)].normal[0u];
+        let _e143 = global[0u];
+        if (_e141 == _e143) {
+            let _e146 = samples.member[(0u + _e66.shift)].normal[1u];
+            let _e148 = global[1u];
+            if (_e146 == _e148) {
+                let _e151 = samples.member[(0u + _e66.shift)].normal[2u];
+                let _e153 = global[2u];
+                phi_261_ = (_e151 == _e153);
+                phi_262_ = false;
             } else {
-                phi_259_ = bool();
-                phi_260_ = true;
+                phi_261_ = bool();
+                phi_262_ = true;
             }
-            let _e153 = phi_259_;
-            let _e155 = phi_260_;
-            phi_261_ = _e153;
-            phi_262_ = _e155;
+            let _e156 = phi_261_;
+            let _e158 = phi_262_;
+            phi_263_ = _e156;
+            phi_264_ = _e158;
         } else {
-            phi_261_ = bool();
-            phi_262_ = true;
+            phi_263_ = bool();
+            phi_264_ = true;
         }
-        let _e157 = phi_261_;
-        let _e159 = phi_262_;
-        if _e159 {
-            phi_266_ = false;
+        let _e160 = phi_263_;
+        let _e162 = phi_264_;
+        if _e162 {
+            phi_268_ = false;
         } else {
-            phi_266_ = _e157;
+            phi_268_ = _e160;
         }
-        let _e161 = phi_266_;
-        if !(_e161) {
-            let _e164 = samples.member[(0u + _e66.first_primitive)].shading_normal;
-            let _e166 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e169 = p.member.light.place;
-            let _e175 = p.member.light.place[3u];
-            let _e182 = (_e169.x - (_e166.x * _e175));
-            let _e183 = (_e169.y - (_e166.y * _e175));
-            let _e184 = (_e169.z - (_e166.z * _e175));
-            let _e191 = (1f / sqrt((((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184))));
-            let _e202 = (((_e164.x * (_e182 * _e191)) + (_e164.y * (_e183 * _e191))) + (_e164.z * (_e184 * _e191)));
-            if (_e202 > 0f) {
-                let _e207 = p.member.light.place[3u];
-                if (_e207 == 0f) {
-                    phi_365_ = 1f;
+        let _e164 = phi_268_;
+        if !(_e164) {
+            let _e167 = samples.member[(0u + _e66.shift)].shading_normal;
+            let _e170 = (0.5f + (0.5f * _e167.y));
+            let _e171 = (1f - 0.4f);
+            let _e190 = (1f - _e170);
+            let _e216 = (0.8f + (0.2f * abs((((_e167.x * -((_e126 * _e135))) + (_e167.y * -(_e137))) + (_e167.z * -((_e128 * _e135)))))));
+            let _e218 = samples.member[(0u + _e66.shift)].albedo;
+            let _e229 = (1f / 255f);
+            let _e230 = (f32((_e218 & 255u)) * _e229);
+            let _e231 = (f32(((_e218 >> bitcast<u32>(8i)) & 255u)) * _e229);
+            let _e232 = (f32(((_e218 >> bitcast<u32>(16i)) & 255u)) * _e229);
+            let _e246 = samples.member[(0u + _e66.shift)].position;
+            let _e249 = p.member.camera.eye;
+            let _e252 = (_e246.x - _e249.x);
+            let _e255 = (_e246.y - _e249.y);
+            let _e258 = (_e246.z - _e249.z);
+            let _e267 = p.member.light_color[3u];
+            let _e271 = (1f - (1f / (1f + (sqrt((((_e252 * _e252) + (_e255 * _e255)) + (_e258 * _e258))) * _e267))));
+            let _e272 = (1f - _e271);
+            let _e282 = ((((_e230 * _e230) * (_e79.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e171) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e170) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e190)) * 0.42f) * _e216))) * _e272) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e271));
+            let _e283 = ((((_e231 * _e231) * (_e79.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e171) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e170) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e190)) * 0.42f) * _e216))) * _e272) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e271));
+            let _e284 = ((((_e232 * _e232) * (_e79.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e171) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e170) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e190)) * 0.42f) * _e216))) * _e272) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e271));
+            if (_e282 > 0f) {
+                if (_e282 < 1f) {
+                    phi_397_ = _e282;
                 } else {
-                    let _e213 = (((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184));
-                    let _e215 = p.member.light.axis;
-                    let _e228 = p.member.light.cos_inner;
-                    let _e230 = p.member.light.cos_outer;
-                    let _e231 = (_e228 - _e230);
-                    if (_e231 > 0f) {
-                        let _e234 = p.member.light.cos_outer;
-                        let _e236 = (((-((((_e182 * _e215.x) + (_e183 * _e215.y)) + (_e184 * _e215.z))) / sqrt(_e213)) - _e234) / _e231);
-                        if (_e236 > 0f) {
-                            if (_e236 < 1f) {
-                                phi_360_ = _e236;
-                            } else {
-                                phi_360_ = 1f;
-                            }
-                            let _e240 = phi_360_;
-                            phi_361_ = _e240;
-                        } else {
-                            phi_361_ = 0f;
-                        }
-                        let _e242 = phi_361_;
-                        phi_362_ = _e242;
-                    } else {
-                        phi_362_ = 1f;
-                    }
-                    let _e244 = phi_362_;
-                    phi_365_ = ((_e244 * _e244) / _e213);
+                    phi_397_ = 1f;
                 }
-                let _e248 = phi_365_;
-                phi_367_ = (_e202 * _e248);
+                let _e288 = phi_397_;
+                phi_398_ = _e288;
             } else {
-                phi_367_ = 0f;
+                phi_398_ = 0f;
             }
-            let _e251 = phi_367_;
-            if (_e251 > 0f) {
-                let _e254 = p.member.light_color;
-                phi_384_ = vec3<f32>((_e254.x * (_e79 * _e251)), (_e254.y * (_e79 * _e251)), (_e254.z * (_e79 * _e251)));
-            } else {
-                phi_384_ = vec3<f32>(0f, 0f, 0f);
-            }
-            let _e266 = phi_384_;
-            let _e269 = (0.5f + (0.5f * _e164.y));
-            let _e270 = (1f - 0.4f);
-            let _e289 = (1f - _e269);
-            let _e315 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
-            let _e317 = samples.member[(0u + _e66.first_primitive)].albedo;
-            let _e328 = (1f / 255f);
-            let _e329 = (f32((_e317 & 255u)) * _e328);
-            let _e330 = (f32(((_e317 >> bitcast<u32>(8i)) & 255u)) * _e328);
-            let _e331 = (f32(((_e317 >> bitcast<u32>(16i)) & 255u)) * _e328);
-            let _e348 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e351 = p.member.camera.eye;
-            let _e354 = (_e348.x - _e351.x);
-            let _e357 = (_e348.y - _e351.y);
-            let _e360 = (_e348.z - _e351.z);
-            let _e369 = p.member.light_color[3u];
-            let _e373 = (1f - (1f / (1f + (sqrt((((_e354 * _e354) + (_e357 * _e357)) + (_e360 * _e360))) * _e369))));
-            let _e374 = (1f - _e373);
-            let _e384 = ((((_e329 * _e329) * (_e266.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e373));
-            let _e385 = ((((_e330 * _e330) * (_e266.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e373));
-            let _e386 = ((((_e331 * _e331) * (_e266.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e270) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e269) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e289)) * 0.42f) * _e315))) * _e374) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e373));
-            if (_e384 > 0f) {
-                if (_e384 < 1f) {
-                    phi_510_ = _e384;
+            let _e290 = phi_398_;
+            let _e293 = sqrt(sqrt(_e290));
+            let _e301 = ((((0.6620027f * sqrt(_e290)) + (0.6841221f * _e293)) - (0.3235836f * sqrt(_e293))) - (0.022541147f * _e290));
+            if (_e301 > 0f) {
+                if (_e301 < 1f) {
+                    phi_418_ = _e301;
                 } else {
-                    phi_510_ = 1f;
+                    phi_418_ = 1f;
                 }
-                let _e390 = phi_510_;
-                phi_511_ = _e390;
+                let _e305 = phi_418_;
+                phi_419_ = _e305;
             } else {
-                phi_511_ = 0f;
+                phi_419_ = 0f;
             }
-            let _e392 = phi_511_;
-            let _e395 = sqrt(sqrt(_e392));
-            let _e403 = ((((0.6620027f * sqrt(_e392)) + (0.6841221f * _e395)) - (0.3235836f * sqrt(_e395))) - (0.022541147f * _e392));
-            if (_e403 > 0f) {
-                if (_e403 < 1f) {
-                    phi_531_ = _e403;
+            let _e307 = phi_419_;
+            if (_e283 > 0f) {
+                if (_e283 < 1f) {
+                    phi_428_ = _e283;
                 } else {
-                    phi_531_ = 1f;
+                    phi_428_ = 1f;
                 }
-                let _e407 = phi_531_;
-                phi_532_ = _e407;
+                let _e311 = phi_428_;
+                phi_429_ = _e311;
             } else {
-                phi_532_ = 0f;
+                phi_429_ = 0f;
             }
-            let _e409 = phi_532_;
-            if (_e385 > 0f) {
-                if (_e385 < 1f) {
-                    phi_541_ = _e385;
+            let _e313 = phi_429_;
+            let _e316 = sqrt(sqrt(_e313));
+            let _e324 = ((((0.6620027f * sqrt(_e313)) + (0.6841221f * _e316)) - (0.3235836f * sqrt(_e316))) - (0.022541147f * _e313));
+            if (_e324 > 0f) {
+                if (_e324 < 1f) {
+                    phi_449_ = _e324;
                 } else {
-                    phi_541_ = 1f;
+                    phi_449_ = 1f;
                 }
-                let _e413 = phi_541_;
-                phi_542_ = _e413;
+                let _e328 = phi_449_;
+                phi_450_ = _e328;
             } else {
-                phi_542_ = 0f;
+                phi_450_ = 0f;
             }
-            let _e415 = phi_542_;
-            let _e418 = sqrt(sqrt(_e415));
-            let _e426 = ((((0.6620027f * sqrt(_e415)) + (0.6841221f * _e418)) - (0.3235836f * sqrt(_e418))) - (0.022541147f * _e415));
-            if (_e426 > 0f) {
-                if (_e426 < 1f) {
-                    phi_562_ = _e426;
+            let _e330 = phi_450_;
+            if (_e284 > 0f) {
+                if (_e284 < 1f) {
+                    phi_459_ = _e284;
                 } else {
-                    phi_562_ = 1f;
+                    phi_459_ = 1f;
                 }
-                let _e430 = phi_562_;
-                phi_563_ = _e430;
+                let _e334 = phi_459_;
+                phi_460_ = _e334;
             } else {
-                phi_563_ = 0f;
+                phi_460_ = 0f;
             }
-            let _e432 = phi_563_;
-            if (_e386 > 0f) {
-                if (_e386 < 1f) {
-                    phi_572_ = _e386;
+            let _e336 = phi_460_;
+            let _e339 = sqrt(sqrt(_e336));
+            let _e347 = ((((0.6620027f * sqrt(_e336)) + (0.6841221f * _e339)) - (0.3235836f * sqrt(_e339))) - (0.022541147f * _e336));
+            if (_e347 > 0f) {
+                if (_e347 < 1f) {
+                    phi_480_ = _e347;
                 } else {
-                    phi_572_ = 1f;
+                    phi_480_ = 1f;
                 }
-                let _e436 = phi_572_;
-                phi_573_ = _e436;
+                let _e351 = phi_480_;
+                phi_481_ = _e351;
             } else {
-                phi_573_ = 0f;
+                phi_481_ = 0f;
             }
-            let _e438 = phi_573_;
-            let _e441 = sqrt(sqrt(_e438));
-            let _e449 = ((((0.6620027f * sqrt(_e438)) + (0.6841221f * _e441)) - (0.3235836f * sqrt(_e441))) - (0.022541147f * _e438));
-            if (_e449 > 0f) {
-                if (_e449 < 1f) {
-                    phi_593_ = _e449;
-                } else {
-                    phi_593_ = 1f;
-                }
-                let _e453 = phi_593_;
-                phi_594_ = _e453;
-            } else {
-                phi_594_ = 0f;
-            }
-            let _e455 = phi_594_;
-            let _e457 = ((_e409 * 255f) + 0.5f);
-            let _e466 = ((_e432 * 255f) + 0.5f);
-            let _e478 = ((_e455 * 255f) + 0.5f);
-            phi_777_ = (((select(select(u32(_e457), 0u, (_e457 < bitcast<f32>(0u))), 4294967295u, (_e457 > bitcast<f32>(1333788671u))) | (select(select(u32(_e466), 0u, (_e466 < bitcast<f32>(0u))), 4294967295u, (_e466 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e353 = phi_481_;
+            let _e355 = ((_e307 * 255f) + 0.5f);
+            let _e364 = ((_e330 * 255f) + 0.5f);
+            let _e376 = ((_e353 * 255f) + 0.5f);
+            phi_664_ = (((select(select(u32(_e355), 0u, (_e355 < bitcast<f32>(0u))), 4294967295u, (_e355 > bitcast<f32>(1333788671u))) | (select(select(u32(_e364), 0u, (_e364 < bitcast<f32>(0u))), 4294967295u, (_e364 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e376), 0u, (_e376 < bitcast<f32>(0u))), 4294967295u, (_e376 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         } else {
-            if (_e134 > 0f) {
-                phi_631_ = _e134;
+            if (_e137 > 0f) {
+                phi_518_ = _e137;
+            } else {
+                phi_518_ = 0f;
+            }
+            let _e390 = phi_518_;
+            let _e394 = (1f - ((1f - _e390) * (1f - _e390)));
+            let _e395 = (1f - _e394);
+            let _e408 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e395) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e394));
+            let _e409 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e395) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e394));
+            let _e410 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e395) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e394));
+            if (_e408 > 0f) {
+                if (_e408 < 1f) {
+                    phi_547_ = _e408;
+                } else {
+                    phi_547_ = 1f;
+                }
+                let _e414 = phi_547_;
+                phi_548_ = _e414;
+            } else {
+                phi_548_ = 0f;
+            }
+            let _e416 = phi_548_;
+            let _e419 = sqrt(sqrt(_e416));
+            let _e427 = ((((0.6620027f * sqrt(_e416)) + (0.6841221f * _e419)) - (0.3235836f * sqrt(_e419))) - (0.022541147f * _e416));
+            if (_e427 > 0f) {
+                if (_e427 < 1f) {
+                    phi_568_ = _e427;
+                } else {
+                    phi_568_ = 1f;
+                }
+                let _e431 = phi_568_;
+                phi_569_ = _e431;
+            } else {
+                phi_569_ = 0f;
+            }
+            let _e433 = phi_569_;
+            if (_e409 > 0f) {
+                if (_e409 < 1f) {
+                    phi_578_ = _e409;
+                } else {
+                    phi_578_ = 1f;
+                }
+                let _e437 = phi_578_;
+                phi_579_ = _e437;
+            } else {
+                phi_579_ = 0f;
+            }
+            let _e439 = phi_579_;
+            let _e442 = sqrt(sqrt(_e439));
+            let _e450 = ((((0.6620027f * sqrt(_e439)) + (0.6841221f * _e442)) - (0.3235836f * sqrt(_e442))) - (0.022541147f * _e439));
+            if (_e450 > 0f) {
+                if (_e450 < 1f) {
+                    phi_599_ = _e450;
+                } else {
+                    phi_599_ = 1f;
+                }
+                let _e454 = phi_599_;
+                phi_600_ = _e454;
+            } else {
+                phi_600_ = 0f;
+            }
+            let _e456 = phi_600_;
+            if (_e410 > 0f) {
+                if (_e410 < 1f) {
+                    phi_609_ = _e410;
+                } else {
+                    phi_609_ = 1f;
+                }
+                let _e460 = phi_609_;
+                phi_610_ = _e460;
+            } else {
+                phi_610_ = 0f;
+            }
+            let _e462 = phi_610_;
+            let _e465 = sqrt(sqrt(_e462));
+            let _e473 = ((((0.6620027f * sqrt(_e462)) + (0.6841221f * _e465)) - (0.3235836f * sqrt(_e465))) - (0.022541147f * _e462));
+            if (_e473 > 0f) {
+                if (_e473 < 1f) {
+                    phi_630_ = _e473;
+                } else {
+                    phi_630_ = 1f;
+                }
+                let _e477 = phi_630_;
+                phi_631_ = _e477;
             } else {
                 phi_631_ = 0f;
             }
-            let _e492 = phi_631_;
-            let _e496 = (1f - ((1f - _e492) * (1f - _e492)));
-            let _e497 = (1f - _e496);
-            let _e510 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e496));
-            let _e511 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e496));
-            let _e512 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e497) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e496));
-            if (_e510 > 0f) {
-                if (_e510 < 1f) {
-                    phi_660_ = _e510;
-                } else {
-                    phi_660_ = 1f;
-                }
-                let _e516 = phi_660_;
-                phi_661_ = _e516;
-            } else {
-                phi_661_ = 0f;
-            }
-            let _e518 = phi_661_;
-            let _e521 = sqrt(sqrt(_e518));
-            let _e529 = ((((0.6620027f * sqrt(_e518)) + (0.6841221f * _e521)) - (0.3235836f * sqrt(_e521))) - (0.022541147f * _e518));
-            if (_e529 > 0f) {
-                if (_e529 < 1f) {
-                    phi_681_ = _e529;
-                } else {
-                    phi_681_ = 1f;
-                }
-                let _e533 = phi_681_;
-                phi_682_ = _e533;
-            } else {
-                phi_682_ = 0f;
-            }
-            let _e535 = phi_682_;
-            if (_e511 > 0f) {
-                if (_e511 < 1f) {
-                    phi_691_ = _e511;
-                } else {
-                    phi_691_ = 1f;
-                }
-                let _e539 = phi_691_;
-                phi_692_ = _e539;
-            } else {
-                phi_692_ = 0f;
-            }
-            let _e541 = phi_692_;
-            let _e544 = sqrt(sqrt(_e541));
-            let _e552 = ((((0.6620027f * sqrt(_e541)) + (0.6841221f * _e544)) - (0.3235836f * sqrt(_e544))) - (0.022541147f * _e541));
-            if (_e552 > 0f) {
-                if (_e552 < 1f) {
-                    phi_712_ = _e552;
-                } else {
-                    phi_712_ = 1f;
-                }
-                let _e556 = phi_712_;
-                phi_713_ = _e556;
-            } else {
-                phi_713_ = 0f;
-            }
-            let _e558 = phi_713_;
-            if (_e512 > 0f) {
-                if (_e512 < 1f) {
-                    phi_722_ = _e512;
-                } else {
-                    phi_722_ = 1f;
-                }
-                let _e562 = phi_722_;
-                phi_723_ = _e562;
-            } else {
-                phi_723_ = 0f;
-            }
-            let _e564 = phi_723_;
-            let _e567 = sqrt(sqrt(_e564));
-            let _e575 = ((((0.6620027f * sqrt(_e564)) + (0.6841221f * _e567)) - (0.3235836f * sqrt(_e567))) - (0.022541147f * _e564));
-            if (_e575 > 0f) {
-                if (_e575 < 1f) {
-                    phi_743_ = _e575;
-                } else {
-                    phi_743_ = 1f;
-                }
-                let _e579 = phi_743_;
-                phi_744_ = _e579;
-            } else {
-                phi_744_ = 0f;
-            }
-            let _e581 = phi_744_;
-            let _e583 = ((_e535 * 255f) + 0.5f);
-            let _e592 = ((_e558 * 255f) + 0.5f);
-            let _e604 = ((_e581 * 255f) + 0.5f);
-            phi_777_ = (((select(select(u32(_e583), 0u, (_e583 < bitcast<f32>(0u))), 4294967295u, (_e583 > bitcast<f32>(1333788671u))) | (select(select(u32(_e592), 0u, (_e592 < bitcast<f32>(0u))), 4294967295u, (_e592 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e604), 0u, (_e604 < bitcast<f32>(0u))), 4294967295u, (_e604 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e479 = phi_631_;
+            let _e481 = ((_e433 * 255f) + 0.5f);
+            let _e490 = ((_e456 * 255f) + 0.5f);
+            let _e502 = ((_e479 * 255f) + 0.5f);
+            phi_664_ = (((select(select(u32(_e481), 0u, (_e481 < bitcast<f32>(0u))), 4294967295u, (_e481 > bitcast<f32>(1333788671u))) | (select(select(u32(_e490), 0u, (_e490 < bitcast<f32>(0u))), 4294967295u, (_e490 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e502), 0u, (_e502 < bitcast<f32>(0u))), 4294967295u, (_e502 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         }
-        let _e617 = phi_777_;
-        if (_e66.first_primitive < arrayLength((&picture.member))) {
+        let _e515 = phi_664_;
+        if (_e66.shift < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e66.first_primitive)] = _e617;
+        picture.member[(0u + _e66.shift)] = _e515;
     }
     return;
 }

@@ -4,7 +4,8 @@ struct abi_LightParams {
     cos_outer: f32,
     range_squared: f32,
     cos_inner: f32,
-    pad: vec2<u32>,
+    number: u32,
+    mask_words: u32,
 }
 
 struct abi_Sample {
@@ -28,9 +29,9 @@ struct type_17 {
     member: array<f32>,
 }
 
-struct lt_bvh_traverse_Tree {
-    root: u32,
-    first_primitive: u32,
+struct lt_mask_LightPlace {
+    word: u32,
+    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -139,8 +140,8 @@ struct type_59 {
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
+    unnamed: lt_mask_LightPlace,
+    unnamed_1: lt_mask_LightPlace,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -184,19 +185,19 @@ var<storage> alpha_texels: type_13;
 @group(0) @binding(9) 
 var<storage> color_texels: type_13;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_223_: lt_bvh_traverse_Tree;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_223_: lt_mask_LightPlace;
     var phi_224_: bool;
-    var phi_225_: lt_bvh_traverse_Tree;
+    var phi_225_: lt_mask_LightPlace;
     var phi_226_: bool;
-    var phi_231_: lt_bvh_traverse_Tree;
+    var phi_231_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_223_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_223_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
             phi_224_ = false;
         } else {
-            phi_223_ = lt_bvh_traverse_Tree();
+            phi_223_ = lt_mask_LightPlace();
             phi_224_ = true;
         }
         let _e86 = phi_223_;
@@ -204,69 +205,69 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_225_ = _e86;
         phi_226_ = _e88;
     } else {
-        phi_225_ = lt_bvh_traverse_Tree();
+        phi_225_ = lt_mask_LightPlace();
         phi_226_ = true;
     }
     let _e90 = phi_225_;
     let _e92 = phi_226_;
     if _e92 {
-        phi_231_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_231_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
         phi_231_ = _e90;
     }
     let _e97 = phi_231_;
-    return lt_bvh_traverse_Tree(_e97.root, _e97.first_primitive);
+    return lt_mask_LightPlace(_e97.word, _e97.shift);
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_2499_: f32;
-    var phi_2504_: f32;
-    var phi_2505_: bool;
     var phi_2506_: f32;
-    var phi_2507_: bool;
     var phi_2511_: f32;
-    var phi_2537_: f32;
-    var phi_2542_: f32;
-    var phi_2543_: bool;
+    var phi_2512_: bool;
+    var phi_2513_: f32;
+    var phi_2514_: bool;
+    var phi_2518_: f32;
     var phi_2544_: f32;
-    var phi_2545_: bool;
     var phi_2549_: f32;
-    var phi_2557_: f32;
-    var phi_2558_: f32;
-    var phi_2559_: f32;
-    var phi_2568_: f32;
-    var phi_2569_: f32;
-    var phi_2587_: u32;
-    var phi_2601_: u32;
+    var phi_2550_: bool;
+    var phi_2551_: f32;
+    var phi_2552_: bool;
+    var phi_2556_: f32;
+    var phi_2564_: f32;
+    var phi_2565_: f32;
+    var phi_2566_: f32;
+    var phi_2575_: f32;
+    var phi_2576_: f32;
+    var phi_2594_: u32;
     var phi_2608_: u32;
-    var phi_2613_: u32;
-    var phi_2619_: u32;
-    var phi_2624_: u32;
-    var phi_2626_: texture_Axis;
-    var phi_2654_: f32;
-    var phi_2659_: f32;
-    var phi_2660_: bool;
+    var phi_2615_: u32;
+    var phi_2620_: u32;
+    var phi_2626_: u32;
+    var phi_2631_: u32;
+    var phi_2633_: texture_Axis;
     var phi_2661_: f32;
-    var phi_2662_: bool;
     var phi_2666_: f32;
-    var phi_2692_: f32;
-    var phi_2697_: f32;
-    var phi_2698_: bool;
+    var phi_2667_: bool;
+    var phi_2668_: f32;
+    var phi_2669_: bool;
+    var phi_2673_: f32;
     var phi_2699_: f32;
-    var phi_2700_: bool;
     var phi_2704_: f32;
-    var phi_2712_: f32;
-    var phi_2713_: f32;
-    var phi_2714_: f32;
-    var phi_2723_: f32;
-    var phi_2724_: f32;
-    var phi_2742_: u32;
-    var phi_2756_: u32;
+    var phi_2705_: bool;
+    var phi_2706_: f32;
+    var phi_2707_: bool;
+    var phi_2711_: f32;
+    var phi_2719_: f32;
+    var phi_2720_: f32;
+    var phi_2721_: f32;
+    var phi_2730_: f32;
+    var phi_2731_: f32;
+    var phi_2749_: u32;
     var phi_2763_: u32;
-    var phi_2768_: u32;
-    var phi_2774_: u32;
-    var phi_2779_: u32;
-    var phi_2781_: texture_Axis;
+    var phi_2770_: u32;
+    var phi_2775_: u32;
+    var phi_2781_: u32;
+    var phi_2786_: u32;
+    var phi_2788_: texture_Axis;
 
     let _e77 = (*param_3).size;
     let _e78 = (_e77 & 65535u);
@@ -280,286 +281,286 @@ fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureVi
         if (param_4 > -8388608f) {
             let _e104 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
             if (_e104 > param_4) {
-                phi_2499_ = 1f;
+                phi_2506_ = 1f;
             } else {
-                phi_2499_ = 0f;
+                phi_2506_ = 0f;
             }
-            let _e107 = phi_2499_;
+            let _e107 = phi_2506_;
             if (param_4 < 8388608f) {
-                phi_2504_ = (_e104 - _e107);
-                phi_2505_ = false;
+                phi_2511_ = (_e104 - _e107);
+                phi_2512_ = false;
             } else {
-                phi_2504_ = f32();
-                phi_2505_ = true;
+                phi_2511_ = f32();
+                phi_2512_ = true;
             }
-            let _e110 = phi_2504_;
-            let _e112 = phi_2505_;
-            phi_2506_ = _e110;
-            phi_2507_ = _e112;
+            let _e110 = phi_2511_;
+            let _e112 = phi_2512_;
+            phi_2513_ = _e110;
+            phi_2514_ = _e112;
         } else {
-            phi_2506_ = f32();
-            phi_2507_ = true;
+            phi_2513_ = f32();
+            phi_2514_ = true;
         }
-        let _e114 = phi_2506_;
-        let _e116 = phi_2507_;
+        let _e114 = phi_2513_;
+        let _e116 = phi_2514_;
         if _e116 {
-            phi_2511_ = param_4;
+            phi_2518_ = param_4;
         } else {
-            phi_2511_ = _e114;
+            phi_2518_ = _e114;
         }
-        let _e118 = phi_2511_;
-        phi_2559_ = (param_4 - _e118);
+        let _e118 = phi_2518_;
+        phi_2566_ = (param_4 - _e118);
     } else {
         if (_e91 == 1u) {
             let _e121 = (param_4 * 0.5f);
             if (_e121 > -8388608f) {
                 let _e133 = f32(select(0i, select(select(i32(_e121), i32(-2147483648), (_e121 < bitcast<f32>(3472883712u))), 2147483647i, (_e121 > bitcast<f32>(1325400063u))), (_e121 == _e121)));
                 if (_e133 > _e121) {
-                    phi_2537_ = 1f;
+                    phi_2544_ = 1f;
                 } else {
-                    phi_2537_ = 0f;
+                    phi_2544_ = 0f;
                 }
-                let _e136 = phi_2537_;
+                let _e136 = phi_2544_;
                 if (_e121 < 8388608f) {
-                    phi_2542_ = (_e133 - _e136);
-                    phi_2543_ = false;
+                    phi_2549_ = (_e133 - _e136);
+                    phi_2550_ = false;
                 } else {
-                    phi_2542_ = f32();
-                    phi_2543_ = true;
+                    phi_2549_ = f32();
+                    phi_2550_ = true;
                 }
-                let _e139 = phi_2542_;
-                let _e141 = phi_2543_;
-                phi_2544_ = _e139;
-                phi_2545_ = _e141;
+                let _e139 = phi_2549_;
+                let _e141 = phi_2550_;
+                phi_2551_ = _e139;
+                phi_2552_ = _e141;
             } else {
-                phi_2544_ = f32();
-                phi_2545_ = true;
+                phi_2551_ = f32();
+                phi_2552_ = true;
             }
-            let _e143 = phi_2544_;
-            let _e145 = phi_2545_;
+            let _e143 = phi_2551_;
+            let _e145 = phi_2552_;
             if _e145 {
-                phi_2549_ = _e121;
+                phi_2556_ = _e121;
             } else {
-                phi_2549_ = _e143;
+                phi_2556_ = _e143;
             }
-            let _e147 = phi_2549_;
+            let _e147 = phi_2556_;
             let _e149 = (param_4 - (2f * _e147));
             if (_e149 > 1f) {
-                phi_2557_ = (2f - _e149);
+                phi_2564_ = (2f - _e149);
             } else {
-                phi_2557_ = _e149;
+                phi_2564_ = _e149;
             }
-            let _e153 = phi_2557_;
-            phi_2558_ = _e153;
+            let _e153 = phi_2564_;
+            phi_2565_ = _e153;
         } else {
-            phi_2558_ = param_4;
+            phi_2565_ = param_4;
         }
-        let _e155 = phi_2558_;
-        phi_2559_ = _e155;
+        let _e155 = phi_2565_;
+        phi_2566_ = _e155;
     }
-    let _e157 = phi_2559_;
+    let _e157 = phi_2566_;
     if (_e157 > 0f) {
         if (_e157 < 1f) {
-            phi_2568_ = _e157;
+            phi_2575_ = _e157;
         } else {
-            phi_2568_ = 1f;
+            phi_2575_ = 1f;
         }
-        let _e161 = phi_2568_;
-        phi_2569_ = _e161;
+        let _e161 = phi_2575_;
+        phi_2576_ = _e161;
     } else {
-        phi_2569_ = 0f;
+        phi_2576_ = 0f;
     }
-    let _e163 = phi_2569_;
+    let _e163 = phi_2576_;
     let _e164 = (_e78 - 1u);
     let _e166 = (_e163 * f32(_e78));
     if _e86 {
         let _e173 = select(select(u32(_e166), 0u, (_e166 < bitcast<f32>(0u))), 4294967295u, (_e166 > bitcast<f32>(1333788671u)));
         if (_e164 < _e173) {
-            phi_2587_ = _e164;
+            phi_2594_ = _e164;
         } else {
-            phi_2587_ = _e173;
+            phi_2594_ = _e173;
         }
-        let _e176 = phi_2587_;
-        phi_2626_ = texture_Axis(_e176, _e176, 0f);
+        let _e176 = phi_2594_;
+        phi_2633_ = texture_Axis(_e176, _e176, 0f);
     } else {
         let _e178 = (_e166 + 0.5f);
         let _e185 = select(select(u32(_e178), 0u, (_e178 < bitcast<f32>(0u))), 4294967295u, (_e178 > bitcast<f32>(1333788671u)));
         if (_e78 < _e185) {
-            phi_2601_ = _e78;
+            phi_2608_ = _e78;
         } else {
-            phi_2601_ = _e185;
+            phi_2608_ = _e185;
         }
-        let _e188 = phi_2601_;
+        let _e188 = phi_2608_;
         if (_e91 == 0u) {
-            phi_2608_ = _e164;
+            phi_2615_ = _e164;
         } else {
-            phi_2608_ = 0u;
+            phi_2615_ = 0u;
         }
-        let _e193 = phi_2608_;
+        let _e193 = phi_2615_;
         if (_e91 == 0u) {
-            phi_2613_ = 0u;
+            phi_2620_ = 0u;
         } else {
-            phi_2613_ = _e164;
+            phi_2620_ = _e164;
         }
-        let _e196 = phi_2613_;
+        let _e196 = phi_2620_;
         if (_e188 == 0u) {
-            phi_2619_ = _e193;
+            phi_2626_ = _e193;
         } else {
-            phi_2619_ = (_e188 - 1u);
+            phi_2626_ = (_e188 - 1u);
         }
-        let _e200 = phi_2619_;
+        let _e200 = phi_2626_;
         if (_e188 > _e164) {
-            phi_2624_ = _e196;
+            phi_2631_ = _e196;
         } else {
-            phi_2624_ = _e188;
+            phi_2631_ = _e188;
         }
-        let _e203 = phi_2624_;
-        phi_2626_ = texture_Axis(_e200, _e203, (_e178 - f32(_e188)));
+        let _e203 = phi_2631_;
+        phi_2633_ = texture_Axis(_e200, _e203, (_e178 - f32(_e188)));
     }
-    let _e206 = phi_2626_;
+    let _e206 = phi_2633_;
     let _e208 = (*param_3).flags;
     let _e211 = ((_e208 >> bitcast<u32>(6u)) & 3u);
     if (_e211 == 0u) {
         if (param_5 > -8388608f) {
             let _e224 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
             if (_e224 > param_5) {
-                phi_2654_ = 1f;
+                phi_2661_ = 1f;
             } else {
-                phi_2654_ = 0f;
+                phi_2661_ = 0f;
             }
-            let _e227 = phi_2654_;
+            let _e227 = phi_2661_;
             if (param_5 < 8388608f) {
-                phi_2659_ = (_e224 - _e227);
-                phi_2660_ = false;
+                phi_2666_ = (_e224 - _e227);
+                phi_2667_ = false;
             } else {
-                phi_2659_ = f32();
-                phi_2660_ = true;
+                phi_2666_ = f32();
+                phi_2667_ = true;
             }
-            let _e230 = phi_2659_;
-            let _e232 = phi_2660_;
-            phi_2661_ = _e230;
-            phi_2662_ = _e232;
+            let _e230 = phi_2666_;
+            let _e232 = phi_2667_;
+            phi_2668_ = _e230;
+            phi_2669_ = _e232;
         } else {
-            phi_2661_ = f32();
-            phi_2662_ = true;
+            phi_2668_ = f32();
+            phi_2669_ = true;
         }
-        let _e234 = phi_2661_;
-        let _e236 = phi_2662_;
+        let _e234 = phi_2668_;
+        let _e236 = phi_2669_;
         if _e236 {
-            phi_2666_ = param_5;
+            phi_2673_ = param_5;
         } else {
-            phi_2666_ = _e234;
+            phi_2673_ = _e234;
         }
-        let _e238 = phi_2666_;
-        phi_2714_ = (param_5 - _e238);
+        let _e238 = phi_2673_;
+        phi_2721_ = (param_5 - _e238);
     } else {
         if (_e211 == 1u) {
             let _e241 = (param_5 * 0.5f);
             if (_e241 > -8388608f) {
                 let _e253 = f32(select(0i, select(select(i32(_e241), i32(-2147483648), (_e241 < bitcast<f32>(3472883712u))), 2147483647i, (_e241 > bitcast<f32>(1325400063u))), (_e241 == _e241)));
                 if (_e253 > _e241) {
-                    phi_2692_ = 1f;
+                    phi_2699_ = 1f;
                 } else {
-                    phi_2692_ = 0f;
+                    phi_2699_ = 0f;
                 }
-                let _e256 = phi_2692_;
+                let _e256 = phi_2699_;
                 if (_e241 < 8388608f) {
-                    phi_2697_ = (_e253 - _e256);
-                    phi_2698_ = false;
+                    phi_2704_ = (_e253 - _e256);
+                    phi_2705_ = false;
                 } else {
-                    phi_2697_ = f32();
-                    phi_2698_ = true;
+                    phi_2704_ = f32();
+                    phi_2705_ = true;
                 }
-                let _e259 = phi_2697_;
-                let _e261 = phi_2698_;
-                phi_2699_ = _e259;
-                phi_2700_ = _e261;
+                let _e259 = phi_2704_;
+                let _e261 = phi_2705_;
+                phi_2706_ = _e259;
+                phi_2707_ = _e261;
             } else {
-                phi_2699_ = f32();
-                phi_2700_ = true;
+                phi_2706_ = f32();
+                phi_2707_ = true;
             }
-            let _e263 = phi_2699_;
-            let _e265 = phi_2700_;
+            let _e263 = phi_2706_;
+            let _e265 = phi_2707_;
             if _e265 {
-                phi_2704_ = _e241;
+                phi_2711_ = _e241;
             } else {
-                phi_2704_ = _e263;
+                phi_2711_ = _e263;
             }
-            let _e267 = phi_2704_;
+            let _e267 = phi_2711_;
             let _e269 = (param_5 - (2f * _e267));
             if (_e269 > 1f) {
-                phi_2712_ = (2f - _e269);
+                phi_2719_ = (2f - _e269);
             } else {
-                phi_2712_ = _e269;
+                phi_2719_ = _e269;
             }
-            let _e273 = phi_2712_;
-            phi_2713_ = _e273;
+            let _e273 = phi_2719_;
+            phi_2720_ = _e273;
         } else {
-            phi_2713_ = param_5;
+            phi_2720_ = param_5;
         }
-        let _e275 = phi_2713_;
-        phi_2714_ = _e275;
+        let _e275 = phi_2720_;
+        phi_2721_ = _e275;
     }
-    let _e277 = phi_2714_;
+    let _e277 = phi_2721_;
     if (_e277 > 0f) {
         if (_e277 < 1f) {
-            phi_2723_ = _e277;
+            phi_2730_ = _e277;
         } else {
-            phi_2723_ = 1f;
+            phi_2730_ = 1f;
         }
-        let _e281 = phi_2723_;
-        phi_2724_ = _e281;
+        let _e281 = phi_2730_;
+        phi_2731_ = _e281;
     } else {
-        phi_2724_ = 0f;
+        phi_2731_ = 0f;
     }
-    let _e283 = phi_2724_;
+    let _e283 = phi_2731_;
     let _e284 = (_e82 - 1u);
     let _e286 = (_e283 * f32(_e82));
     if _e86 {
         let _e293 = select(select(u32(_e286), 0u, (_e286 < bitcast<f32>(0u))), 4294967295u, (_e286 > bitcast<f32>(1333788671u)));
         if (_e284 < _e293) {
-            phi_2742_ = _e284;
+            phi_2749_ = _e284;
         } else {
-            phi_2742_ = _e293;
+            phi_2749_ = _e293;
         }
-        let _e296 = phi_2742_;
-        phi_2781_ = texture_Axis(_e296, _e296, 0f);
+        let _e296 = phi_2749_;
+        phi_2788_ = texture_Axis(_e296, _e296, 0f);
     } else {
         let _e298 = (_e286 + 0.5f);
         let _e305 = select(select(u32(_e298), 0u, (_e298 < bitcast<f32>(0u))), 4294967295u, (_e298 > bitcast<f32>(1333788671u)));
         if (_e82 < _e305) {
-            phi_2756_ = _e82;
+            phi_2763_ = _e82;
         } else {
-            phi_2756_ = _e305;
+            phi_2763_ = _e305;
         }
-        let _e308 = phi_2756_;
+        let _e308 = phi_2763_;
         if (_e211 == 0u) {
-            phi_2763_ = _e284;
+            phi_2770_ = _e284;
         } else {
-            phi_2763_ = 0u;
+            phi_2770_ = 0u;
         }
-        let _e313 = phi_2763_;
+        let _e313 = phi_2770_;
         if (_e211 == 0u) {
-            phi_2768_ = 0u;
+            phi_2775_ = 0u;
         } else {
-            phi_2768_ = _e284;
+            phi_2775_ = _e284;
         }
-        let _e316 = phi_2768_;
+        let _e316 = phi_2775_;
         if (_e308 == 0u) {
-            phi_2774_ = _e313;
+            phi_2781_ = _e313;
         } else {
-            phi_2774_ = (_e308 - 1u);
+            phi_2781_ = (_e308 - 1u);
         }
-        let _e320 = phi_2774_;
+        let _e320 = phi_2781_;
         if (_e308 > _e284) {
-            phi_2779_ = _e316;
+            phi_2786_ = _e316;
         } else {
-            phi_2779_ = _e308;
+            phi_2786_ = _e308;
         }
-        let _e323 = phi_2779_;
-        phi_2781_ = texture_Axis(_e320, _e323, (_e298 - f32(_e308)));
+        let _e323 = phi_2786_;
+        phi_2788_ = texture_Axis(_e320, _e323, (_e298 - f32(_e308)));
     }
-    let _e326 = phi_2781_;
+    let _e326 = phi_2788_;
     let _e330 = (*param_3).offset;
     let _e337 = (*param_3).offset;
     let _e344 = (*param_3).offset;
@@ -568,46 +569,46 @@ fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureVi
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {
-    var phi_2453_: bool;
-    var phi_2457_: f32;
+    var phi_2460_: bool;
+    var phi_2464_: f32;
 
     if (param_6 != param_6) {
-        phi_2453_ = true;
+        phi_2460_ = true;
     } else {
         let _e76 = (param_7 <= param_6);
         if _e76 {
         }
-        phi_2453_ = _e76;
+        phi_2460_ = _e76;
     }
-    let _e78 = phi_2453_;
+    let _e78 = phi_2460_;
     if _e78 {
-        phi_2457_ = param_7;
+        phi_2464_ = param_7;
     } else {
-        phi_2457_ = param_6;
+        phi_2464_ = param_6;
     }
-    let _e80 = phi_2457_;
+    let _e80 = phi_2464_;
     return _e80;
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_2437_: bool;
-    var phi_2441_: f32;
+    var phi_2444_: bool;
+    var phi_2448_: f32;
 
     if (param_8 != param_8) {
-        phi_2437_ = true;
+        phi_2444_ = true;
     } else {
         let _e76 = (param_9 >= param_8);
         if _e76 {
         }
-        phi_2437_ = _e76;
+        phi_2444_ = _e76;
     }
-    let _e78 = phi_2437_;
+    let _e78 = phi_2444_;
     if _e78 {
-        phi_2441_ = param_9;
+        phi_2448_ = param_9;
     } else {
-        phi_2441_ = param_8;
+        phi_2448_ = param_8;
     }
-    let _e80 = phi_2441_;
+    let _e80 = phi_2448_;
     return _e80;
 }
 
@@ -630,206 +631,204 @@ fn function_() {
     var phi_425_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_428_: bool;
     var phi_461_: f32;
-    var phi_512_: bool;
-    var phi_513_: bool;
-    var phi_514_: bool;
-    var phi_518_: bool;
-    var phi_519_: bool;
-    var phi_520_: bool;
-    var phi_521_: bool;
-    var phi_522_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_525_: bool;
-    var phi_526_: bool;
-    var phi_527_: bool;
+    var phi_488_: bool;
+    var phi_489_: bool;
+    var phi_490_: bool;
+    var phi_491_: bool;
+    var phi_495_: bool;
+    var phi_508_: bool;
+    var phi_509_: bool;
+    var phi_510_: bool;
+    var phi_511_: bool;
+    var phi_515_: bool;
     var phi_528_: bool;
     var phi_529_: bool;
     var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_532_: bool;
-    var phi_533_: bool;
     var phi_534_: bool;
     var phi_535_: bool;
-    var phi_539_: bool;
-    var phi_543_: bool;
-    var phi_613_: f32;
-    var phi_620_: f32;
-    var phi_627_: f32;
-    var phi_634_: f32;
-    var phi_641_: f32;
-    var phi_648_: f32;
-    var phi_665_: f32;
-    var phi_670_: f32;
-    var phi_675_: f32;
-    var phi_703_: bool;
-    var phi_704_: bool;
-    var phi_712_: u32;
-    var phi_713_: u32;
-    var phi_724_: vec3<f32>;
-    var phi_725_: vec3<f32>;
-    var phi_738_: u32;
-    var phi_743_: u32;
-    var phi_748_: u32;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_894_: u32;
-    var phi_896_: u32;
-    var phi_899_: vec3<f32>;
-    var phi_979_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1006_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1033_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1039_: u32;
-    var phi_1042_: u32;
-    var phi_1056_: u32;
-    var phi_1066_: u32;
-    var phi_1076_: u32;
-    var phi_1094_: u32;
-    var phi_1104_: u32;
-    var phi_1114_: u32;
-    var phi_1150_: u32;
-    var phi_1163_: u32;
-    var phi_1168_: u32;
-    var phi_1169_: u32;
+    var phi_536_: bool;
+    var phi_537_: bool;
+    var phi_538_: bool;
+    var phi_542_: bool;
+    var phi_612_: f32;
+    var phi_619_: f32;
+    var phi_626_: f32;
+    var phi_633_: f32;
+    var phi_640_: f32;
+    var phi_647_: f32;
+    var phi_664_: f32;
+    var phi_669_: f32;
+    var phi_674_: f32;
+    var phi_679_: f32;
+    var phi_684_: f32;
+    var phi_710_: bool;
+    var phi_711_: bool;
+    var phi_719_: u32;
+    var phi_720_: u32;
+    var phi_731_: vec3<f32>;
+    var phi_732_: vec3<f32>;
+    var phi_745_: u32;
+    var phi_750_: u32;
+    var phi_755_: u32;
+    var phi_869_: bool;
+    var phi_870_: bool;
+    var phi_901_: u32;
+    var phi_903_: u32;
+    var phi_906_: vec3<f32>;
+    var phi_986_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1013_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1040_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1046_: u32;
+    var phi_1049_: u32;
+    var phi_1063_: u32;
+    var phi_1073_: u32;
+    var phi_1083_: u32;
+    var phi_1101_: u32;
+    var phi_1111_: u32;
+    var phi_1121_: u32;
+    var phi_1157_: u32;
     var phi_1170_: u32;
-    var phi_1040_: u32;
-    var phi_1043_: u32;
+    var phi_1175_: u32;
+    var phi_1176_: u32;
+    var phi_1177_: u32;
+    var phi_1047_: u32;
+    var phi_1050_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1228_: u32;
-    var phi_1231_: vec3<f32>;
-    var phi_1275_: vec3<f32>;
-    var phi_1276_: vec3<f32>;
-    var phi_1305_: vec3<f32>;
-    var phi_1306_: vec3<f32>;
-    var phi_1335_: vec3<f32>;
-    var phi_1336_: vec3<f32>;
-    var phi_1354_: bool;
-    var phi_1355_: bool;
-    var phi_1359_: f32;
-    var phi_1360_: f32;
-    var phi_1361_: f32;
-    var phi_1362_: f32;
-    var phi_1370_: f32;
-    var phi_1380_: bool;
-    var phi_1381_: bool;
-    var phi_1385_: f32;
-    var phi_1386_: f32;
-    var phi_1387_: f32;
-    var phi_1388_: f32;
-    var phi_1396_: f32;
-    var phi_1406_: bool;
-    var phi_1407_: bool;
-    var phi_1411_: f32;
-    var phi_1412_: f32;
-    var phi_1413_: f32;
-    var phi_1414_: f32;
-    var phi_1422_: f32;
-    var phi_1437_: f32;
-    var phi_1438_: bool;
-    var phi_1439_: f32;
-    var phi_1440_: bool;
-    var phi_1441_: f32;
-    var phi_1442_: bool;
-    var phi_1460_: f32;
-    var phi_1461_: bool;
-    var phi_1462_: bool;
-    var phi_1463_: f32;
-    var phi_1464_: bool;
-    var phi_1465_: bool;
+    var phi_1235_: u32;
+    var phi_1238_: vec3<f32>;
+    var phi_1282_: vec3<f32>;
+    var phi_1283_: vec3<f32>;
+    var phi_1312_: vec3<f32>;
+    var phi_1313_: vec3<f32>;
+    var phi_1342_: vec3<f32>;
+    var phi_1343_: vec3<f32>;
+    var phi_1361_: bool;
+    var phi_1362_: bool;
+    var phi_1366_: f32;
+    var phi_1367_: f32;
+    var phi_1368_: f32;
+    var phi_1369_: f32;
+    var phi_1377_: f32;
+    var phi_1387_: bool;
+    var phi_1388_: bool;
+    var phi_1392_: f32;
+    var phi_1393_: f32;
+    var phi_1394_: f32;
+    var phi_1395_: f32;
+    var phi_1403_: f32;
+    var phi_1413_: bool;
+    var phi_1414_: bool;
+    var phi_1418_: f32;
+    var phi_1419_: f32;
+    var phi_1420_: f32;
+    var phi_1421_: f32;
+    var phi_1429_: f32;
+    var phi_1444_: f32;
+    var phi_1445_: bool;
+    var phi_1446_: f32;
+    var phi_1447_: bool;
+    var phi_1448_: f32;
+    var phi_1449_: bool;
+    var phi_1467_: f32;
+    var phi_1468_: bool;
     var phi_1469_: bool;
     var phi_1470_: f32;
     var phi_1471_: bool;
-    var phi_1499_: vec3<f32>;
-    var phi_1500_: vec3<f32>;
-    var phi_1525_: vec3<f32>;
-    var phi_1526_: vec3<f32>;
-    var phi_1551_: vec3<f32>;
-    var phi_1552_: vec3<f32>;
-    var phi_1608_: f32;
-    var phi_1617_: f32;
-    var phi_1626_: f32;
-    var phi_1635_: f32;
+    var phi_1472_: bool;
+    var phi_1476_: bool;
+    var phi_1477_: f32;
+    var phi_1478_: bool;
+    var phi_1506_: vec3<f32>;
+    var phi_1507_: vec3<f32>;
+    var phi_1532_: vec3<f32>;
+    var phi_1533_: vec3<f32>;
+    var phi_1558_: vec3<f32>;
+    var phi_1559_: vec3<f32>;
+    var phi_1615_: f32;
+    var phi_1624_: f32;
+    var phi_1633_: f32;
     var phi_1642_: f32;
     var phi_1649_: f32;
-    var phi_1662_: f32;
-    var phi_1671_: f32;
-    var phi_1680_: f32;
-    var phi_1689_: f32;
+    var phi_1656_: f32;
+    var phi_1669_: f32;
+    var phi_1678_: f32;
+    var phi_1687_: f32;
     var phi_1696_: f32;
     var phi_1703_: f32;
-    var phi_1720_: f32;
-    var phi_1725_: f32;
-    var phi_1730_: f32;
-    var phi_1738_: f32;
-    var phi_1743_: f32;
-    var phi_1748_: f32;
-    var phi_1760_: f32;
-    var phi_1765_: f32;
-    var phi_1770_: f32;
-    var phi_1775_: f32;
-    var phi_1780_: lt_bvh_triangle_Intersection;
-    var phi_1781_: bool;
-    var phi_1782_: lt_bvh_triangle_Intersection;
-    var phi_1783_: bool;
+    var phi_1710_: f32;
+    var phi_1727_: f32;
+    var phi_1732_: f32;
+    var phi_1737_: f32;
+    var phi_1745_: f32;
+    var phi_1750_: f32;
+    var phi_1755_: f32;
+    var phi_1767_: f32;
+    var phi_1772_: f32;
+    var phi_1777_: f32;
+    var phi_1782_: f32;
     var phi_1787_: lt_bvh_triangle_Intersection;
     var phi_1788_: bool;
     var phi_1789_: lt_bvh_triangle_Intersection;
     var phi_1790_: bool;
-    var phi_1791_: bool;
+    var phi_1794_: lt_bvh_triangle_Intersection;
     var phi_1795_: bool;
-    var phi_1799_: lt_bvh_triangle_Intersection;
-    var phi_2004_: f32;
-    var phi_2016_: f32;
-    var phi_2025_: f32;
-    var phi_2026_: f32;
-    var phi_2027_: f32;
-    var phi_2028_: f32;
-    var phi_2227_: vec3<f32>;
-    var phi_2251_: f32;
-    var phi_2252_: f32;
-    var phi_2261_: f32;
-    var phi_2262_: f32;
-    var phi_2271_: f32;
-    var phi_2272_: f32;
-    var phi_2296_: bool;
-    var phi_2297_: bool;
-    var phi_2298_: bool;
-    var phi_2299_: bool;
+    var phi_1796_: lt_bvh_triangle_Intersection;
+    var phi_1797_: bool;
+    var phi_1798_: bool;
+    var phi_1802_: bool;
+    var phi_1806_: lt_bvh_triangle_Intersection;
+    var phi_2011_: f32;
+    var phi_2023_: f32;
+    var phi_2032_: f32;
+    var phi_2033_: f32;
+    var phi_2034_: f32;
+    var phi_2035_: f32;
+    var phi_2234_: vec3<f32>;
+    var phi_2258_: f32;
+    var phi_2259_: f32;
+    var phi_2268_: f32;
+    var phi_2269_: f32;
+    var phi_2278_: f32;
+    var phi_2279_: f32;
     var phi_2303_: bool;
-    var phi_2307_: bool;
-    var phi_2308_: vec3<f32>;
-    var phi_2309_: vec3<f32>;
+    var phi_2304_: bool;
+    var phi_2305_: bool;
+    var phi_2306_: bool;
     var phi_2310_: bool;
-    var phi_2311_: vec3<f32>;
-    var phi_2312_: vec3<f32>;
-    var phi_2313_: bool;
-    var phi_2314_: vec3<f32>;
+    var phi_2314_: bool;
     var phi_2315_: vec3<f32>;
-    var phi_2316_: bool;
-    var phi_1229_: u32;
-    var phi_1232_: vec3<f32>;
-    var phi_2320_: vec3<f32>;
-    var phi_2321_: bool;
+    var phi_2316_: vec3<f32>;
+    var phi_2317_: bool;
+    var phi_2318_: vec3<f32>;
+    var phi_2319_: vec3<f32>;
+    var phi_2320_: bool;
+    var phi_2321_: vec3<f32>;
+    var phi_2322_: vec3<f32>;
+    var phi_2323_: bool;
+    var phi_1236_: u32;
+    var phi_1239_: vec3<f32>;
+    var phi_2327_: vec3<f32>;
+    var phi_2328_: bool;
     var local_6: bool;
-    var phi_2363_: bool;
-    var phi_2364_: bool;
-    var phi_2395_: u32;
-    var phi_2396_: u32;
-    var phi_897_: u32;
-    var phi_900_: vec3<f32>;
-    var phi_2397_: vec3<f32>;
-    var phi_2398_: bool;
-    var phi_2399_: bool;
+    var phi_2370_: bool;
+    var phi_2371_: bool;
+    var phi_2402_: u32;
+    var phi_2403_: u32;
+    var phi_904_: u32;
+    var phi_907_: vec3<f32>;
+    var phi_2404_: vec3<f32>;
+    var phi_2405_: bool;
+    var phi_2406_: bool;
     var local_7: bool;
-    var phi_2403_: bool;
-    var phi_2407_: vec3<f32>;
-    var phi_2408_: vec3<f32>;
-    var phi_2409_: vec3<f32>;
     var phi_2410_: bool;
     var phi_2414_: vec3<f32>;
     var phi_2415_: vec3<f32>;
+    var phi_2416_: vec3<f32>;
+    var phi_2417_: bool;
+    var phi_2421_: vec3<f32>;
+    var phi_2422_: vec3<f32>;
     var local_8: vec3<f32>;
     var local_9: vec3<f32>;
     var local_10: bool;
@@ -845,24 +844,24 @@ fn function_() {
     let _e107 = p.member.size[0u];
     let _e109 = p.member.size[1u];
     let _e110 = lt_shaders_entry_pixel_index(_e76, _e107, _e109);
-    if (bitcast<i32>(_e110.root) != 0i) {
-        if (_e110.first_primitive < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e110.word) != 0i) {
+        if (_e110.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e110.first_primitive < arrayLength((&visibility.member))) {
+        if (_e110.shift < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        let _e122 = visibility.member[(0u + _e110.first_primitive)];
+        let _e122 = visibility.member[(0u + _e110.shift)];
         if (_e122 > 0f) {
-            let _e126 = samples.member[(0u + _e110.first_primitive)].normal[0u];
+            let _e126 = samples.member[(0u + _e110.shift)].normal[0u];
             let _e128 = global[0u];
             if (_e126 == _e128) {
-                let _e131 = samples.member[(0u + _e110.first_primitive)].normal[1u];
+                let _e131 = samples.member[(0u + _e110.shift)].normal[1u];
                 let _e133 = global[1u];
                 if (_e131 == _e133) {
-                    let _e136 = samples.member[(0u + _e110.first_primitive)].normal[2u];
+                    let _e136 = samples.member[(0u + _e110.shift)].normal[2u];
                     let _e138 = global[2u];
                     phi_322_ = (_e136 == _e138);
                     phi_323_ = false;
@@ -887,13 +886,13 @@ fn function_() {
             }
             let _e149 = phi_329_;
             if !(_e149) {
-                let _e152 = samples.member[(0u + _e110.first_primitive)].position;
+                let _e152 = samples.member[(0u + _e110.shift)].position;
                 let _e154 = p.member.light.place;
                 let _e160 = p.member.light.place[3u];
                 let _e167 = (_e154.x - (_e152.x * _e160));
                 let _e168 = (_e154.y - (_e152.y * _e160));
                 let _e169 = (_e154.z - (_e152.z * _e160));
-                let _e171 = samples.member[(0u + _e110.first_primitive)].normal;
+                let _e171 = samples.member[(0u + _e110.shift)].normal;
                 if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
                     let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
                     let _e187 = p.member.light.axis;
@@ -913,7 +912,7 @@ fn function_() {
                     }
                     let _e212 = phi_400_;
                     if _e212 {
-                        let _e214 = samples.member[(0u + _e110.first_primitive)].flags;
+                        let _e214 = samples.member[(0u + _e110.shift)].flags;
                         let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                         let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
                         phi_411_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
@@ -953,9 +952,9 @@ fn function_() {
         }
         let _e277 = phi_428_;
         if _e277 {
-            let _e279 = samples.member[(0u + _e110.first_primitive)].position;
-            let _e281 = samples.member[(0u + _e110.first_primitive)].normal;
-            let _e283 = samples.member[(0u + _e110.first_primitive)].magnitude;
+            let _e279 = samples.member[(0u + _e110.shift)].position;
+            let _e281 = samples.member[(0u + _e110.shift)].normal;
+            let _e283 = samples.member[(0u + _e110.shift)].magnitude;
             let _e285 = ((8f / 8388608f) * _e283);
             let _e293 = (_e279.x + (_e281.x * _e285));
             let _e295 = (_e279.y + (_e281.y * _e285));
@@ -970,1386 +969,1387 @@ fn function_() {
             let _e311 = (_e299.x - (_e293 * _e299.w));
             let _e312 = (_e299.y - (_e295 * _e299.w));
             let _e313 = (_e299.z - (_e297 * _e299.w));
-            let _e318 = abs(_e311);
-            let _e319 = abs(_e312);
-            let _e320 = abs(_e313);
+            let _e315 = abs(_e311);
+            let _e316 = abs(_e312);
+            let _e317 = abs(_e313);
             if (abs(_e293) < 1000000000000000f) {
                 if (abs(_e295) < 1000000000000000f) {
-                    if (abs(_e297) < 1000000000000000f) {
-                        if (_e318 < 1000000000000000f) {
-                            if (_e319 < 1000000000000000f) {
-                                if (_e320 < 1000000000000000f) {
-                                    if (_e318 > 0f) {
-                                        phi_513_ = bool();
-                                        phi_514_ = true;
-                                    } else {
-                                        let _e328 = (_e319 > 0f);
-                                        if _e328 {
-                                            phi_512_ = bool();
-                                        } else {
-                                            phi_512_ = (_e320 > 0f);
-                                        }
-                                        let _e331 = phi_512_;
-                                        phi_513_ = _e331;
-                                        phi_514_ = _e328;
-                                    }
-                                    let _e333 = phi_513_;
-                                    let _e335 = phi_514_;
-                                    if _e335 {
-                                        phi_518_ = true;
-                                    } else {
-                                        phi_518_ = _e333;
-                                    }
-                                    let _e337 = phi_518_;
-                                    phi_519_ = _e337;
-                                    phi_520_ = false;
-                                } else {
-                                    phi_519_ = bool();
-                                    phi_520_ = true;
-                                }
-                                let _e339 = phi_519_;
-                                let _e341 = phi_520_;
-                                phi_521_ = _e339;
-                                phi_522_ = false;
-                                phi_523_ = _e341;
-                            } else {
-                                phi_521_ = bool();
-                                phi_522_ = true;
-                                phi_523_ = false;
-                            }
-                            let _e343 = phi_521_;
-                            let _e345 = phi_522_;
-                            let _e347 = phi_523_;
-                            phi_524_ = _e343;
-                            phi_525_ = _e345;
-                            phi_526_ = _e347;
-                        } else {
-                            phi_524_ = bool();
-                            phi_525_ = true;
-                            phi_526_ = false;
-                        }
-                        let _e349 = phi_524_;
-                        let _e351 = phi_525_;
-                        let _e353 = phi_526_;
-                        phi_527_ = _e349;
-                        phi_528_ = _e351;
-                        phi_529_ = _e353;
-                    } else {
-                        phi_527_ = bool();
-                        phi_528_ = true;
-                        phi_529_ = false;
-                    }
-                    let _e355 = phi_527_;
-                    let _e357 = phi_528_;
-                    let _e359 = phi_529_;
-                    phi_530_ = _e355;
-                    phi_531_ = _e357;
-                    phi_532_ = _e359;
+                    phi_488_ = (abs(_e297) < 1000000000000000f);
+                    phi_489_ = false;
                 } else {
-                    phi_530_ = bool();
-                    phi_531_ = true;
-                    phi_532_ = false;
+                    phi_488_ = bool();
+                    phi_489_ = true;
                 }
-                let _e361 = phi_530_;
-                let _e363 = phi_531_;
-                let _e365 = phi_532_;
-                phi_533_ = _e361;
-                phi_534_ = _e363;
-                phi_535_ = _e365;
+                let _e325 = phi_488_;
+                let _e327 = phi_489_;
+                phi_490_ = _e325;
+                phi_491_ = _e327;
             } else {
-                phi_533_ = bool();
-                phi_534_ = true;
-                phi_535_ = false;
+                phi_490_ = bool();
+                phi_491_ = true;
             }
-            let _e367 = phi_533_;
-            let _e369 = phi_534_;
-            let _e371 = phi_535_;
-            if _e369 {
-                phi_539_ = true;
+            let _e329 = phi_490_;
+            let _e331 = phi_491_;
+            if _e331 {
+                phi_495_ = false;
             } else {
-                phi_539_ = _e371;
+                phi_495_ = _e329;
             }
-            let _e373 = phi_539_;
-            if _e373 {
-                phi_543_ = false;
+            let _e333 = phi_495_;
+            if _e333 {
+                if (_e315 < 1000000000000000f) {
+                    if (_e316 < 1000000000000000f) {
+                        phi_508_ = (_e317 < 1000000000000000f);
+                        phi_509_ = false;
+                    } else {
+                        phi_508_ = bool();
+                        phi_509_ = true;
+                    }
+                    let _e338 = phi_508_;
+                    let _e340 = phi_509_;
+                    phi_510_ = _e338;
+                    phi_511_ = _e340;
+                } else {
+                    phi_510_ = bool();
+                    phi_511_ = true;
+                }
+                let _e342 = phi_510_;
+                let _e344 = phi_511_;
+                if _e344 {
+                    phi_515_ = false;
+                } else {
+                    phi_515_ = _e342;
+                }
+                let _e346 = phi_515_;
+                if _e346 {
+                    if (_e315 > 0f) {
+                        phi_529_ = bool();
+                        phi_530_ = true;
+                    } else {
+                        let _e348 = (_e316 > 0f);
+                        if _e348 {
+                            phi_528_ = bool();
+                        } else {
+                            phi_528_ = (_e317 > 0f);
+                        }
+                        let _e351 = phi_528_;
+                        phi_529_ = _e351;
+                        phi_530_ = _e348;
+                    }
+                    let _e353 = phi_529_;
+                    let _e355 = phi_530_;
+                    if _e355 {
+                        phi_534_ = true;
+                    } else {
+                        phi_534_ = _e353;
+                    }
+                    let _e357 = phi_534_;
+                    phi_535_ = _e357;
+                    phi_536_ = false;
+                } else {
+                    phi_535_ = bool();
+                    phi_536_ = true;
+                }
+                let _e359 = phi_535_;
+                let _e361 = phi_536_;
+                phi_537_ = _e359;
+                phi_538_ = _e361;
             } else {
-                phi_543_ = _e367;
+                phi_537_ = bool();
+                phi_538_ = true;
             }
-            let _e375 = phi_543_;
-            if _e375 {
-                let _e376 = (0u >= _e83);
-                if _e376 {
-                    phi_2408_ = vec3<f32>();
+            let _e363 = phi_537_;
+            let _e365 = phi_538_;
+            if _e365 {
+                phi_542_ = false;
+            } else {
+                phi_542_ = _e363;
+            }
+            let _e367 = phi_542_;
+            if _e367 {
+                let _e368 = (0u >= _e83);
+                if _e368 {
+                    phi_2415_ = vec3<f32>();
                 } else {
                     if (0u < _e83) {
                     } else {
                         return;
                     }
-                    let _e382 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e386 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e390 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e394 = nodes.member[(0u + 0u)].frame[0u];
-                    let _e398 = nodes.member[(0u + 0u)].frame[1u];
-                    let _e402 = nodes.member[(0u + 0u)].frame[2u];
-                    let _e406 = nodes.member[(0u + 0u)].frame[3u];
-                    let _e440 = core_intrinsics_maximum_number_nsz_f32_(abs(_e311), abs(_e312));
-                    let _e441 = core_intrinsics_maximum_number_nsz_f32_(_e440, abs(_e313));
-                    let _e442 = (_e441 * 0.0000000000009094947f);
-                    if (abs(_e311) < _e442) {
-                        phi_613_ = _e442;
+                    let _e374 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e378 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e382 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e386 = nodes.member[(0u + 0u)].frame[0u];
+                    let _e390 = nodes.member[(0u + 0u)].frame[1u];
+                    let _e394 = nodes.member[(0u + 0u)].frame[2u];
+                    let _e398 = nodes.member[(0u + 0u)].frame[3u];
+                    let _e432 = core_intrinsics_maximum_number_nsz_f32_(abs(_e311), abs(_e312));
+                    let _e433 = core_intrinsics_maximum_number_nsz_f32_(_e432, abs(_e313));
+                    let _e434 = (_e433 * 0.0000000000009094947f);
+                    if (abs(_e311) < _e434) {
+                        phi_612_ = _e434;
                     } else {
-                        phi_613_ = abs(_e311);
+                        phi_612_ = abs(_e311);
                     }
-                    let _e447 = phi_613_;
+                    let _e439 = phi_612_;
                     if (_e311 < 0f) {
-                        phi_620_ = (-1f / _e447);
+                        phi_619_ = (-1f / _e439);
                     } else {
-                        phi_620_ = (1f / _e447);
+                        phi_619_ = (1f / _e439);
                     }
-                    let _e452 = phi_620_;
-                    if (abs(_e312) < _e442) {
-                        phi_627_ = _e442;
+                    let _e444 = phi_619_;
+                    if (abs(_e312) < _e434) {
+                        phi_626_ = _e434;
                     } else {
-                        phi_627_ = abs(_e312);
+                        phi_626_ = abs(_e312);
                     }
-                    let _e457 = phi_627_;
+                    let _e449 = phi_626_;
                     if (_e312 < 0f) {
-                        phi_634_ = (-1f / _e457);
+                        phi_633_ = (-1f / _e449);
                     } else {
-                        phi_634_ = (1f / _e457);
+                        phi_633_ = (1f / _e449);
                     }
-                    let _e462 = phi_634_;
-                    if (abs(_e313) < _e442) {
-                        phi_641_ = _e442;
+                    let _e454 = phi_633_;
+                    if (abs(_e313) < _e434) {
+                        phi_640_ = _e434;
                     } else {
-                        phi_641_ = abs(_e313);
+                        phi_640_ = abs(_e313);
                     }
-                    let _e467 = phi_641_;
+                    let _e459 = phi_640_;
                     if (_e313 < 0f) {
-                        phi_648_ = (-1f / _e467);
+                        phi_647_ = (-1f / _e459);
                     } else {
-                        phi_648_ = (1f / _e467);
+                        phi_647_ = (1f / _e459);
                     }
-                    let _e472 = phi_648_;
-                    let _e476 = abs((bitcast<f32>(_e382) - _e293));
-                    let _e477 = abs((bitcast<f32>(_e386) - _e295));
-                    let _e478 = abs((bitcast<f32>(_e390) - _e297));
-                    let _e482 = abs(((bitcast<f32>(_e394) + (bitcast<f32>((((_e406 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e293));
-                    let _e483 = abs(((bitcast<f32>(_e398) + (bitcast<f32>((((_e406 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e295));
-                    let _e484 = abs(((bitcast<f32>(_e402) + (bitcast<f32>((((_e406 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e297));
-                    if (_e476 > _e482) {
-                        phi_665_ = _e476;
+                    let _e464 = phi_647_;
+                    let _e468 = abs((bitcast<f32>(_e374) - _e293));
+                    let _e469 = abs((bitcast<f32>(_e378) - _e295));
+                    let _e470 = abs((bitcast<f32>(_e382) - _e297));
+                    let _e474 = abs(((bitcast<f32>(_e386) + (bitcast<f32>((((_e398 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e293));
+                    let _e475 = abs(((bitcast<f32>(_e390) + (bitcast<f32>((((_e398 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e295));
+                    let _e476 = abs(((bitcast<f32>(_e394) + (bitcast<f32>((((_e398 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e297));
+                    if (_e468 > _e474) {
+                        phi_664_ = _e468;
                     } else {
-                        phi_665_ = _e482;
+                        phi_664_ = _e474;
                     }
-                    let _e487 = phi_665_;
-                    if (_e477 > _e483) {
-                        phi_670_ = _e477;
+                    let _e479 = phi_664_;
+                    if (_e469 > _e475) {
+                        phi_669_ = _e469;
                     } else {
-                        phi_670_ = _e483;
+                        phi_669_ = _e475;
                     }
-                    let _e490 = phi_670_;
-                    if (_e478 > _e484) {
-                        phi_675_ = _e478;
+                    let _e482 = phi_669_;
+                    if (_e470 > _e476) {
+                        phi_674_ = _e470;
                     } else {
-                        phi_675_ = _e484;
+                        phi_674_ = _e476;
                     }
-                    let _e493 = phi_675_;
-                    let _e494 = core_intrinsics_maximum_number_nsz_f32_(_e487, _e490);
-                    let _e495 = core_intrinsics_maximum_number_nsz_f32_(_e494, _e493);
-                    let _e499 = (_e495 * 0.0000019073486f);
-                    let _e500 = (abs(_e452) * _e499);
-                    let _e501 = (abs(_e462) * _e499);
-                    let _e502 = (abs(_e472) * _e499);
-                    let _e506 = (_e495 * 0.0000009536743f);
-                    let _e507 = (abs(_e452) * _e506);
-                    let _e508 = (abs(_e462) * _e506);
-                    let _e509 = (abs(_e472) * _e506);
-                    let _e510 = abs(_e311);
-                    let _e511 = abs(_e312);
-                    let _e512 = abs(_e313);
-                    if (_e510 >= _e511) {
-                        if (_e510 >= _e512) {
-                            phi_703_ = false;
+                    let _e485 = phi_674_;
+                    if (_e479 > _e482) {
+                        phi_679_ = _e479;
+                    } else {
+                        phi_679_ = _e482;
+                    }
+                    let _e488 = phi_679_;
+                    if (_e488 > _e485) {
+                        phi_684_ = _e488;
+                    } else {
+                        phi_684_ = _e485;
+                    }
+                    let _e491 = phi_684_;
+                    let _e495 = (_e491 * 0.0000019073486f);
+                    let _e496 = (abs(_e444) * _e495);
+                    let _e497 = (abs(_e454) * _e495);
+                    let _e498 = (abs(_e464) * _e495);
+                    let _e502 = (_e491 * 0.0000009536743f);
+                    let _e503 = (abs(_e444) * _e502);
+                    let _e504 = (abs(_e454) * _e502);
+                    let _e505 = (abs(_e464) * _e502);
+                    let _e506 = abs(_e311);
+                    let _e507 = abs(_e312);
+                    let _e508 = abs(_e313);
+                    if (_e506 >= _e507) {
+                        if (_e506 >= _e508) {
+                            phi_710_ = false;
                         } else {
-                            phi_703_ = true;
+                            phi_710_ = true;
                         }
-                        let _e516 = phi_703_;
-                        phi_704_ = _e516;
+                        let _e512 = phi_710_;
+                        phi_711_ = _e512;
                     } else {
-                        phi_704_ = true;
+                        phi_711_ = true;
                     }
-                    let _e518 = phi_704_;
-                    if _e518 {
-                        if (_e511 >= _e512) {
-                            phi_712_ = 1u;
+                    let _e514 = phi_711_;
+                    if _e514 {
+                        if (_e507 >= _e508) {
+                            phi_719_ = 1u;
                         } else {
-                            phi_712_ = 2u;
+                            phi_719_ = 2u;
                         }
-                        let _e521 = phi_712_;
-                        phi_713_ = _e521;
+                        let _e517 = phi_719_;
+                        phi_720_ = _e517;
                     } else {
-                        phi_713_ = 0u;
+                        phi_720_ = 0u;
                     }
-                    let _e523 = phi_713_;
-                    if (_e523 == 0u) {
-                        phi_725_ = vec3<f32>(_e312, _e313, _e311);
+                    let _e519 = phi_720_;
+                    if (_e519 == 0u) {
+                        phi_732_ = vec3<f32>(_e312, _e313, _e311);
                     } else {
-                        if (_e523 == 1u) {
-                            phi_724_ = vec3<f32>(_e313, _e311, _e312);
+                        if (_e519 == 1u) {
+                            phi_731_ = vec3<f32>(_e313, _e311, _e312);
                         } else {
-                            phi_724_ = vec3<f32>(_e311, _e312, _e313);
+                            phi_731_ = vec3<f32>(_e311, _e312, _e313);
                         }
-                        let _e529 = phi_724_;
-                        phi_725_ = _e529;
+                        let _e525 = phi_731_;
+                        phi_732_ = _e525;
                     }
-                    let _e531 = phi_725_;
-                    let _e534 = (_e531.x / _e531.z);
-                    let _e537 = (_e531.y / _e531.z);
-                    if (_e452 < 0f) {
-                        phi_738_ = 0u;
+                    let _e527 = phi_732_;
+                    let _e530 = (_e527.x / _e527.z);
+                    let _e533 = (_e527.y / _e527.z);
+                    if (_e444 < 0f) {
+                        phi_745_ = 0u;
                     } else {
-                        phi_738_ = 1u;
+                        phi_745_ = 1u;
                     }
-                    let _e542 = phi_738_;
-                    if (_e462 < 0f) {
-                        phi_743_ = 0u;
+                    let _e538 = phi_745_;
+                    if (_e454 < 0f) {
+                        phi_750_ = 0u;
                     } else {
-                        phi_743_ = 2u;
+                        phi_750_ = 2u;
                     }
-                    let _e545 = phi_743_;
-                    if (_e472 < 0f) {
-                        phi_748_ = 0u;
+                    let _e541 = phi_750_;
+                    if (_e464 < 0f) {
+                        phi_755_ = 0u;
                     } else {
-                        phi_748_ = 4u;
+                        phi_755_ = 4u;
                     }
-                    let _e548 = phi_748_;
-                    let _e550 = ((_e542 | _e545) | _e548);
-                    let _e551 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e551.first[0], _e551.first[1], _e551.first[2], _e551.first[3], _e551.first[4], _e551.first[5], _e551.first[6], _e551.first[7], _e551.first[8], _e551.first[9], _e551.first[10], _e551.first[11], _e551.first[12], _e551.first[13], _e551.first[14], _e551.first[15], _e551.first[16], _e551.first[17], _e551.first[18], _e551.first[19], _e551.first[20], _e551.first[21], _e551.first[22], _e551.first[23], _e551.first[24], _e551.first[25], _e551.first[26], _e551.first[27], _e551.first[28], _e551.first[29], _e551.first[30], _e551.first[31]), array<u32, 32>(_e551.mask[0], _e551.mask[1], _e551.mask[2], _e551.mask[3], _e551.mask[4], _e551.mask[5], _e551.mask[6], _e551.mask[7], _e551.mask[8], _e551.mask[9], _e551.mask[10], _e551.mask[11], _e551.mask[12], _e551.mask[13], _e551.mask[14], _e551.mask[15], _e551.mask[16], _e551.mask[17], _e551.mask[18], _e551.mask[19], _e551.mask[20], _e551.mask[21], _e551.mask[22], _e551.mask[23], _e551.mask[24], _e551.mask[25], _e551.mask[26], _e551.mask[27], _e551.mask[28], _e551.mask[29], _e551.mask[30], _e551.mask[31]), _e551.len, _e551.group, _e551.group_mask);
-                    let _e625 = local_2.group_mask;
-                    if ((_e625 & 4278190080u) == 0u) {
-                        let _e629 = local_2.len;
-                        if (_e629 == 0u) {
-                            phi_862_ = false;
+                    let _e544 = phi_755_;
+                    let _e546 = ((_e538 | _e541) | _e544);
+                    let _e547 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e547.first[0], _e547.first[1], _e547.first[2], _e547.first[3], _e547.first[4], _e547.first[5], _e547.first[6], _e547.first[7], _e547.first[8], _e547.first[9], _e547.first[10], _e547.first[11], _e547.first[12], _e547.first[13], _e547.first[14], _e547.first[15], _e547.first[16], _e547.first[17], _e547.first[18], _e547.first[19], _e547.first[20], _e547.first[21], _e547.first[22], _e547.first[23], _e547.first[24], _e547.first[25], _e547.first[26], _e547.first[27], _e547.first[28], _e547.first[29], _e547.first[30], _e547.first[31]), array<u32, 32>(_e547.mask[0], _e547.mask[1], _e547.mask[2], _e547.mask[3], _e547.mask[4], _e547.mask[5], _e547.mask[6], _e547.mask[7], _e547.mask[8], _e547.mask[9], _e547.mask[10], _e547.mask[11], _e547.mask[12], _e547.mask[13], _e547.mask[14], _e547.mask[15], _e547.mask[16], _e547.mask[17], _e547.mask[18], _e547.mask[19], _e547.mask[20], _e547.mask[21], _e547.mask[22], _e547.mask[23], _e547.mask[24], _e547.mask[25], _e547.mask[26], _e547.mask[27], _e547.mask[28], _e547.mask[29], _e547.mask[30], _e547.mask[31]), _e547.len, _e547.group, _e547.group_mask);
+                    let _e621 = local_2.group_mask;
+                    if ((_e621 & 4278190080u) == 0u) {
+                        let _e625 = local_2.len;
+                        if (_e625 == 0u) {
+                            phi_869_ = false;
                         } else {
-                            let _e633 = local_2.len;
-                            local_2.len = (_e633 - 1u);
-                            let _e636 = local_2.len;
-                            if (_e636 < 32u) {
+                            let _e629 = local_2.len;
+                            local_2.len = (_e629 - 1u);
+                            let _e632 = local_2.len;
+                            if (_e632 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e641 = local_2.first[(0u + _e636)];
-                            local_2.group = _e641;
-                            let _e644 = local_2.len;
-                            if (_e644 < 32u) {
+                            let _e637 = local_2.first[(0u + _e632)];
+                            local_2.group = _e637;
+                            let _e640 = local_2.len;
+                            if (_e640 < 32u) {
                             } else {
                                 return;
                             }
-                            let _e649 = local_2.mask[(0u + _e644)];
-                            local_2.group_mask = _e649;
-                            phi_862_ = true;
+                            let _e645 = local_2.mask[(0u + _e640)];
+                            local_2.group_mask = _e645;
+                            phi_869_ = true;
                         }
-                        let _e652 = phi_862_;
-                        phi_863_ = _e652;
+                        let _e648 = phi_869_;
+                        phi_870_ = _e648;
                     } else {
-                        phi_863_ = true;
+                        phi_870_ = true;
                     }
-                    let _e654 = phi_863_;
-                    if _e654 {
-                        let _e656 = local_2.group_mask;
-                        let _e662 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e656)), 32u, (_e656 == 0u)));
-                        let _e666 = local_2.group_mask;
-                        let _e680 = local_2.group_mask;
-                        local_2.group_mask = (_e680 & ~((1u << bitcast<u32>((_e662 & 31u)))));
-                        let _e683 = local_2.group;
-                        phi_894_ = (_e683 + countOneBits(((_e666 & ~((4294967295u << bitcast<u32>((((_e662 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    let _e650 = phi_870_;
+                    if _e650 {
+                        let _e652 = local_2.group_mask;
+                        let _e658 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e652)), 32u, (_e652 == 0u)));
+                        let _e662 = local_2.group_mask;
+                        let _e676 = local_2.group_mask;
+                        local_2.group_mask = (_e676 & ~((1u << bitcast<u32>((_e658 & 31u)))));
+                        let _e679 = local_2.group;
+                        phi_901_ = (_e679 + countOneBits(((_e662 & ~((4294967295u << bitcast<u32>((((_e658 - 24u) ^ 7u) & 31u))))) & 255u)));
                     } else {
-                        phi_894_ = 4294967295u;
+                        phi_901_ = 4294967295u;
                     }
-                    let _e686 = phi_894_;
-                    phi_896_ = _e686;
-                    phi_899_ = vec3<f32>(1f, 1f, 1f);
+                    let _e682 = phi_901_;
+                    phi_903_ = _e682;
+                    phi_906_ = vec3<f32>(1f, 1f, 1f);
                     loop {
-                        let _e688 = phi_896_;
-                        let _e690 = phi_899_;
-                        local_12 = _e690;
-                        if (_e688 != 4294967295u) {
-                            if (_e688 < _e83) {
+                        let _e684 = phi_903_;
+                        let _e686 = phi_906_;
+                        local_12 = _e686;
+                        if (_e684 != 4294967295u) {
+                            if (_e684 < _e83) {
                             } else {
                                 return;
                             }
-                            let _e697 = nodes.member[(0u + _e688)].frame[3u];
-                            let _e722 = (bitcast<f32>((((_e697 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e452);
-                            let _e723 = (bitcast<f32>((((_e697 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e462);
-                            let _e724 = (bitcast<f32>((((_e697 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e472);
-                            let _e727 = nodes.member[(0u + _e688)].frame[0u];
-                            let _e731 = nodes.member[(0u + _e688)].frame[1u];
-                            let _e735 = nodes.member[(0u + _e688)].frame[2u];
-                            let _e740 = ((bitcast<f32>(_e727) - _e293) * _e452);
-                            let _e741 = ((bitcast<f32>(_e731) - _e295) * _e462);
-                            let _e742 = ((bitcast<f32>(_e735) - _e297) * _e472);
-                            let _e750 = nodes.member[(0u + _e688)].x;
-                            if (_e452 < 0f) {
-                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.unnamed.root, _e750.w), _e761.unnamed_1);
-                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e750.x, _e767.unnamed_1.first_primitive));
-                                phi_979_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e773.unnamed_1.root, _e750.y));
+                            let _e693 = nodes.member[(0u + _e684)].frame[3u];
+                            let _e718 = (bitcast<f32>((((_e693 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e444);
+                            let _e719 = (bitcast<f32>((((_e693 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e454);
+                            let _e720 = (bitcast<f32>((((_e693 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e464);
+                            let _e723 = nodes.member[(0u + _e684)].frame[0u];
+                            let _e727 = nodes.member[(0u + _e684)].frame[1u];
+                            let _e731 = nodes.member[(0u + _e684)].frame[2u];
+                            let _e736 = ((bitcast<f32>(_e723) - _e293) * _e444);
+                            let _e737 = ((bitcast<f32>(_e727) - _e295) * _e454);
+                            let _e738 = ((bitcast<f32>(_e731) - _e297) * _e464);
+                            let _e746 = nodes.member[(0u + _e684)].x;
+                            if (_e444 < 0f) {
+                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e757.unnamed.word, _e746.w), _e757.unnamed_1);
+                                let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e746.x, _e763.unnamed_1.shift));
+                                phi_986_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_mask_LightPlace(_e769.unnamed_1.word, _e746.y));
                             } else {
-                                let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e789.unnamed.root, _e750.y), _e789.unnamed_1);
-                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_bvh_traverse_Tree(_e750.z, _e795.unnamed_1.first_primitive));
-                                phi_979_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e801.unnamed_1.root, _e750.w));
+                                let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e746.y), _e785.unnamed_1);
+                                let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e746.z, _e791.unnamed_1.shift));
+                                phi_986_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e746.w));
                             }
-                            let _e809 = phi_979_;
-                            let _e819 = nodes.member[(0u + _e688)].y;
-                            if (_e462 < 0f) {
-                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e830.unnamed.root, _e819.w), _e830.unnamed_1);
-                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e819.x, _e836.unnamed_1.first_primitive));
-                                phi_1006_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_bvh_traverse_Tree(_e842.unnamed_1.root, _e819.y));
+                            let _e805 = phi_986_;
+                            let _e815 = nodes.member[(0u + _e684)].y;
+                            if (_e454 < 0f) {
+                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e826.unnamed.word, _e815.w), _e826.unnamed_1);
+                                let _e838 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e815.x, _e832.unnamed_1.shift));
+                                phi_1013_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e838.unnamed, lt_mask_LightPlace(_e838.unnamed_1.word, _e815.y));
                             } else {
-                                let _e858 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e858.unnamed.root, _e819.y), _e858.unnamed_1);
-                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e864.unnamed, lt_bvh_traverse_Tree(_e819.z, _e864.unnamed_1.first_primitive));
-                                phi_1006_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_bvh_traverse_Tree(_e870.unnamed_1.root, _e819.w));
+                                let _e854 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e860 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e854.unnamed.word, _e815.y), _e854.unnamed_1);
+                                let _e866 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e860.unnamed, lt_mask_LightPlace(_e815.z, _e860.unnamed_1.shift));
+                                phi_1013_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e866.unnamed, lt_mask_LightPlace(_e866.unnamed_1.word, _e815.w));
                             }
-                            let _e878 = phi_1006_;
-                            let _e888 = nodes.member[(0u + _e688)].z;
-                            if (_e472 < 0f) {
-                                let _e899 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e888.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e905 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e899.unnamed.root, _e888.w), _e899.unnamed_1);
-                                let _e911 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e905.unnamed, lt_bvh_traverse_Tree(_e888.x, _e905.unnamed_1.first_primitive));
-                                phi_1033_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e911.unnamed, lt_bvh_traverse_Tree(_e911.unnamed_1.root, _e888.y));
+                            let _e874 = phi_1013_;
+                            let _e884 = nodes.member[(0u + _e684)].z;
+                            if (_e464 < 0f) {
+                                let _e895 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e884.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e901 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e895.unnamed.word, _e884.w), _e895.unnamed_1);
+                                let _e907 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e901.unnamed, lt_mask_LightPlace(_e884.x, _e901.unnamed_1.shift));
+                                phi_1040_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e907.unnamed, lt_mask_LightPlace(_e907.unnamed_1.word, _e884.y));
                             } else {
-                                let _e927 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e888.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e933 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e927.unnamed.root, _e888.y), _e927.unnamed_1);
-                                let _e939 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e933.unnamed, lt_bvh_traverse_Tree(_e888.z, _e933.unnamed_1.first_primitive));
-                                phi_1033_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e939.unnamed, lt_bvh_traverse_Tree(_e939.unnamed_1.root, _e888.w));
+                                let _e923 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e884.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e929 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e923.unnamed.word, _e884.y), _e923.unnamed_1);
+                                let _e935 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e929.unnamed, lt_mask_LightPlace(_e884.z, _e929.unnamed_1.shift));
+                                phi_1040_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e935.unnamed, lt_mask_LightPlace(_e935.unnamed_1.word, _e884.w));
                             }
-                            let _e947 = phi_1033_;
-                            phi_1039_ = 0u;
-                            phi_1042_ = 0u;
+                            let _e943 = phi_1040_;
+                            phi_1046_ = 0u;
+                            phi_1049_ = 0u;
                             loop {
-                                let _e957 = phi_1039_;
-                                let _e959 = phi_1042_;
-                                local_3 = _e959;
-                                local_4 = _e959;
-                                local_5 = _e959;
-                                let _e960 = (_e957 < 8u);
-                                if _e960 {
-                                    let _e962 = (_e957 >> bitcast<u32>(2i));
-                                    let _e963 = (_e957 & 3u);
-                                    if (_e962 == 0u) {
-                                        phi_1056_ = _e809.unnamed.root;
+                                let _e953 = phi_1046_;
+                                let _e955 = phi_1049_;
+                                local_3 = _e955;
+                                local_4 = _e955;
+                                local_5 = _e955;
+                                let _e956 = (_e953 < 8u);
+                                if _e956 {
+                                    let _e958 = (_e953 >> bitcast<u32>(2i));
+                                    let _e959 = (_e953 & 3u);
+                                    if (_e958 == 0u) {
+                                        phi_1063_ = _e805.unnamed.word;
                                     } else {
-                                        phi_1056_ = _e809.unnamed.first_primitive;
+                                        phi_1063_ = _e805.unnamed.shift;
                                     }
-                                    let _e966 = phi_1056_;
-                                    if (_e962 == 0u) {
-                                        phi_1066_ = _e878.unnamed.root;
+                                    let _e962 = phi_1063_;
+                                    if (_e958 == 0u) {
+                                        phi_1073_ = _e874.unnamed.word;
                                     } else {
-                                        phi_1066_ = _e878.unnamed.first_primitive;
+                                        phi_1073_ = _e874.unnamed.shift;
                                     }
-                                    let _e975 = phi_1066_;
-                                    if (_e962 == 0u) {
-                                        phi_1076_ = _e947.unnamed.root;
+                                    let _e971 = phi_1073_;
+                                    if (_e958 == 0u) {
+                                        phi_1083_ = _e943.unnamed.word;
                                     } else {
-                                        phi_1076_ = _e947.unnamed.first_primitive;
+                                        phi_1083_ = _e943.unnamed.shift;
                                     }
-                                    let _e984 = phi_1076_;
-                                    let _e997 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e966 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e722) + (_e740 - _e500)), ((f32(((_e975 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e723) + (_e741 - _e501)));
-                                    let _e998 = core_intrinsics_maximum_number_nsz_f32_(_e997, ((f32(((_e984 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e724) + (_e742 - _e502)));
-                                    if (_e962 == 0u) {
-                                        phi_1094_ = _e809.unnamed_1.root;
+                                    let _e980 = phi_1083_;
+                                    let _e993 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e962 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e718) + (_e736 - _e496)), ((f32(((_e971 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e719) + (_e737 - _e497)));
+                                    let _e994 = core_intrinsics_maximum_number_nsz_f32_(_e993, ((f32(((_e980 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e720) + (_e738 - _e498)));
+                                    if (_e958 == 0u) {
+                                        phi_1101_ = _e805.unnamed_1.word;
                                     } else {
-                                        phi_1094_ = _e809.unnamed_1.first_primitive;
+                                        phi_1101_ = _e805.unnamed_1.shift;
                                     }
-                                    let _e1001 = phi_1094_;
-                                    if (_e962 == 0u) {
-                                        phi_1104_ = _e878.unnamed_1.root;
+                                    let _e997 = phi_1101_;
+                                    if (_e958 == 0u) {
+                                        phi_1111_ = _e874.unnamed_1.word;
                                     } else {
-                                        phi_1104_ = _e878.unnamed_1.first_primitive;
+                                        phi_1111_ = _e874.unnamed_1.shift;
                                     }
-                                    let _e1010 = phi_1104_;
-                                    if (_e962 == 0u) {
-                                        phi_1114_ = _e947.unnamed_1.root;
+                                    let _e1006 = phi_1111_;
+                                    if (_e958 == 0u) {
+                                        phi_1121_ = _e943.unnamed_1.word;
                                     } else {
-                                        phi_1114_ = _e947.unnamed_1.first_primitive;
+                                        phi_1121_ = _e943.unnamed_1.shift;
                                     }
-                                    let _e1019 = phi_1114_;
-                                    let _e1032 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1001 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e722) + (_e740 + _e500)), ((f32(((_e1010 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e723) + (_e741 + _e501)));
-                                    let _e1033 = core_intrinsics_minimum_number_nsz_f32_(_e1032, ((f32(((_e1019 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u)) * _e724) + (_e742 + _e502)));
-                                    if (_e998 <= _e1033) {
-                                        if (_e998 <= _e303) {
-                                            if (_e1033 >= 0f) {
-                                                if (_e962 == 0u) {
-                                                    let _e1040 = nodes.member[(0u + _e688)].links[2u];
-                                                    phi_1150_ = _e1040;
+                                    let _e1015 = phi_1121_;
+                                    let _e1028 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e997 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e718) + (_e736 + _e496)), ((f32(((_e1006 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e719) + (_e737 + _e497)));
+                                    let _e1029 = core_intrinsics_minimum_number_nsz_f32_(_e1028, ((f32(((_e1015 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e720) + (_e738 + _e498)));
+                                    if (_e994 <= _e1029) {
+                                        if (_e994 <= _e303) {
+                                            if (_e1029 >= 0f) {
+                                                if (_e958 == 0u) {
+                                                    let _e1036 = nodes.member[(0u + _e684)].links[2u];
+                                                    phi_1157_ = _e1036;
                                                 } else {
-                                                    let _e1043 = nodes.member[(0u + _e688)].links[3u];
-                                                    phi_1150_ = _e1043;
+                                                    let _e1039 = nodes.member[(0u + _e684)].links[3u];
+                                                    phi_1157_ = _e1039;
                                                 }
-                                                let _e1045 = phi_1150_;
-                                                let _e1050 = ((_e1045 >> bitcast<u32>(((_e963 * 8u) & 31u))) & 255u);
-                                                let _e1051 = (_e1050 & 31u);
-                                                if (_e1051 >= 24u) {
-                                                    phi_1163_ = (24u + ((_e1051 - 24u) ^ _e550));
+                                                let _e1041 = phi_1157_;
+                                                let _e1046 = ((_e1041 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u);
+                                                let _e1047 = (_e1046 & 31u);
+                                                if (_e1047 >= 24u) {
+                                                    phi_1170_ = (24u + ((_e1047 - 24u) ^ _e546));
                                                 } else {
-                                                    phi_1163_ = _e1051;
+                                                    phi_1170_ = _e1047;
                                                 }
-                                                let _e1057 = phi_1163_;
-                                                phi_1168_ = (_e959 | ((_e1050 >> bitcast<u32>(5i)) << bitcast<u32>((_e1057 & 31u))));
+                                                let _e1053 = phi_1170_;
+                                                phi_1175_ = (_e955 | ((_e1046 >> bitcast<u32>(5i)) << bitcast<u32>((_e1053 & 31u))));
                                             } else {
-                                                phi_1168_ = _e959;
+                                                phi_1175_ = _e955;
                                             }
-                                            let _e1065 = phi_1168_;
-                                            phi_1169_ = _e1065;
+                                            let _e1061 = phi_1175_;
+                                            phi_1176_ = _e1061;
                                         } else {
-                                            phi_1169_ = _e959;
+                                            phi_1176_ = _e955;
                                         }
-                                        let _e1067 = phi_1169_;
-                                        phi_1170_ = _e1067;
+                                        let _e1063 = phi_1176_;
+                                        phi_1177_ = _e1063;
                                     } else {
-                                        phi_1170_ = _e959;
+                                        phi_1177_ = _e955;
                                     }
-                                    let _e1069 = phi_1170_;
-                                    phi_1040_ = (_e957 + 1u);
-                                    phi_1043_ = _e1069;
+                                    let _e1065 = phi_1177_;
+                                    phi_1047_ = (_e953 + 1u);
+                                    phi_1050_ = _e1065;
                                 } else {
-                                    phi_1040_ = u32();
-                                    phi_1043_ = u32();
+                                    phi_1047_ = u32();
+                                    phi_1050_ = u32();
                                 }
-                                let _e1072 = phi_1040_;
-                                let _e1074 = phi_1043_;
+                                let _e1068 = phi_1047_;
+                                let _e1070 = phi_1050_;
                                 continue;
                                 continuing {
-                                    phi_1039_ = _e1072;
-                                    phi_1042_ = _e1074;
-                                    break if !(_e960);
+                                    phi_1046_ = _e1068;
+                                    phi_1049_ = _e1070;
+                                    break if !(_e956);
                                 }
                             }
-                            let _e1078 = nodes.member[(0u + _e688)].links[0u];
-                            let _e1082 = nodes.member[(0u + _e688)].frame[3u];
-                            let _e1086 = local_3;
-                            if ((_e1086 & 4278190080u) == 0u) {
+                            let _e1074 = nodes.member[(0u + _e684)].links[0u];
+                            let _e1078 = nodes.member[(0u + _e684)].frame[3u];
+                            let _e1082 = local_3;
+                            if ((_e1082 & 4278190080u) == 0u) {
                             } else {
-                                let _e1090 = local_2.group_mask;
-                                if ((_e1090 & 4278190080u) == 0u) {
+                                let _e1086 = local_2.group_mask;
+                                if ((_e1086 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1094 = local_2.len;
-                                    if (_e1094 < 32u) {
-                                        let _e1097 = local_2.group;
-                                        let _e1099 = local_2.len;
-                                        if (_e1099 < 32u) {
+                                    let _e1090 = local_2.len;
+                                    if (_e1090 < 32u) {
+                                        let _e1093 = local_2.group;
+                                        let _e1095 = local_2.len;
+                                        if (_e1095 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_2.first[(0u + _e1099)] = _e1097;
-                                        let _e1105 = local_2.group_mask;
-                                        let _e1107 = local_2.len;
-                                        if (_e1107 < 32u) {
+                                        local_2.first[(0u + _e1095)] = _e1093;
+                                        let _e1101 = local_2.group_mask;
+                                        let _e1103 = local_2.len;
+                                        if (_e1103 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_2.mask[(0u + _e1107)] = _e1105;
-                                        let _e1114 = local_2.len;
-                                        local_2.len = (_e1114 + 1u);
+                                        local_2.mask[(0u + _e1103)] = _e1101;
+                                        let _e1110 = local_2.len;
+                                        local_2.len = (_e1110 + 1u);
                                     }
                                 }
-                                local_2.group = (0u + _e1078);
-                                let _e1118 = local_4;
-                                local_2.group_mask = ((_e1118 & 4278190080u) | (_e1082 >> bitcast<u32>(24i)));
+                                local_2.group = (0u + _e1074);
+                                let _e1114 = local_4;
+                                local_2.group_mask = ((_e1114 & 4278190080u) | (_e1078 >> bitcast<u32>(24i)));
                             }
-                            let _e1123 = local_5;
-                            phi_1228_ = (_e1123 & 16777215u);
-                            phi_1231_ = _e690;
+                            let _e1119 = local_5;
+                            phi_1235_ = (_e1119 & 16777215u);
+                            phi_1238_ = _e686;
                             loop {
-                                let _e1126 = phi_1228_;
-                                let _e1128 = phi_1231_;
-                                local_8 = _e1128;
-                                let _e1129 = (_e1126 == 0u);
-                                local_6 = _e1129;
-                                local_10 = _e1129;
-                                if _e1129 {
-                                    phi_1229_ = u32();
-                                    phi_1232_ = vec3<f32>();
-                                    phi_2320_ = vec3<f32>();
-                                    phi_2321_ = false;
+                                let _e1122 = phi_1235_;
+                                let _e1124 = phi_1238_;
+                                local_8 = _e1124;
+                                let _e1125 = (_e1122 == 0u);
+                                local_6 = _e1125;
+                                local_10 = _e1125;
+                                if _e1125 {
+                                    phi_1236_ = u32();
+                                    phi_1239_ = vec3<f32>();
+                                    phi_2327_ = vec3<f32>();
+                                    phi_2328_ = false;
                                 } else {
-                                    let _e1132 = nodes.member[(0u + _e688)].links[1u];
-                                    let _e1137 = ((0u + _e1132) + select(firstTrailingBit(_e1126), 32u, (_e1126 == 0u)));
-                                    if (_e1137 < _e86) {
+                                    let _e1128 = nodes.member[(0u + _e684)].links[1u];
+                                    let _e1133 = ((0u + _e1128) + select(firstTrailingBit(_e1122), 32u, (_e1122 == 0u)));
+                                    if (_e1133 < _e86) {
                                     } else {
                                         return;
                                     }
-                                    let _e1144 = triangles.member[(0u + _e1137)].v0_;
-                                    let _e1146 = (_e1144.x - _e293);
-                                    let _e1148 = (_e1144.y - _e295);
-                                    let _e1150 = (_e1144.z - _e297);
-                                    if (_e523 == 0u) {
-                                        phi_1276_ = vec3<f32>(_e1148, _e1150, _e1146);
+                                    let _e1140 = triangles.member[(0u + _e1133)].v0_;
+                                    let _e1142 = (_e1140.x - _e293);
+                                    let _e1144 = (_e1140.y - _e295);
+                                    let _e1146 = (_e1140.z - _e297);
+                                    if (_e519 == 0u) {
+                                        phi_1283_ = vec3<f32>(_e1144, _e1146, _e1142);
                                     } else {
-                                        if (_e523 == 1u) {
-                                            phi_1275_ = vec3<f32>(_e1150, _e1146, _e1148);
+                                        if (_e519 == 1u) {
+                                            phi_1282_ = vec3<f32>(_e1146, _e1142, _e1144);
                                         } else {
-                                            phi_1275_ = (_e1144 - vec3<f32>(_e293, _e295, _e297));
+                                            phi_1282_ = (_e1140 - vec3<f32>(_e293, _e295, _e297));
                                         }
-                                        let _e1158 = phi_1275_;
-                                        phi_1276_ = _e1158;
+                                        let _e1154 = phi_1282_;
+                                        phi_1283_ = _e1154;
                                     }
-                                    let _e1160 = phi_1276_;
-                                    let _e1164 = (_e1160.x - (_e534 * _e1160.z));
-                                    let _e1168 = (_e1160.y - (_e537 * _e1160.z));
-                                    let _e1170 = triangles.member[(0u + _e1137)].v1_;
-                                    let _e1172 = (_e1170.x - _e293);
-                                    let _e1174 = (_e1170.y - _e295);
-                                    let _e1176 = (_e1170.z - _e297);
-                                    if (_e523 == 0u) {
-                                        phi_1306_ = vec3<f32>(_e1174, _e1176, _e1172);
+                                    let _e1156 = phi_1283_;
+                                    let _e1160 = (_e1156.x - (_e530 * _e1156.z));
+                                    let _e1164 = (_e1156.y - (_e533 * _e1156.z));
+                                    let _e1166 = triangles.member[(0u + _e1133)].v1_;
+                                    let _e1168 = (_e1166.x - _e293);
+                                    let _e1170 = (_e1166.y - _e295);
+                                    let _e1172 = (_e1166.z - _e297);
+                                    if (_e519 == 0u) {
+                                        phi_1313_ = vec3<f32>(_e1170, _e1172, _e1168);
                                     } else {
-                                        if (_e523 == 1u) {
-                                            phi_1305_ = vec3<f32>(_e1176, _e1172, _e1174);
+                                        if (_e519 == 1u) {
+                                            phi_1312_ = vec3<f32>(_e1172, _e1168, _e1170);
                                         } else {
-                                            phi_1305_ = (_e1170 - vec3<f32>(_e293, _e295, _e297));
+                                            phi_1312_ = (_e1166 - vec3<f32>(_e293, _e295, _e297));
                                         }
-                                        let _e1184 = phi_1305_;
-                                        phi_1306_ = _e1184;
+                                        let _e1180 = phi_1312_;
+                                        phi_1313_ = _e1180;
                                     }
-                                    let _e1186 = phi_1306_;
-                                    let _e1190 = (_e1186.x - (_e534 * _e1186.z));
-                                    let _e1194 = (_e1186.y - (_e537 * _e1186.z));
-                                    let _e1196 = triangles.member[(0u + _e1137)].v2_;
-                                    let _e1198 = (_e1196.x - _e293);
-                                    let _e1200 = (_e1196.y - _e295);
-                                    let _e1202 = (_e1196.z - _e297);
-                                    if (_e523 == 0u) {
-                                        phi_1336_ = vec3<f32>(_e1200, _e1202, _e1198);
+                                    let _e1182 = phi_1313_;
+                                    let _e1186 = (_e1182.x - (_e530 * _e1182.z));
+                                    let _e1190 = (_e1182.y - (_e533 * _e1182.z));
+                                    let _e1192 = triangles.member[(0u + _e1133)].v2_;
+                                    let _e1194 = (_e1192.x - _e293);
+                                    let _e1196 = (_e1192.y - _e295);
+                                    let _e1198 = (_e1192.z - _e297);
+                                    if (_e519 == 0u) {
+                                        phi_1343_ = vec3<f32>(_e1196, _e1198, _e1194);
                                     } else {
-                                        if (_e523 == 1u) {
-                                            phi_1335_ = vec3<f32>(_e1202, _e1198, _e1200);
+                                        if (_e519 == 1u) {
+                                            phi_1342_ = vec3<f32>(_e1198, _e1194, _e1196);
                                         } else {
-                                            phi_1335_ = (_e1196 - vec3<f32>(_e293, _e295, _e297));
+                                            phi_1342_ = (_e1192 - vec3<f32>(_e293, _e295, _e297));
                                         }
-                                        let _e1210 = phi_1335_;
-                                        phi_1336_ = _e1210;
+                                        let _e1206 = phi_1342_;
+                                        phi_1343_ = _e1206;
                                     }
-                                    let _e1212 = phi_1336_;
-                                    let _e1216 = (_e1212.x - (_e534 * _e1212.z));
-                                    let _e1220 = (_e1212.y - (_e537 * _e1212.z));
-                                    if (_e1190 < _e1216) {
-                                        phi_1355_ = true;
+                                    let _e1208 = phi_1343_;
+                                    let _e1212 = (_e1208.x - (_e530 * _e1208.z));
+                                    let _e1216 = (_e1208.y - (_e533 * _e1208.z));
+                                    if (_e1186 < _e1212) {
+                                        phi_1362_ = true;
                                     } else {
-                                        if (_e1190 == _e1216) {
-                                            phi_1354_ = (_e1194 < _e1220);
+                                        if (_e1186 == _e1212) {
+                                            phi_1361_ = (_e1190 < _e1216);
                                         } else {
-                                            phi_1354_ = false;
+                                            phi_1361_ = false;
                                         }
-                                        let _e1225 = phi_1354_;
-                                        phi_1355_ = _e1225;
+                                        let _e1221 = phi_1361_;
+                                        phi_1362_ = _e1221;
                                     }
-                                    let _e1227 = phi_1355_;
-                                    if _e1227 {
-                                        phi_1359_ = _e1220;
-                                        phi_1360_ = _e1216;
-                                        phi_1361_ = _e1194;
-                                        phi_1362_ = _e1190;
+                                    let _e1223 = phi_1362_;
+                                    if _e1223 {
+                                        phi_1366_ = _e1216;
+                                        phi_1367_ = _e1212;
+                                        phi_1368_ = _e1190;
+                                        phi_1369_ = _e1186;
                                     } else {
-                                        phi_1359_ = _e1194;
-                                        phi_1360_ = _e1190;
-                                        phi_1361_ = _e1220;
-                                        phi_1362_ = _e1216;
+                                        phi_1366_ = _e1190;
+                                        phi_1367_ = _e1186;
+                                        phi_1368_ = _e1216;
+                                        phi_1369_ = _e1212;
                                     }
-                                    let _e1229 = phi_1359_;
-                                    let _e1231 = phi_1360_;
-                                    let _e1233 = phi_1361_;
-                                    let _e1235 = phi_1362_;
-                                    let _e1238 = ((_e1235 * _e1229) - (_e1233 * _e1231));
-                                    if _e1227 {
-                                        phi_1370_ = -(_e1238);
+                                    let _e1225 = phi_1366_;
+                                    let _e1227 = phi_1367_;
+                                    let _e1229 = phi_1368_;
+                                    let _e1231 = phi_1369_;
+                                    let _e1234 = ((_e1231 * _e1225) - (_e1229 * _e1227));
+                                    if _e1223 {
+                                        phi_1377_ = -(_e1234);
                                     } else {
-                                        phi_1370_ = _e1238;
+                                        phi_1377_ = _e1234;
                                     }
-                                    let _e1241 = phi_1370_;
-                                    if (_e1216 < _e1164) {
-                                        phi_1381_ = true;
+                                    let _e1237 = phi_1377_;
+                                    if (_e1212 < _e1160) {
+                                        phi_1388_ = true;
                                     } else {
-                                        if (_e1216 == _e1164) {
-                                            phi_1380_ = (_e1220 < _e1168);
+                                        if (_e1212 == _e1160) {
+                                            phi_1387_ = (_e1216 < _e1164);
                                         } else {
-                                            phi_1380_ = false;
+                                            phi_1387_ = false;
                                         }
-                                        let _e1246 = phi_1380_;
-                                        phi_1381_ = _e1246;
+                                        let _e1242 = phi_1387_;
+                                        phi_1388_ = _e1242;
                                     }
-                                    let _e1248 = phi_1381_;
-                                    if _e1248 {
-                                        phi_1385_ = _e1168;
-                                        phi_1386_ = _e1164;
-                                        phi_1387_ = _e1220;
-                                        phi_1388_ = _e1216;
+                                    let _e1244 = phi_1388_;
+                                    if _e1244 {
+                                        phi_1392_ = _e1164;
+                                        phi_1393_ = _e1160;
+                                        phi_1394_ = _e1216;
+                                        phi_1395_ = _e1212;
                                     } else {
-                                        phi_1385_ = _e1220;
-                                        phi_1386_ = _e1216;
-                                        phi_1387_ = _e1168;
-                                        phi_1388_ = _e1164;
+                                        phi_1392_ = _e1216;
+                                        phi_1393_ = _e1212;
+                                        phi_1394_ = _e1164;
+                                        phi_1395_ = _e1160;
                                     }
-                                    let _e1250 = phi_1385_;
-                                    let _e1252 = phi_1386_;
-                                    let _e1254 = phi_1387_;
-                                    let _e1256 = phi_1388_;
-                                    let _e1259 = ((_e1256 * _e1250) - (_e1254 * _e1252));
-                                    if _e1248 {
-                                        phi_1396_ = -(_e1259);
+                                    let _e1246 = phi_1392_;
+                                    let _e1248 = phi_1393_;
+                                    let _e1250 = phi_1394_;
+                                    let _e1252 = phi_1395_;
+                                    let _e1255 = ((_e1252 * _e1246) - (_e1250 * _e1248));
+                                    if _e1244 {
+                                        phi_1403_ = -(_e1255);
                                     } else {
-                                        phi_1396_ = _e1259;
+                                        phi_1403_ = _e1255;
                                     }
-                                    let _e1262 = phi_1396_;
-                                    if (_e1164 < _e1190) {
-                                        phi_1407_ = true;
+                                    let _e1258 = phi_1403_;
+                                    if (_e1160 < _e1186) {
+                                        phi_1414_ = true;
                                     } else {
-                                        if (_e1164 == _e1190) {
-                                            phi_1406_ = (_e1168 < _e1194);
+                                        if (_e1160 == _e1186) {
+                                            phi_1413_ = (_e1164 < _e1190);
                                         } else {
-                                            phi_1406_ = false;
+                                            phi_1413_ = false;
                                         }
-                                        let _e1267 = phi_1406_;
-                                        phi_1407_ = _e1267;
+                                        let _e1263 = phi_1413_;
+                                        phi_1414_ = _e1263;
                                     }
-                                    let _e1269 = phi_1407_;
-                                    if _e1269 {
-                                        phi_1411_ = _e1194;
-                                        phi_1412_ = _e1190;
-                                        phi_1413_ = _e1168;
-                                        phi_1414_ = _e1164;
+                                    let _e1265 = phi_1414_;
+                                    if _e1265 {
+                                        phi_1418_ = _e1190;
+                                        phi_1419_ = _e1186;
+                                        phi_1420_ = _e1164;
+                                        phi_1421_ = _e1160;
                                     } else {
-                                        phi_1411_ = _e1168;
-                                        phi_1412_ = _e1164;
-                                        phi_1413_ = _e1194;
-                                        phi_1414_ = _e1190;
+                                        phi_1418_ = _e1164;
+                                        phi_1419_ = _e1160;
+                                        phi_1420_ = _e1190;
+                                        phi_1421_ = _e1186;
                                     }
-                                    let _e1271 = phi_1411_;
-                                    let _e1273 = phi_1412_;
-                                    let _e1275 = phi_1413_;
-                                    let _e1277 = phi_1414_;
-                                    let _e1280 = ((_e1277 * _e1271) - (_e1275 * _e1273));
-                                    if _e1269 {
-                                        phi_1422_ = -(_e1280);
+                                    let _e1267 = phi_1418_;
+                                    let _e1269 = phi_1419_;
+                                    let _e1271 = phi_1420_;
+                                    let _e1273 = phi_1421_;
+                                    let _e1276 = ((_e1273 * _e1267) - (_e1271 * _e1269));
+                                    if _e1265 {
+                                        phi_1429_ = -(_e1276);
                                     } else {
-                                        phi_1422_ = _e1280;
+                                        phi_1429_ = _e1276;
                                     }
-                                    let _e1283 = phi_1422_;
-                                    if (_e1241 >= 0f) {
-                                        if (_e1262 >= 0f) {
-                                            if (_e1283 >= 0f) {
-                                                phi_1437_ = ((_e1241 + _e1262) + _e1283);
-                                                phi_1438_ = false;
+                                    let _e1279 = phi_1429_;
+                                    if (_e1237 >= 0f) {
+                                        if (_e1258 >= 0f) {
+                                            if (_e1279 >= 0f) {
+                                                phi_1444_ = ((_e1237 + _e1258) + _e1279);
+                                                phi_1445_ = false;
                                             } else {
-                                                phi_1437_ = f32();
-                                                phi_1438_ = true;
+                                                phi_1444_ = f32();
+                                                phi_1445_ = true;
                                             }
-                                            let _e1290 = phi_1437_;
-                                            let _e1292 = phi_1438_;
-                                            phi_1439_ = _e1290;
-                                            phi_1440_ = _e1292;
+                                            let _e1286 = phi_1444_;
+                                            let _e1288 = phi_1445_;
+                                            phi_1446_ = _e1286;
+                                            phi_1447_ = _e1288;
                                         } else {
-                                            phi_1439_ = f32();
-                                            phi_1440_ = true;
+                                            phi_1446_ = f32();
+                                            phi_1447_ = true;
                                         }
-                                        let _e1294 = phi_1439_;
-                                        let _e1296 = phi_1440_;
-                                        phi_1441_ = _e1294;
-                                        phi_1442_ = _e1296;
+                                        let _e1290 = phi_1446_;
+                                        let _e1292 = phi_1447_;
+                                        phi_1448_ = _e1290;
+                                        phi_1449_ = _e1292;
                                     } else {
-                                        phi_1441_ = f32();
-                                        phi_1442_ = true;
+                                        phi_1448_ = f32();
+                                        phi_1449_ = true;
                                     }
-                                    let _e1298 = phi_1441_;
-                                    let _e1300 = phi_1442_;
-                                    if _e1300 {
-                                        if (_e1241 <= 0f) {
-                                            if (_e1262 <= 0f) {
-                                                let _e1303 = (_e1283 <= 0f);
-                                                if _e1303 {
+                                    let _e1294 = phi_1448_;
+                                    let _e1296 = phi_1449_;
+                                    if _e1296 {
+                                        if (_e1237 <= 0f) {
+                                            if (_e1258 <= 0f) {
+                                                let _e1299 = (_e1279 <= 0f);
+                                                if _e1299 {
                                                 }
-                                                phi_1460_ = ((_e1241 + _e1262) + _e1283);
-                                                phi_1461_ = false;
-                                                phi_1462_ = _e1303;
+                                                phi_1467_ = ((_e1237 + _e1258) + _e1279);
+                                                phi_1468_ = false;
+                                                phi_1469_ = _e1299;
                                             } else {
-                                                phi_1460_ = f32();
-                                                phi_1461_ = true;
-                                                phi_1462_ = false;
+                                                phi_1467_ = f32();
+                                                phi_1468_ = true;
+                                                phi_1469_ = false;
                                             }
-                                            let _e1307 = phi_1460_;
-                                            let _e1309 = phi_1461_;
-                                            let _e1311 = phi_1462_;
-                                            phi_1463_ = _e1307;
-                                            phi_1464_ = _e1309;
-                                            phi_1465_ = _e1311;
+                                            let _e1303 = phi_1467_;
+                                            let _e1305 = phi_1468_;
+                                            let _e1307 = phi_1469_;
+                                            phi_1470_ = _e1303;
+                                            phi_1471_ = _e1305;
+                                            phi_1472_ = _e1307;
                                         } else {
-                                            phi_1463_ = f32();
-                                            phi_1464_ = true;
-                                            phi_1465_ = false;
+                                            phi_1470_ = f32();
+                                            phi_1471_ = true;
+                                            phi_1472_ = false;
                                         }
-                                        let _e1313 = phi_1463_;
-                                        let _e1315 = phi_1464_;
-                                        let _e1317 = phi_1465_;
-                                        if _e1315 {
-                                            phi_1469_ = false;
+                                        let _e1309 = phi_1470_;
+                                        let _e1311 = phi_1471_;
+                                        let _e1313 = phi_1472_;
+                                        if _e1311 {
+                                            phi_1476_ = false;
                                         } else {
-                                            phi_1469_ = _e1317;
+                                            phi_1476_ = _e1313;
                                         }
-                                        let _e1319 = phi_1469_;
-                                        phi_1470_ = _e1313;
-                                        phi_1471_ = _e1319;
+                                        let _e1315 = phi_1476_;
+                                        phi_1477_ = _e1309;
+                                        phi_1478_ = _e1315;
                                     } else {
-                                        phi_1470_ = _e1298;
-                                        phi_1471_ = true;
+                                        phi_1477_ = _e1294;
+                                        phi_1478_ = true;
                                     }
-                                    let _e1321 = phi_1470_;
-                                    let _e1323 = phi_1471_;
-                                    if _e1323 {
-                                        let _e1324 = (_e1321 == 0f);
-                                        if _e1324 {
-                                            phi_1787_ = lt_bvh_triangle_Intersection();
-                                            phi_1788_ = false;
+                                    let _e1317 = phi_1477_;
+                                    let _e1319 = phi_1478_;
+                                    if _e1319 {
+                                        let _e1320 = (_e1317 == 0f);
+                                        if _e1320 {
+                                            phi_1794_ = lt_bvh_triangle_Intersection();
+                                            phi_1795_ = false;
                                         } else {
-                                            let _e1326 = triangles.member[(0u + _e1137)].v0_;
-                                            let _e1328 = (_e1326.x - _e293);
-                                            let _e1330 = (_e1326.y - _e295);
-                                            let _e1332 = (_e1326.z - _e297);
-                                            if (_e523 == 0u) {
-                                                phi_1500_ = vec3<f32>(_e1330, _e1332, _e1328);
+                                            let _e1322 = triangles.member[(0u + _e1133)].v0_;
+                                            let _e1324 = (_e1322.x - _e293);
+                                            let _e1326 = (_e1322.y - _e295);
+                                            let _e1328 = (_e1322.z - _e297);
+                                            if (_e519 == 0u) {
+                                                phi_1507_ = vec3<f32>(_e1326, _e1328, _e1324);
                                             } else {
-                                                if (_e523 == 1u) {
-                                                    phi_1499_ = vec3<f32>(_e1332, _e1328, _e1330);
+                                                if (_e519 == 1u) {
+                                                    phi_1506_ = vec3<f32>(_e1328, _e1324, _e1326);
                                                 } else {
-                                                    phi_1499_ = (_e1326 - vec3<f32>(_e293, _e295, _e297));
+                                                    phi_1506_ = (_e1322 - vec3<f32>(_e293, _e295, _e297));
                                                 }
-                                                let _e1340 = phi_1499_;
-                                                phi_1500_ = _e1340;
+                                                let _e1336 = phi_1506_;
+                                                phi_1507_ = _e1336;
                                             }
-                                            let _e1342 = phi_1500_;
-                                            let _e1344 = triangles.member[(0u + _e1137)].v1_;
-                                            let _e1346 = triangles.member[(0u + _e1137)].v0_;
-                                            let _e1349 = (_e1344.x - _e1346.x);
-                                            let _e1352 = (_e1344.y - _e1346.y);
-                                            let _e1355 = (_e1344.z - _e1346.z);
-                                            if (_e523 == 0u) {
-                                                phi_1526_ = vec3<f32>(_e1352, _e1355, _e1349);
+                                            let _e1338 = phi_1507_;
+                                            let _e1340 = triangles.member[(0u + _e1133)].v1_;
+                                            let _e1342 = triangles.member[(0u + _e1133)].v0_;
+                                            let _e1345 = (_e1340.x - _e1342.x);
+                                            let _e1348 = (_e1340.y - _e1342.y);
+                                            let _e1351 = (_e1340.z - _e1342.z);
+                                            if (_e519 == 0u) {
+                                                phi_1533_ = vec3<f32>(_e1348, _e1351, _e1345);
                                             } else {
-                                                if (_e523 == 1u) {
-                                                    phi_1525_ = vec3<f32>(_e1355, _e1349, _e1352);
+                                                if (_e519 == 1u) {
+                                                    phi_1532_ = vec3<f32>(_e1351, _e1345, _e1348);
                                                 } else {
-                                                    phi_1525_ = (_e1344 - _e1346);
+                                                    phi_1532_ = (_e1340 - _e1342);
                                                 }
-                                                let _e1362 = phi_1525_;
-                                                phi_1526_ = _e1362;
+                                                let _e1358 = phi_1532_;
+                                                phi_1533_ = _e1358;
                                             }
-                                            let _e1364 = phi_1526_;
-                                            let _e1366 = triangles.member[(0u + _e1137)].v2_;
-                                            let _e1368 = triangles.member[(0u + _e1137)].v0_;
-                                            let _e1371 = (_e1366.x - _e1368.x);
-                                            let _e1374 = (_e1366.y - _e1368.y);
-                                            let _e1377 = (_e1366.z - _e1368.z);
-                                            if (_e523 == 0u) {
-                                                phi_1552_ = vec3<f32>(_e1374, _e1377, _e1371);
+                                            let _e1360 = phi_1533_;
+                                            let _e1362 = triangles.member[(0u + _e1133)].v2_;
+                                            let _e1364 = triangles.member[(0u + _e1133)].v0_;
+                                            let _e1367 = (_e1362.x - _e1364.x);
+                                            let _e1370 = (_e1362.y - _e1364.y);
+                                            let _e1373 = (_e1362.z - _e1364.z);
+                                            if (_e519 == 0u) {
+                                                phi_1559_ = vec3<f32>(_e1370, _e1373, _e1367);
                                             } else {
-                                                if (_e523 == 1u) {
-                                                    phi_1551_ = vec3<f32>(_e1377, _e1371, _e1374);
+                                                if (_e519 == 1u) {
+                                                    phi_1558_ = vec3<f32>(_e1373, _e1367, _e1370);
                                                 } else {
-                                                    phi_1551_ = (_e1366 - _e1368);
+                                                    phi_1558_ = (_e1362 - _e1364);
                                                 }
-                                                let _e1384 = phi_1551_;
-                                                phi_1552_ = _e1384;
+                                                let _e1380 = phi_1558_;
+                                                phi_1559_ = _e1380;
                                             }
-                                            let _e1386 = phi_1552_;
-                                            let _e1393 = ((_e1364.y * _e1386.z) - (_e1364.z * _e1386.y));
-                                            let _e1400 = ((_e1364.z * _e1386.x) - (_e1364.x * _e1386.z));
-                                            let _e1407 = ((_e1364.x * _e1386.y) - (_e1364.y * _e1386.x));
-                                            let _e1421 = (((1f / _e531.z) * (((_e1393 * _e1342.x) + (_e1400 * _e1342.y)) + (_e1407 * _e1342.z))) / (((_e1393 * _e534) + (_e1400 * _e537)) + _e1407));
-                                            if (_e1421 > 0f) {
-                                                if (_e1421 < _e303) {
-                                                    let _e1425 = triangles.member[(0u + _e1137)].v0_;
-                                                    let _e1427 = triangles.member[(0u + _e1137)].v1_;
-                                                    if (_e1425.x < _e1427.x) {
-                                                        phi_1608_ = _e1425.x;
+                                            let _e1382 = phi_1559_;
+                                            let _e1389 = ((_e1360.y * _e1382.z) - (_e1360.z * _e1382.y));
+                                            let _e1396 = ((_e1360.z * _e1382.x) - (_e1360.x * _e1382.z));
+                                            let _e1403 = ((_e1360.x * _e1382.y) - (_e1360.y * _e1382.x));
+                                            let _e1417 = (((1f / _e527.z) * (((_e1389 * _e1338.x) + (_e1396 * _e1338.y)) + (_e1403 * _e1338.z))) / (((_e1389 * _e530) + (_e1396 * _e533)) + _e1403));
+                                            if (_e1417 > 0f) {
+                                                if (_e1417 < _e303) {
+                                                    let _e1421 = triangles.member[(0u + _e1133)].v0_;
+                                                    let _e1423 = triangles.member[(0u + _e1133)].v1_;
+                                                    if (_e1421.x < _e1423.x) {
+                                                        phi_1615_ = _e1421.x;
                                                     } else {
-                                                        phi_1608_ = _e1427.x;
+                                                        phi_1615_ = _e1423.x;
                                                     }
-                                                    let _e1434 = phi_1608_;
-                                                    if (_e1425.y < _e1427.y) {
-                                                        phi_1617_ = _e1425.y;
+                                                    let _e1430 = phi_1615_;
+                                                    if (_e1421.y < _e1423.y) {
+                                                        phi_1624_ = _e1421.y;
                                                     } else {
-                                                        phi_1617_ = _e1427.y;
+                                                        phi_1624_ = _e1423.y;
                                                     }
-                                                    let _e1441 = phi_1617_;
-                                                    if (_e1425.z < _e1427.z) {
-                                                        phi_1626_ = _e1425.z;
+                                                    let _e1437 = phi_1624_;
+                                                    if (_e1421.z < _e1423.z) {
+                                                        phi_1633_ = _e1421.z;
                                                     } else {
-                                                        phi_1626_ = _e1427.z;
+                                                        phi_1633_ = _e1423.z;
                                                     }
-                                                    let _e1448 = phi_1626_;
-                                                    let _e1450 = triangles.member[(0u + _e1137)].v2_;
-                                                    if (_e1434 < _e1450.x) {
-                                                        phi_1635_ = _e1434;
+                                                    let _e1444 = phi_1633_;
+                                                    let _e1446 = triangles.member[(0u + _e1133)].v2_;
+                                                    if (_e1430 < _e1446.x) {
+                                                        phi_1642_ = _e1430;
                                                     } else {
-                                                        phi_1635_ = _e1450.x;
+                                                        phi_1642_ = _e1446.x;
                                                     }
-                                                    let _e1455 = phi_1635_;
-                                                    if (_e1441 < _e1450.y) {
-                                                        phi_1642_ = _e1441;
+                                                    let _e1451 = phi_1642_;
+                                                    if (_e1437 < _e1446.y) {
+                                                        phi_1649_ = _e1437;
                                                     } else {
-                                                        phi_1642_ = _e1450.y;
+                                                        phi_1649_ = _e1446.y;
                                                     }
-                                                    let _e1460 = phi_1642_;
-                                                    if (_e1448 < _e1450.z) {
-                                                        phi_1649_ = _e1448;
+                                                    let _e1456 = phi_1649_;
+                                                    if (_e1444 < _e1446.z) {
+                                                        phi_1656_ = _e1444;
                                                     } else {
-                                                        phi_1649_ = _e1450.z;
+                                                        phi_1656_ = _e1446.z;
                                                     }
-                                                    let _e1465 = phi_1649_;
-                                                    let _e1467 = triangles.member[(0u + _e1137)].v0_;
-                                                    let _e1469 = triangles.member[(0u + _e1137)].v1_;
-                                                    if (_e1467.x > _e1469.x) {
-                                                        phi_1662_ = _e1467.x;
+                                                    let _e1461 = phi_1656_;
+                                                    let _e1463 = triangles.member[(0u + _e1133)].v0_;
+                                                    let _e1465 = triangles.member[(0u + _e1133)].v1_;
+                                                    if (_e1463.x > _e1465.x) {
+                                                        phi_1669_ = _e1463.x;
                                                     } else {
-                                                        phi_1662_ = _e1469.x;
+                                                        phi_1669_ = _e1465.x;
                                                     }
-                                                    let _e1476 = phi_1662_;
-                                                    if (_e1467.y > _e1469.y) {
-                                                        phi_1671_ = _e1467.y;
+                                                    let _e1472 = phi_1669_;
+                                                    if (_e1463.y > _e1465.y) {
+                                                        phi_1678_ = _e1463.y;
                                                     } else {
-                                                        phi_1671_ = _e1469.y;
+                                                        phi_1678_ = _e1465.y;
                                                     }
-                                                    let _e1483 = phi_1671_;
-                                                    if (_e1467.z > _e1469.z) {
-                                                        phi_1680_ = _e1467.z;
+                                                    let _e1479 = phi_1678_;
+                                                    if (_e1463.z > _e1465.z) {
+                                                        phi_1687_ = _e1463.z;
                                                     } else {
-                                                        phi_1680_ = _e1469.z;
+                                                        phi_1687_ = _e1465.z;
                                                     }
-                                                    let _e1490 = phi_1680_;
-                                                    let _e1492 = triangles.member[(0u + _e1137)].v2_;
-                                                    if (_e1476 > _e1492.x) {
-                                                        phi_1689_ = _e1476;
+                                                    let _e1486 = phi_1687_;
+                                                    let _e1488 = triangles.member[(0u + _e1133)].v2_;
+                                                    if (_e1472 > _e1488.x) {
+                                                        phi_1696_ = _e1472;
                                                     } else {
-                                                        phi_1689_ = _e1492.x;
+                                                        phi_1696_ = _e1488.x;
                                                     }
-                                                    let _e1497 = phi_1689_;
-                                                    if (_e1483 > _e1492.y) {
-                                                        phi_1696_ = _e1483;
+                                                    let _e1493 = phi_1696_;
+                                                    if (_e1479 > _e1488.y) {
+                                                        phi_1703_ = _e1479;
                                                     } else {
-                                                        phi_1696_ = _e1492.y;
+                                                        phi_1703_ = _e1488.y;
                                                     }
-                                                    let _e1502 = phi_1696_;
-                                                    if (_e1490 > _e1492.z) {
-                                                        phi_1703_ = _e1490;
+                                                    let _e1498 = phi_1703_;
+                                                    if (_e1486 > _e1488.z) {
+                                                        phi_1710_ = _e1486;
                                                     } else {
-                                                        phi_1703_ = _e1492.z;
+                                                        phi_1710_ = _e1488.z;
                                                     }
-                                                    let _e1507 = phi_1703_;
-                                                    let _e1511 = ((_e1455 - _e293) * _e452);
-                                                    let _e1512 = ((_e1460 - _e295) * _e462);
-                                                    let _e1513 = ((_e1465 - _e297) * _e472);
-                                                    let _e1517 = ((_e1497 - _e293) * _e452);
-                                                    let _e1518 = ((_e1502 - _e295) * _e462);
-                                                    let _e1519 = ((_e1507 - _e297) * _e472);
-                                                    if (_e1511 < _e1517) {
-                                                        phi_1720_ = _e1511;
+                                                    let _e1503 = phi_1710_;
+                                                    let _e1507 = ((_e1451 - _e293) * _e444);
+                                                    let _e1508 = ((_e1456 - _e295) * _e454);
+                                                    let _e1509 = ((_e1461 - _e297) * _e464);
+                                                    let _e1513 = ((_e1493 - _e293) * _e444);
+                                                    let _e1514 = ((_e1498 - _e295) * _e454);
+                                                    let _e1515 = ((_e1503 - _e297) * _e464);
+                                                    if (_e1507 < _e1513) {
+                                                        phi_1727_ = _e1507;
                                                     } else {
-                                                        phi_1720_ = _e1517;
+                                                        phi_1727_ = _e1513;
                                                     }
-                                                    let _e1522 = phi_1720_;
-                                                    if (_e1512 < _e1518) {
-                                                        phi_1725_ = _e1512;
+                                                    let _e1518 = phi_1727_;
+                                                    if (_e1508 < _e1514) {
+                                                        phi_1732_ = _e1508;
                                                     } else {
-                                                        phi_1725_ = _e1518;
+                                                        phi_1732_ = _e1514;
                                                     }
-                                                    let _e1525 = phi_1725_;
-                                                    if (_e1513 < _e1519) {
-                                                        phi_1730_ = _e1513;
+                                                    let _e1521 = phi_1732_;
+                                                    if (_e1509 < _e1515) {
+                                                        phi_1737_ = _e1509;
                                                     } else {
-                                                        phi_1730_ = _e1519;
+                                                        phi_1737_ = _e1515;
                                                     }
-                                                    let _e1528 = phi_1730_;
-                                                    if (_e1511 > _e1517) {
-                                                        phi_1738_ = _e1511;
+                                                    let _e1524 = phi_1737_;
+                                                    if (_e1507 > _e1513) {
+                                                        phi_1745_ = _e1507;
                                                     } else {
-                                                        phi_1738_ = _e1517;
+                                                        phi_1745_ = _e1513;
                                                     }
-                                                    let _e1534 = phi_1738_;
-                                                    if (_e1512 > _e1518) {
-                                                        phi_1743_ = _e1512;
+                                                    let _e1530 = phi_1745_;
+                                                    if (_e1508 > _e1514) {
+                                                        phi_1750_ = _e1508;
                                                     } else {
-                                                        phi_1743_ = _e1518;
+                                                        phi_1750_ = _e1514;
                                                     }
-                                                    let _e1537 = phi_1743_;
-                                                    if (_e1513 > _e1519) {
-                                                        phi_1748_ = _e1513;
+                                                    let _e1533 = phi_1750_;
+                                                    if (_e1509 > _e1515) {
+                                                        phi_1755_ = _e1509;
                                                     } else {
-                                                        phi_1748_ = _e1519;
+                                                        phi_1755_ = _e1515;
                                                     }
-                                                    let _e1540 = phi_1748_;
-                                                    let _e1544 = core_intrinsics_maximum_number_nsz_f32_((_e1522 - _e507), (_e1525 - _e508));
-                                                    let _e1545 = core_intrinsics_maximum_number_nsz_f32_(_e1544, (_e1528 - _e509));
-                                                    let _e1546 = core_intrinsics_minimum_number_nsz_f32_((_e1534 + _e507), (_e1537 + _e508));
-                                                    let _e1547 = core_intrinsics_minimum_number_nsz_f32_(_e1546, (_e1540 + _e509));
-                                                    if (_e1545 > -300000000000000000000000000000000000000f) {
-                                                        phi_1760_ = _e1545;
+                                                    let _e1536 = phi_1755_;
+                                                    let _e1540 = core_intrinsics_maximum_number_nsz_f32_((_e1518 - _e503), (_e1521 - _e504));
+                                                    let _e1541 = core_intrinsics_maximum_number_nsz_f32_(_e1540, (_e1524 - _e505));
+                                                    let _e1542 = core_intrinsics_minimum_number_nsz_f32_((_e1530 + _e503), (_e1533 + _e504));
+                                                    let _e1543 = core_intrinsics_minimum_number_nsz_f32_(_e1542, (_e1536 + _e505));
+                                                    if (_e1541 > -300000000000000000000000000000000000000f) {
+                                                        phi_1767_ = _e1541;
                                                     } else {
-                                                        phi_1760_ = -300000000000000000000000000000000000000f;
+                                                        phi_1767_ = -300000000000000000000000000000000000000f;
                                                     }
-                                                    let _e1550 = phi_1760_;
-                                                    if (_e1547 < 300000000000000000000000000000000000000f) {
-                                                        phi_1765_ = _e1547;
+                                                    let _e1546 = phi_1767_;
+                                                    if (_e1543 < 300000000000000000000000000000000000000f) {
+                                                        phi_1772_ = _e1543;
                                                     } else {
-                                                        phi_1765_ = 300000000000000000000000000000000000000f;
+                                                        phi_1772_ = 300000000000000000000000000000000000000f;
                                                     }
-                                                    let _e1553 = phi_1765_;
-                                                    if (_e1421 < _e1550) {
-                                                        phi_1770_ = _e1550;
+                                                    let _e1549 = phi_1772_;
+                                                    if (_e1417 < _e1546) {
+                                                        phi_1777_ = _e1546;
                                                     } else {
-                                                        phi_1770_ = _e1421;
+                                                        phi_1777_ = _e1417;
                                                     }
-                                                    let _e1556 = phi_1770_;
-                                                    if (_e1556 > _e1553) {
-                                                        phi_1775_ = _e1553;
+                                                    let _e1552 = phi_1777_;
+                                                    if (_e1552 > _e1549) {
+                                                        phi_1782_ = _e1549;
                                                     } else {
-                                                        phi_1775_ = _e1556;
+                                                        phi_1782_ = _e1552;
                                                     }
-                                                    let _e1559 = phi_1775_;
-                                                    phi_1780_ = lt_bvh_triangle_Intersection(_e1559, (_e1262 / _e1321), (_e1283 / _e1321), (_e1550 <= _e1553));
-                                                    phi_1781_ = false;
+                                                    let _e1555 = phi_1782_;
+                                                    phi_1787_ = lt_bvh_triangle_Intersection(_e1555, (_e1258 / _e1317), (_e1279 / _e1317), (_e1546 <= _e1549));
+                                                    phi_1788_ = false;
                                                 } else {
-                                                    phi_1780_ = lt_bvh_triangle_Intersection();
-                                                    phi_1781_ = true;
+                                                    phi_1787_ = lt_bvh_triangle_Intersection();
+                                                    phi_1788_ = true;
                                                 }
-                                                let _e1565 = phi_1780_;
-                                                let _e1567 = phi_1781_;
-                                                phi_1782_ = _e1565;
-                                                phi_1783_ = _e1567;
+                                                let _e1561 = phi_1787_;
+                                                let _e1563 = phi_1788_;
+                                                phi_1789_ = _e1561;
+                                                phi_1790_ = _e1563;
                                             } else {
-                                                phi_1782_ = lt_bvh_triangle_Intersection();
-                                                phi_1783_ = true;
+                                                phi_1789_ = lt_bvh_triangle_Intersection();
+                                                phi_1790_ = true;
                                             }
-                                            let _e1569 = phi_1782_;
-                                            let _e1571 = phi_1783_;
-                                            if _e1571 {
+                                            let _e1565 = phi_1789_;
+                                            let _e1567 = phi_1790_;
+                                            if _e1567 {
                                             }
-                                            phi_1787_ = _e1569;
-                                            phi_1788_ = _e1571;
+                                            phi_1794_ = _e1565;
+                                            phi_1795_ = _e1567;
                                         }
-                                        let _e1573 = phi_1787_;
-                                        let _e1575 = phi_1788_;
-                                        phi_1789_ = _e1573;
-                                        phi_1790_ = _e1324;
-                                        phi_1791_ = _e1575;
+                                        let _e1569 = phi_1794_;
+                                        let _e1571 = phi_1795_;
+                                        phi_1796_ = _e1569;
+                                        phi_1797_ = _e1320;
+                                        phi_1798_ = _e1571;
                                     } else {
-                                        phi_1789_ = lt_bvh_triangle_Intersection();
-                                        phi_1790_ = true;
-                                        phi_1791_ = false;
+                                        phi_1796_ = lt_bvh_triangle_Intersection();
+                                        phi_1797_ = true;
+                                        phi_1798_ = false;
                                     }
-                                    let _e1577 = phi_1789_;
-                                    let _e1579 = phi_1790_;
-                                    let _e1581 = phi_1791_;
+                                    let _e1573 = phi_1796_;
+                                    let _e1575 = phi_1797_;
+                                    let _e1577 = phi_1798_;
+                                    if _e1575 {
+                                        phi_1802_ = true;
+                                    } else {
+                                        phi_1802_ = _e1577;
+                                    }
+                                    let _e1579 = phi_1802_;
                                     if _e1579 {
-                                        phi_1795_ = true;
+                                        phi_1806_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                     } else {
-                                        phi_1795_ = _e1581;
+                                        phi_1806_ = _e1573;
                                     }
-                                    let _e1583 = phi_1795_;
-                                    if _e1583 {
-                                        phi_1799_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
-                                    } else {
-                                        phi_1799_ = _e1577;
-                                    }
-                                    let _e1585 = phi_1799_;
-                                    if _e1585.is_hit {
-                                        if (_e1585.t > 0f) {
-                                            if (_e1585.t < _e303) {
-                                                if (_e1137 < _e86) {
+                                    let _e1581 = phi_1806_;
+                                    if _e1581.is_hit {
+                                        if (_e1581.t > 0f) {
+                                            if (_e1581.t < _e303) {
+                                                if (_e1133 < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1599 = triangles.member[(0u + _e1137)].i0_;
-                                                let _e1600 = (_e1599 & 2147483647u);
-                                                let _e1602 = triangles.member[(0u + _e1137)].i1_;
-                                                let _e1604 = triangles.member[(0u + _e1137)].i2_;
+                                                let _e1595 = triangles.member[(0u + _e1133)].i0_;
+                                                let _e1596 = (_e1595 & 2147483647u);
+                                                let _e1598 = triangles.member[(0u + _e1133)].i1_;
+                                                let _e1600 = triangles.member[(0u + _e1133)].i2_;
+                                                if (_e1596 < _e95) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1604 = vertices.member[(0u + _e1596)];
+                                                if (_e1598 < _e95) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1608 = vertices.member[(0u + _e1598)];
                                                 if (_e1600 < _e95) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1608 = vertices.member[(0u + _e1600)];
-                                                if (_e1602 < _e95) {
+                                                let _e1612 = vertices.member[(0u + _e1600)];
+                                                let _e1613 = array<abi_Vertex, 3>(_e1604, _e1608, _e1612);
+                                                if (_e1613[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1612 = vertices.member[(0u + _e1602)];
-                                                if (_e1604 < _e95) {
+                                                let _e1619 = materials.member[(0u + _e1613[0].material)];
+                                                let _e1621 = ((1f - _e1581.u) - _e1581.v);
+                                                if (_e1619.cutoff <= 0f) {
+                                                    phi_2035_ = 1f;
                                                 } else {
-                                                    return;
-                                                }
-                                                let _e1616 = vertices.member[(0u + _e1604)];
-                                                let _e1617 = array<abi_Vertex, 3>(_e1608, _e1612, _e1616);
-                                                if (_e1617[0].material < arrayLength((&materials.member))) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1623 = materials.member[(0u + _e1617[0].material)];
-                                                let _e1625 = ((1f - _e1585.u) - _e1585.v);
-                                                if (_e1623.cutoff <= 0f) {
-                                                    phi_2028_ = 1f;
-                                                } else {
-                                                    let _e1652 = (_e1623.base_color.w * ((((f32((_e1617[0].color >> bitcast<u32>(24i))) * _e1625) + (f32((_e1617[1].color >> bitcast<u32>(24i))) * _e1585.u)) + (f32((_e1617[2].color >> bitcast<u32>(24i))) * _e1585.v)) * (1f / 255f)));
-                                                    if (_e1623.alpha_size == 0u) {
-                                                        phi_2004_ = _e1652;
+                                                    let _e1648 = (_e1619.base_color.w * ((((f32((_e1613[0].color >> bitcast<u32>(24i))) * _e1621) + (f32((_e1613[1].color >> bitcast<u32>(24i))) * _e1581.u)) + (f32((_e1613[2].color >> bitcast<u32>(24i))) * _e1581.v)) * (1f / 255f)));
+                                                    if (_e1619.alpha_size == 0u) {
+                                                        phi_2011_ = _e1648;
                                                     } else {
-                                                        local_1.offset = _e1623.alpha_offset;
-                                                        local_1.size = _e1623.alpha_size;
-                                                        local_1.flags = _e1623.flags;
-                                                        let _e1683 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1617[0].u * _e1625) + (_e1617[1].u * _e1585.u)) + (_e1617[2].u * _e1585.v)), (((_e1617[0].v * _e1625) + (_e1617[1].v * _e1585.u)) + (_e1617[2].v * _e1585.v)));
-                                                        let _e1687 = (_e1683.indices[0] >> bitcast<u32>(2i));
-                                                        if (_e1687 < _e101) {
+                                                        local_1.offset = _e1619.alpha_offset;
+                                                        local_1.size = _e1619.alpha_size;
+                                                        local_1.flags = _e1619.flags;
+                                                        let _e1679 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1613[0].u * _e1621) + (_e1613[1].u * _e1581.u)) + (_e1613[2].u * _e1581.v)), (((_e1613[0].v * _e1621) + (_e1613[1].v * _e1581.u)) + (_e1613[2].v * _e1581.v)));
+                                                        let _e1683 = (_e1679.indices[0] >> bitcast<u32>(2i));
+                                                        if (_e1683 < _e101) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1691 = alpha_texels.member[(0u + _e1687)];
-                                                        let _e1707 = (_e1683.indices[1] >> bitcast<u32>(2i));
-                                                        if (_e1707 < _e101) {
+                                                        let _e1687 = alpha_texels.member[(0u + _e1683)];
+                                                        let _e1703 = (_e1679.indices[1] >> bitcast<u32>(2i));
+                                                        if (_e1703 < _e101) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1711 = alpha_texels.member[(0u + _e1707)];
-                                                        let _e1728 = (_e1683.indices[2] >> bitcast<u32>(2i));
-                                                        if (_e1728 < _e101) {
+                                                        let _e1707 = alpha_texels.member[(0u + _e1703)];
+                                                        let _e1724 = (_e1679.indices[2] >> bitcast<u32>(2i));
+                                                        if (_e1724 < _e101) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1732 = alpha_texels.member[(0u + _e1728)];
-                                                        let _e1749 = (_e1683.indices[3] >> bitcast<u32>(2i));
-                                                        if (_e1749 < _e101) {
+                                                        let _e1728 = alpha_texels.member[(0u + _e1724)];
+                                                        let _e1745 = (_e1679.indices[3] >> bitcast<u32>(2i));
+                                                        if (_e1745 < _e101) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1753 = alpha_texels.member[(0u + _e1749)];
-                                                        phi_2004_ = (_e1652 * (((((f32(((_e1691 >> bitcast<u32>((((_e1683.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1683.weights.x) + ((f32(((_e1711 >> bitcast<u32>((((_e1683.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1683.weights.y)) + ((f32(((_e1732 >> bitcast<u32>((((_e1683.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1683.weights.z)) + ((f32(((_e1753 >> bitcast<u32>((((_e1683.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1683.weights.w)));
+                                                        let _e1749 = alpha_texels.member[(0u + _e1745)];
+                                                        phi_2011_ = (_e1648 * (((((f32(((_e1687 >> bitcast<u32>((((_e1679.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1679.weights.x) + ((f32(((_e1707 >> bitcast<u32>((((_e1679.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1679.weights.y)) + ((f32(((_e1728 >> bitcast<u32>((((_e1679.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1679.weights.z)) + ((f32(((_e1749 >> bitcast<u32>((((_e1679.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1679.weights.w)));
                                                     }
-                                                    let _e1769 = phi_2004_;
-                                                    if ((_e1623.flags & 8u) == 0u) {
-                                                        if (_e1769 >= _e1623.cutoff) {
-                                                            phi_2016_ = 1f;
+                                                    let _e1765 = phi_2011_;
+                                                    if ((_e1619.flags & 8u) == 0u) {
+                                                        if (_e1765 >= _e1619.cutoff) {
+                                                            phi_2023_ = 1f;
                                                         } else {
-                                                            phi_2016_ = 0f;
+                                                            phi_2023_ = 0f;
                                                         }
-                                                        let _e1776 = phi_2016_;
-                                                        phi_2027_ = _e1776;
+                                                        let _e1772 = phi_2023_;
+                                                        phi_2034_ = _e1772;
                                                     } else {
-                                                        if (_e1769 > 0f) {
-                                                            if (_e1769 < 1f) {
-                                                                phi_2025_ = _e1769;
+                                                        if (_e1765 > 0f) {
+                                                            if (_e1765 < 1f) {
+                                                                phi_2032_ = _e1765;
                                                             } else {
-                                                                phi_2025_ = 1f;
+                                                                phi_2032_ = 1f;
                                                             }
-                                                            let _e1780 = phi_2025_;
-                                                            phi_2026_ = _e1780;
+                                                            let _e1776 = phi_2032_;
+                                                            phi_2033_ = _e1776;
                                                         } else {
-                                                            phi_2026_ = 0f;
+                                                            phi_2033_ = 0f;
                                                         }
-                                                        let _e1782 = phi_2026_;
-                                                        phi_2027_ = _e1782;
+                                                        let _e1778 = phi_2033_;
+                                                        phi_2034_ = _e1778;
                                                     }
-                                                    let _e1784 = phi_2027_;
-                                                    phi_2028_ = _e1784;
+                                                    let _e1780 = phi_2034_;
+                                                    phi_2035_ = _e1780;
                                                 }
-                                                let _e1786 = phi_2028_;
-                                                let _e1803 = (1f / 255f);
-                                                let _e1822 = (1f / 255f);
-                                                let _e1844 = (1f / 255f);
-                                                if (_e1623.color_size == 0u) {
-                                                    phi_2227_ = vec3<f32>(1f, 1f, 1f);
+                                                let _e1782 = phi_2035_;
+                                                let _e1799 = (1f / 255f);
+                                                let _e1818 = (1f / 255f);
+                                                let _e1840 = (1f / 255f);
+                                                if (_e1619.color_size == 0u) {
+                                                    phi_2234_ = vec3<f32>(1f, 1f, 1f);
                                                 } else {
-                                                    local.offset = _e1623.color_offset;
-                                                    local.size = _e1623.color_size;
-                                                    local.flags = _e1623.flags;
-                                                    let _e1887 = _lt_shaders_texture_TextureView_quad((&local), (((_e1617[0].u * _e1625) + (_e1617[1].u * _e1585.u)) + (_e1617[2].u * _e1585.v)), (((_e1617[0].v * _e1625) + (_e1617[1].v * _e1585.u)) + (_e1617[2].v * _e1585.v)));
-                                                    if (_e1887.indices[0] < _e104) {
+                                                    local.offset = _e1619.color_offset;
+                                                    local.size = _e1619.color_size;
+                                                    local.flags = _e1619.flags;
+                                                    let _e1883 = _lt_shaders_texture_TextureView_quad((&local), (((_e1613[0].u * _e1621) + (_e1613[1].u * _e1581.u)) + (_e1613[2].u * _e1581.v)), (((_e1613[0].v * _e1621) + (_e1613[1].v * _e1581.u)) + (_e1613[2].v * _e1581.v)));
+                                                    if (_e1883.indices[0] < _e104) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1893 = color_texels.member[(0u + _e1887.indices[0])];
-                                                    let _e1904 = (1f / 255f);
-                                                    if (_e1887.indices[1] < _e104) {
+                                                    let _e1889 = color_texels.member[(0u + _e1883.indices[0])];
+                                                    let _e1900 = (1f / 255f);
+                                                    if (_e1883.indices[1] < _e104) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1918 = color_texels.member[(0u + _e1887.indices[1])];
-                                                    let _e1929 = (1f / 255f);
-                                                    if (_e1887.indices[2] < _e104) {
+                                                    let _e1914 = color_texels.member[(0u + _e1883.indices[1])];
+                                                    let _e1925 = (1f / 255f);
+                                                    if (_e1883.indices[2] < _e104) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1946 = color_texels.member[(0u + _e1887.indices[2])];
-                                                    let _e1957 = (1f / 255f);
-                                                    if (_e1887.indices[3] < _e104) {
+                                                    let _e1942 = color_texels.member[(0u + _e1883.indices[2])];
+                                                    let _e1953 = (1f / 255f);
+                                                    if (_e1883.indices[3] < _e104) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1974 = color_texels.member[(0u + _e1887.indices[3])];
-                                                    let _e1985 = (1f / 255f);
-                                                    let _e1994 = (((((f32((_e1893 & 255u)) * _e1904) * _e1887.weights.x) + ((f32((_e1918 & 255u)) * _e1929) * _e1887.weights.y)) + ((f32((_e1946 & 255u)) * _e1957) * _e1887.weights.z)) + ((f32((_e1974 & 255u)) * _e1985) * _e1887.weights.w));
-                                                    let _e1995 = (((((f32(((_e1893 >> bitcast<u32>(8i)) & 255u)) * _e1904) * _e1887.weights.x) + ((f32(((_e1918 >> bitcast<u32>(8i)) & 255u)) * _e1929) * _e1887.weights.y)) + ((f32(((_e1946 >> bitcast<u32>(8i)) & 255u)) * _e1957) * _e1887.weights.z)) + ((f32(((_e1974 >> bitcast<u32>(8i)) & 255u)) * _e1985) * _e1887.weights.w));
-                                                    let _e1996 = (((((f32(((_e1893 >> bitcast<u32>(16i)) & 255u)) * _e1904) * _e1887.weights.x) + ((f32(((_e1918 >> bitcast<u32>(16i)) & 255u)) * _e1929) * _e1887.weights.y)) + ((f32(((_e1946 >> bitcast<u32>(16i)) & 255u)) * _e1957) * _e1887.weights.z)) + ((f32(((_e1974 >> bitcast<u32>(16i)) & 255u)) * _e1985) * _e1887.weights.w));
-                                                    phi_2227_ = vec3<f32>((_e1994 * _e1994), (_e1995 * _e1995), (_e1996 * _e1996));
+                                                    let _e1970 = color_texels.member[(0u + _e1883.indices[3])];
+                                                    let _e1981 = (1f / 255f);
+                                                    let _e1990 = (((((f32((_e1889 & 255u)) * _e1900) * _e1883.weights.x) + ((f32((_e1914 & 255u)) * _e1925) * _e1883.weights.y)) + ((f32((_e1942 & 255u)) * _e1953) * _e1883.weights.z)) + ((f32((_e1970 & 255u)) * _e1981) * _e1883.weights.w));
+                                                    let _e1991 = (((((f32(((_e1889 >> bitcast<u32>(8i)) & 255u)) * _e1900) * _e1883.weights.x) + ((f32(((_e1914 >> bitcast<u32>(8i)) & 255u)) * _e1925) * _e1883.weights.y)) + ((f32(((_e1942 >> bitcast<u32>(8i)) & 255u)) * _e1953) * _e1883.weights.z)) + ((f32(((_e1970 >> bitcast<u32>(8i)) & 255u)) * _e1981) * _e1883.weights.w));
+                                                    let _e1992 = (((((f32(((_e1889 >> bitcast<u32>(16i)) & 255u)) * _e1900) * _e1883.weights.x) + ((f32(((_e1914 >> bitcast<u32>(16i)) & 255u)) * _e1925) * _e1883.weights.y)) + ((f32(((_e1942 >> bitcast<u32>(16i)) & 255u)) * _e1953) * _e1883.weights.z)) + ((f32(((_e1970 >> bitcast<u32>(16i)) & 255u)) * _e1981) * _e1883.weights.w));
+                                                    phi_2234_ = vec3<f32>((_e1990 * _e1990), (_e1991 * _e1991), (_e1992 * _e1992));
                                                 }
-                                                let _e2002 = phi_2227_;
-                                                let _e2010 = (_e1786 * _e1623.transmission);
-                                                let _e2014 = (1f - _e1786);
-                                                let _e2015 = ((((_e1623.base_color.x * ((((f32((_e1617[0].color & 255u)) * _e1803) * _e1625) + ((f32((_e1617[1].color & 255u)) * _e1822) * _e1585.u)) + ((f32((_e1617[2].color & 255u)) * _e1844) * _e1585.v))) * _e2002.x) * _e2010) + _e2014);
-                                                let _e2016 = ((((_e1623.base_color.y * ((((f32(((_e1617[0].color >> bitcast<u32>(8i)) & 255u)) * _e1803) * _e1625) + ((f32(((_e1617[1].color >> bitcast<u32>(8i)) & 255u)) * _e1822) * _e1585.u)) + ((f32(((_e1617[2].color >> bitcast<u32>(8i)) & 255u)) * _e1844) * _e1585.v))) * _e2002.y) * _e2010) + _e2014);
-                                                let _e2017 = ((((_e1623.base_color.z * ((((f32(((_e1617[0].color >> bitcast<u32>(16i)) & 255u)) * _e1803) * _e1625) + ((f32(((_e1617[1].color >> bitcast<u32>(16i)) & 255u)) * _e1822) * _e1585.u)) + ((f32(((_e1617[2].color >> bitcast<u32>(16i)) & 255u)) * _e1844) * _e1585.v))) * _e2002.z) * _e2010) + _e2014);
-                                                if (_e2015 > 0f) {
-                                                    if (_e2015 < 1f) {
-                                                        phi_2251_ = _e2015;
+                                                let _e1998 = phi_2234_;
+                                                let _e2006 = (_e1782 * _e1619.transmission);
+                                                let _e2010 = (1f - _e1782);
+                                                let _e2011 = ((((_e1619.base_color.x * ((((f32((_e1613[0].color & 255u)) * _e1799) * _e1621) + ((f32((_e1613[1].color & 255u)) * _e1818) * _e1581.u)) + ((f32((_e1613[2].color & 255u)) * _e1840) * _e1581.v))) * _e1998.x) * _e2006) + _e2010);
+                                                let _e2012 = ((((_e1619.base_color.y * ((((f32(((_e1613[0].color >> bitcast<u32>(8i)) & 255u)) * _e1799) * _e1621) + ((f32(((_e1613[1].color >> bitcast<u32>(8i)) & 255u)) * _e1818) * _e1581.u)) + ((f32(((_e1613[2].color >> bitcast<u32>(8i)) & 255u)) * _e1840) * _e1581.v))) * _e1998.y) * _e2006) + _e2010);
+                                                let _e2013 = ((((_e1619.base_color.z * ((((f32(((_e1613[0].color >> bitcast<u32>(16i)) & 255u)) * _e1799) * _e1621) + ((f32(((_e1613[1].color >> bitcast<u32>(16i)) & 255u)) * _e1818) * _e1581.u)) + ((f32(((_e1613[2].color >> bitcast<u32>(16i)) & 255u)) * _e1840) * _e1581.v))) * _e1998.z) * _e2006) + _e2010);
+                                                if (_e2011 > 0f) {
+                                                    if (_e2011 < 1f) {
+                                                        phi_2258_ = _e2011;
                                                     } else {
-                                                        phi_2251_ = 1f;
+                                                        phi_2258_ = 1f;
                                                     }
-                                                    let _e2021 = phi_2251_;
-                                                    phi_2252_ = _e2021;
+                                                    let _e2017 = phi_2258_;
+                                                    phi_2259_ = _e2017;
                                                 } else {
-                                                    phi_2252_ = 0f;
+                                                    phi_2259_ = 0f;
                                                 }
-                                                let _e2023 = phi_2252_;
-                                                if (_e2016 > 0f) {
-                                                    if (_e2016 < 1f) {
-                                                        phi_2261_ = _e2016;
+                                                let _e2019 = phi_2259_;
+                                                if (_e2012 > 0f) {
+                                                    if (_e2012 < 1f) {
+                                                        phi_2268_ = _e2012;
                                                     } else {
-                                                        phi_2261_ = 1f;
+                                                        phi_2268_ = 1f;
                                                     }
-                                                    let _e2027 = phi_2261_;
-                                                    phi_2262_ = _e2027;
+                                                    let _e2023 = phi_2268_;
+                                                    phi_2269_ = _e2023;
                                                 } else {
-                                                    phi_2262_ = 0f;
+                                                    phi_2269_ = 0f;
                                                 }
-                                                let _e2029 = phi_2262_;
-                                                if (_e2017 > 0f) {
-                                                    if (_e2017 < 1f) {
-                                                        phi_2271_ = _e2017;
+                                                let _e2025 = phi_2269_;
+                                                if (_e2013 > 0f) {
+                                                    if (_e2013 < 1f) {
+                                                        phi_2278_ = _e2013;
                                                     } else {
-                                                        phi_2271_ = 1f;
+                                                        phi_2278_ = 1f;
                                                     }
-                                                    let _e2033 = phi_2271_;
-                                                    phi_2272_ = _e2033;
+                                                    let _e2029 = phi_2278_;
+                                                    phi_2279_ = _e2029;
                                                 } else {
-                                                    phi_2272_ = 0f;
+                                                    phi_2279_ = 0f;
                                                 }
-                                                let _e2035 = phi_2272_;
-                                                let _e2043 = (_e1128 * vec3<f32>(_e2023, _e2029, _e2035));
-                                                let _e2045 = global[0u];
-                                                if ((_e1128.x * _e2023) == _e2045) {
-                                                    let _e2048 = global[1u];
-                                                    if ((_e1128.y * _e2029) == _e2048) {
-                                                        let _e2051 = global[2u];
-                                                        phi_2296_ = ((_e1128.z * _e2035) == _e2051);
-                                                        phi_2297_ = false;
+                                                let _e2031 = phi_2279_;
+                                                let _e2039 = (_e1124 * vec3<f32>(_e2019, _e2025, _e2031));
+                                                let _e2041 = global[0u];
+                                                if ((_e1124.x * _e2019) == _e2041) {
+                                                    let _e2044 = global[1u];
+                                                    if ((_e1124.y * _e2025) == _e2044) {
+                                                        let _e2047 = global[2u];
+                                                        phi_2303_ = ((_e1124.z * _e2031) == _e2047);
+                                                        phi_2304_ = false;
                                                     } else {
-                                                        phi_2296_ = bool();
-                                                        phi_2297_ = true;
+                                                        phi_2303_ = bool();
+                                                        phi_2304_ = true;
                                                     }
-                                                    let _e2054 = phi_2296_;
-                                                    let _e2056 = phi_2297_;
-                                                    phi_2298_ = _e2054;
-                                                    phi_2299_ = _e2056;
+                                                    let _e2050 = phi_2303_;
+                                                    let _e2052 = phi_2304_;
+                                                    phi_2305_ = _e2050;
+                                                    phi_2306_ = _e2052;
                                                 } else {
-                                                    phi_2298_ = bool();
-                                                    phi_2299_ = true;
+                                                    phi_2305_ = bool();
+                                                    phi_2306_ = true;
                                                 }
-                                                let _e2058 = phi_2298_;
-                                                let _e2060 = phi_2299_;
-                                                if _e2060 {
-                                                    phi_2303_ = false;
+                                                let _e2054 = phi_2305_;
+                                                let _e2056 = phi_2306_;
+                                                if _e2056 {
+                                                    phi_2310_ = false;
                                                 } else {
-                                                    phi_2303_ = _e2058;
+                                                    phi_2310_ = _e2054;
                                                 }
-                                                let _e2062 = phi_2303_;
-                                                if _e2062 {
-                                                    phi_2307_ = false;
+                                                let _e2058 = phi_2310_;
+                                                if _e2058 {
+                                                    phi_2314_ = false;
                                                 } else {
-                                                    phi_2307_ = true;
+                                                    phi_2314_ = true;
                                                 }
-                                                let _e2064 = phi_2307_;
-                                                phi_2308_ = _e2043;
-                                                phi_2309_ = _e2043;
-                                                phi_2310_ = _e2064;
+                                                let _e2060 = phi_2314_;
+                                                phi_2315_ = _e2039;
+                                                phi_2316_ = _e2039;
+                                                phi_2317_ = _e2060;
                                             } else {
-                                                phi_2308_ = vec3<f32>();
-                                                phi_2309_ = _e1128;
-                                                phi_2310_ = true;
+                                                phi_2315_ = vec3<f32>();
+                                                phi_2316_ = _e1124;
+                                                phi_2317_ = true;
                                             }
-                                            let _e2066 = phi_2308_;
-                                            let _e2068 = phi_2309_;
-                                            let _e2070 = phi_2310_;
-                                            phi_2311_ = _e2066;
-                                            phi_2312_ = _e2068;
-                                            phi_2313_ = _e2070;
+                                            let _e2062 = phi_2315_;
+                                            let _e2064 = phi_2316_;
+                                            let _e2066 = phi_2317_;
+                                            phi_2318_ = _e2062;
+                                            phi_2319_ = _e2064;
+                                            phi_2320_ = _e2066;
                                         } else {
-                                            phi_2311_ = vec3<f32>();
-                                            phi_2312_ = _e1128;
-                                            phi_2313_ = true;
+                                            phi_2318_ = vec3<f32>();
+                                            phi_2319_ = _e1124;
+                                            phi_2320_ = true;
                                         }
-                                        let _e2072 = phi_2311_;
-                                        let _e2074 = phi_2312_;
-                                        let _e2076 = phi_2313_;
-                                        phi_2314_ = _e2072;
-                                        phi_2315_ = _e2074;
-                                        phi_2316_ = _e2076;
+                                        let _e2068 = phi_2318_;
+                                        let _e2070 = phi_2319_;
+                                        let _e2072 = phi_2320_;
+                                        phi_2321_ = _e2068;
+                                        phi_2322_ = _e2070;
+                                        phi_2323_ = _e2072;
                                     } else {
-                                        phi_2314_ = vec3<f32>();
-                                        phi_2315_ = _e1128;
-                                        phi_2316_ = true;
+                                        phi_2321_ = vec3<f32>();
+                                        phi_2322_ = _e1124;
+                                        phi_2323_ = true;
                                     }
-                                    let _e2078 = phi_2314_;
-                                    let _e2080 = phi_2315_;
-                                    let _e2082 = phi_2316_;
-                                    if _e2082 {
+                                    let _e2074 = phi_2321_;
+                                    let _e2076 = phi_2322_;
+                                    let _e2078 = phi_2323_;
+                                    if _e2078 {
                                     }
-                                    phi_1229_ = (_e1126 & (_e1126 - 1u));
-                                    phi_1232_ = _e2080;
-                                    phi_2320_ = _e2078;
-                                    phi_2321_ = _e2082;
+                                    phi_1236_ = (_e1122 & (_e1122 - 1u));
+                                    phi_1239_ = _e2076;
+                                    phi_2327_ = _e2074;
+                                    phi_2328_ = _e2078;
                                 }
-                                let _e2084 = phi_1229_;
-                                let _e2086 = phi_1232_;
-                                let _e2088 = phi_2320_;
-                                let _e2090 = phi_2321_;
-                                local_9 = _e2088;
+                                let _e2080 = phi_1236_;
+                                let _e2082 = phi_1239_;
+                                let _e2084 = phi_2327_;
+                                let _e2086 = phi_2328_;
+                                local_9 = _e2084;
                                 continue;
                                 continuing {
-                                    phi_1228_ = _e2084;
-                                    phi_1231_ = _e2086;
-                                    break if !(_e2090);
+                                    phi_1235_ = _e2080;
+                                    phi_1238_ = _e2082;
+                                    break if !(_e2086);
                                 }
                             }
-                            let _e2093 = local_6;
-                            if _e2093 {
-                                let _e2095 = local_2.group_mask;
-                                if ((_e2095 & 4278190080u) == 0u) {
-                                    let _e2099 = local_2.len;
-                                    if (_e2099 == 0u) {
-                                        phi_2363_ = false;
+                            let _e2089 = local_6;
+                            if _e2089 {
+                                let _e2091 = local_2.group_mask;
+                                if ((_e2091 & 4278190080u) == 0u) {
+                                    let _e2095 = local_2.len;
+                                    if (_e2095 == 0u) {
+                                        phi_2370_ = false;
                                     } else {
-                                        let _e2103 = local_2.len;
-                                        local_2.len = (_e2103 - 1u);
-                                        let _e2106 = local_2.len;
-                                        if (_e2106 < 32u) {
+                                        let _e2099 = local_2.len;
+                                        local_2.len = (_e2099 - 1u);
+                                        let _e2102 = local_2.len;
+                                        if (_e2102 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2111 = local_2.first[(0u + _e2106)];
-                                        local_2.group = _e2111;
-                                        let _e2114 = local_2.len;
-                                        if (_e2114 < 32u) {
+                                        let _e2107 = local_2.first[(0u + _e2102)];
+                                        local_2.group = _e2107;
+                                        let _e2110 = local_2.len;
+                                        if (_e2110 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2119 = local_2.mask[(0u + _e2114)];
-                                        local_2.group_mask = _e2119;
-                                        phi_2363_ = true;
+                                        let _e2115 = local_2.mask[(0u + _e2110)];
+                                        local_2.group_mask = _e2115;
+                                        phi_2370_ = true;
                                     }
-                                    let _e2122 = phi_2363_;
-                                    phi_2364_ = _e2122;
+                                    let _e2118 = phi_2370_;
+                                    phi_2371_ = _e2118;
                                 } else {
-                                    phi_2364_ = true;
+                                    phi_2371_ = true;
                                 }
-                                let _e2124 = phi_2364_;
-                                if _e2124 {
-                                    let _e2126 = local_2.group_mask;
-                                    let _e2132 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2126)), 32u, (_e2126 == 0u)));
-                                    let _e2136 = local_2.group_mask;
-                                    let _e2150 = local_2.group_mask;
-                                    local_2.group_mask = (_e2150 & ~((1u << bitcast<u32>((_e2132 & 31u)))));
-                                    let _e2153 = local_2.group;
-                                    phi_2395_ = (_e2153 + countOneBits(((_e2136 & ~((4294967295u << bitcast<u32>((((_e2132 - 24u) ^ _e550) & 31u))))) & 255u)));
+                                let _e2120 = phi_2371_;
+                                if _e2120 {
+                                    let _e2122 = local_2.group_mask;
+                                    let _e2128 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2122)), 32u, (_e2122 == 0u)));
+                                    let _e2132 = local_2.group_mask;
+                                    let _e2146 = local_2.group_mask;
+                                    local_2.group_mask = (_e2146 & ~((1u << bitcast<u32>((_e2128 & 31u)))));
+                                    let _e2149 = local_2.group;
+                                    phi_2402_ = (_e2149 + countOneBits(((_e2132 & ~((4294967295u << bitcast<u32>((((_e2128 - 24u) ^ _e546) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2395_ = 4294967295u;
+                                    phi_2402_ = 4294967295u;
                                 }
-                                let _e2156 = phi_2395_;
-                                phi_2396_ = _e2156;
+                                let _e2152 = phi_2402_;
+                                phi_2403_ = _e2152;
                             } else {
-                                phi_2396_ = u32();
+                                phi_2403_ = u32();
                             }
-                            let _e2158 = phi_2396_;
-                            phi_897_ = _e2158;
-                            let _e2398 = local_8;
-                            phi_900_ = _e2398;
-                            let _e2401 = local_9;
-                            phi_2397_ = _e2401;
-                            let _e2404 = local_10;
-                            phi_2398_ = _e2404;
-                            phi_2399_ = false;
+                            let _e2154 = phi_2403_;
+                            phi_904_ = _e2154;
+                            let _e2392 = local_8;
+                            phi_907_ = _e2392;
+                            let _e2395 = local_9;
+                            phi_2404_ = _e2395;
+                            let _e2398 = local_10;
+                            phi_2405_ = _e2398;
+                            phi_2406_ = false;
                         } else {
-                            phi_897_ = u32();
-                            phi_900_ = vec3<f32>();
-                            phi_2397_ = vec3<f32>();
-                            phi_2398_ = false;
-                            phi_2399_ = true;
+                            phi_904_ = u32();
+                            phi_907_ = vec3<f32>();
+                            phi_2404_ = vec3<f32>();
+                            phi_2405_ = false;
+                            phi_2406_ = true;
                         }
-                        let _e2160 = phi_897_;
-                        let _e2162 = phi_900_;
-                        let _e2164 = phi_2397_;
-                        let _e2166 = phi_2398_;
-                        let _e2168 = phi_2399_;
-                        local_7 = _e2168;
-                        local_11 = _e2164;
+                        let _e2156 = phi_904_;
+                        let _e2158 = phi_907_;
+                        let _e2160 = phi_2404_;
+                        let _e2162 = phi_2405_;
+                        let _e2164 = phi_2406_;
+                        local_7 = _e2164;
+                        local_11 = _e2160;
                         continue;
                         continuing {
-                            phi_896_ = _e2160;
-                            phi_899_ = _e2162;
-                            break if !(_e2166);
+                            phi_903_ = _e2156;
+                            phi_906_ = _e2158;
+                            break if !(_e2162);
                         }
                     }
-                    let _e2171 = local_7;
-                    if _e2171 {
-                        phi_2403_ = false;
+                    let _e2167 = local_7;
+                    if _e2167 {
+                        phi_2410_ = false;
                     } else {
-                        phi_2403_ = true;
+                        phi_2410_ = true;
                     }
-                    let _e2173 = phi_2403_;
-                    if _e2173 {
-                        let _e2410 = local_11;
-                        phi_2407_ = _e2410;
+                    let _e2169 = phi_2410_;
+                    if _e2169 {
+                        let _e2404 = local_11;
+                        phi_2414_ = _e2404;
                     } else {
-                        let _e2412 = local_12;
-                        phi_2407_ = _e2412;
+                        let _e2406 = local_12;
+                        phi_2414_ = _e2406;
                     }
-                    let _e2175 = phi_2407_;
-                    phi_2408_ = _e2175;
+                    let _e2171 = phi_2414_;
+                    phi_2415_ = _e2171;
                 }
-                let _e2177 = phi_2408_;
-                phi_2409_ = _e2177;
-                phi_2410_ = _e376;
+                let _e2173 = phi_2415_;
+                phi_2416_ = _e2173;
+                phi_2417_ = _e368;
             } else {
-                phi_2409_ = vec3<f32>();
-                phi_2410_ = true;
+                phi_2416_ = vec3<f32>();
+                phi_2417_ = true;
             }
-            let _e2179 = phi_2409_;
-            let _e2181 = phi_2410_;
-            if _e2181 {
-                phi_2414_ = vec3<f32>(1f, 1f, 1f);
+            let _e2175 = phi_2416_;
+            let _e2177 = phi_2417_;
+            if _e2177 {
+                phi_2421_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                phi_2414_ = _e2179;
+                phi_2421_ = _e2175;
             }
-            let _e2183 = phi_2414_;
-            phi_2415_ = _e2183;
+            let _e2179 = phi_2421_;
+            phi_2422_ = _e2179;
         } else {
-            phi_2415_ = vec3<f32>(1f, 1f, 1f);
+            phi_2422_ = vec3<f32>(1f, 1f, 1f);
         }
-        let _e2185 = phi_2415_;
-        if (_e110.first_primitive < arrayLength((&tints.member))) {
+        let _e2181 = phi_2422_;
+        if (_e110.shift < arrayLength((&tints.member))) {
         } else {
             return;
         }
-        tints.member[(0u + _e110.first_primitive)] = vec4<f32>(_e2185.x, _e2185.y, _e2185.z, 1f);
+        tints.member[(0u + _e110.shift)] = vec4<f32>(_e2181.x, _e2181.y, _e2181.z, 1f);
     }
     return;
 }

@@ -24,8 +24,10 @@ fn wrong(session: &Session, truth: &Frame, frame: &Frame) -> [usize; 2] {
     [Verdict::FalseLit, Verdict::FalseShadowed].map(|side| verdicts.iter().filter(|v| **v == side).count())
 }
 
-const STILL: Sequence = Sequence { is_played: true, camera_moves: false, objects_move: false };
-const MOVING: Sequence = Sequence { is_played: true, camera_moves: true, objects_move: false };
+const STILL: Sequence =
+    Sequence { is_played: true, camera_moves: false, objects_move: false, starts_cold: false };
+const MOVING: Sequence =
+    Sequence { is_played: true, camera_moves: true, objects_move: false, starts_cold: false };
 
 fn open(name: &str, width: u32, height: u32, map_size: u32) -> (Source, Scene, Setup) {
     let source = Source::open(name, 1).expect("a place");
@@ -194,7 +196,7 @@ fn what_moves_with_the_camera_keeps_its_history() {
         target: setup.camera.target + shift * times,
         ..setup.camera.clone()
     };
-    let sequence = Sequence { is_played: true, camera_moves: true, objects_move: true };
+    let sequence = Sequence { is_played: true, camera_moves: true, objects_move: true, starts_cold: false };
     for kind in [BackendKind::Cpu, BackendKind::Gpu] {
         let mut session = match kind {
             BackendKind::Cpu => cpu_session(&moved(0.0), 160, 100),
@@ -244,7 +246,12 @@ fn things_that_move_in_an_alpha_tested_scene_are_followed() {
     let way = way_per_frame(&sessions[0], &path, 1.0);
     let mut drawn = Vec::new();
     for session in &mut sessions {
-        session.play(Sequence { is_played: true, camera_moves: true, objects_move: true });
+        session.play(Sequence {
+            is_played: true,
+            camera_moves: true,
+            objects_move: true,
+            starts_cold: false,
+        });
         let mut before = scene.clone();
         for i in 0..4 {
             if i > 0 {

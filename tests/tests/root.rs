@@ -2,12 +2,15 @@
 
 mod batch;
 mod cascades;
+mod cold;
 mod effects;
 mod hard;
 mod laws;
 mod light;
 mod lights;
 mod mask;
+mod moving_lights;
 mod real_scenes;
+mod several_lights;
 mod translucency;
 mod twin;

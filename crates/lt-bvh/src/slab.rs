@@ -12,19 +12,19 @@
 use crate::ray::{FAR, Ray};
 use lt_math::glam::Vec3;
 
-/// Margin of a triangle's own box in units of D: 16 roundings.
-pub(crate) const TRIANGLE_MARGIN: f32 = 16.0 / 16_777_216.0;
+/// Margin of a triangle's own box in units of D, the largest distance along an axis from a ray's origin to the tree's root box: 16 roundings.
+pub const TRIANGLE_MARGIN: f32 = 16.0 / 16_777_216.0;
 /// Margin of a node's box in units of D.
 pub(crate) const NODE_MARGIN: f32 = 32.0 / 16_777_216.0;
 /// A direction component below this fraction of the largest one is raised to it, so that its reciprocal stays
 /// finite: over the length of the tree it moves the ray by 2⁻⁴⁰·D, far below the margins.
-pub(crate) const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
+pub const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
 
 /// What the box tests need of a ray, once per ray and tree.
 #[derive(Clone, Copy)]
 pub(crate) struct Slab {
     pub origin: Vec3,
-    /// See [`finite_inverse`].
+    /// See [`reciprocal`].
     pub inverse: Vec3,
     /// Node margin in units of t per axis.
     pub node_margin: Vec3,
@@ -48,9 +48,9 @@ fn finite_reciprocal(d: f32, least: f32) -> f32 {
     if d < 0.0 { -1.0 / magnitude } else { 1.0 / magnitude }
 }
 
-/// The reciprocals of a valid direction's components, every one finite and not 0.
+/// Reciprocals of a direction's components as box tests take them: every one finite and not 0 ([`LEAST_COMPONENT`]).
 #[inline(always)]
-pub(crate) fn finite_inverse(direction: Vec3) -> Vec3 {
+pub fn reciprocal(direction: Vec3) -> Vec3 {
     let least = largest(direction.abs()) * LEAST_COMPONENT;
     Vec3::new(
         finite_reciprocal(direction.x, least),
@@ -74,10 +74,10 @@ impl Slab {
     /// Prepares a valid ray for a tree whose root box is `low` to `high`.
     #[inline(always)]
     pub fn new(ray: &Ray, low: Vec3, high: Vec3) -> Self {
-        Self::from_inverse(ray.origin, finite_inverse(ray.direction), low, high)
+        Self::from_inverse(ray.origin, reciprocal(ray.direction), low, high)
     }
 
-    /// The same from the direction's [`finite_inverse`].
+    /// The same from the direction's [`reciprocal`].
     #[inline(always)]
     pub fn from_inverse(origin: Vec3, inverse: Vec3, low: Vec3, high: Vec3) -> Self {
         let (to_low, to_high) = ((low - origin).abs(), (high - origin).abs());

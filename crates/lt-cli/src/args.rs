@@ -64,6 +64,17 @@ pub struct CompareArgs {
     /// How fast the camera moves: median motion per frame, in pixels of a picture 1920 wide [default: 2]
     #[arg(long, value_name = "PX", requires = "frames", value_parser = values::motion, help_heading = "Frames")]
     pub motion: Option<f32>,
+    /// Take the camera along the keyframes of this text file instead of the scene's own way: lines of seconds, eye x y z, target
+    /// x y z and degrees of field of view if wanted; 60 frames per second
+    #[arg(long, value_name = "FILE", requires = "frames", conflicts_with_all = ["still", "motion"], help_heading = "Frames")]
+    pub path: Option<PathBuf>,
+    /// Turn the lights by this many degrees per frame around the vertical through what the camera looks at first
+    #[arg(long, value_name = "DEG", requires = "frames", conflicts_with = "still", allow_hyphen_values = true, value_parser = values::finite, help_heading = "Frames")]
+    pub light_spin: Option<f32>,
+    /// Start techniques with a temporal mask from a cleared one instead of tracing their first frame whole: a diagnostic, which
+    /// shows with --still how many frames they take to converge
+    #[arg(long, requires = "frames", help_heading = "Frames")]
+    pub cold: bool,
     /// Folder to write into, created if need be
     #[arg(long, value_name = "DIR", default_value = "lt-out")]
     pub out: PathBuf,
@@ -207,6 +218,9 @@ mod tests {
             &["compare", "--still"],
             &["compare", "--frames", "8", "--repeats", "2"],
             &["compare", "--frames", "8", "--still", "--motion", "3"],
+            &["compare", "--frames", "8", "--still", "--light-spin", "3"],
+            &["compare", "--frames", "8", "--motion", "3", "--path", "walk.txt"],
+            &["compare", "--cold"],
             &["compare", "--frames", "8", "--motion", "0"],
             &["render", "street", "--out", "shadow.jpg"],
             &["frobnicate"],

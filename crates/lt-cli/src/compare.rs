@@ -6,7 +6,7 @@ use std::{
     sync::atomic::AtomicBool,
 };
 
-use lt_render::{CompareOptions, Comparison, Row, Session, Technique};
+use lt_render::{CompareOptions, Comparison, LightStats, Row, Session, Technique};
 use rayon::prelude::*;
 
 use crate::{
@@ -54,7 +54,15 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     let mut out = std::io::stdout().lock();
     writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
     if let Some(playback) = &playback {
-        writeln!(out, "{}\n\n{}", playback.headline(), play::text_table(&comparison, &flips))?;
+        writeln!(
+            out,
+            "{}\n\n{}",
+            playback.headline(),
+            play::text_table(&comparison, &flips, playback.is_still)
+        )?;
+    }
+    if !session.setup().more_lights.is_empty() {
+        writeln!(out, "{}", light_table(&comparison))?;
     }
     let work = spinner("writing");
     let results = Results::new(&summary, &comparison, &flips, repeats, playback.as_ref());
@@ -158,6 +166,37 @@ fn text_table(comparison: &Comparison) -> String {
         table::render(&columns, &rows),
         grouped(comparison.valid_pixels),
         if is_settled { SETTLED } else { "" }
+    )
+}
+
+/// Each light's share of every technique. Lights count from 0 in the order asked for.
+fn light_table(comparison: &Comparison) -> String {
+    let columns = [
+        ("technique", Align::Left),
+        ("light", Align::Right),
+        ("rays\n/pixel", Align::Right),
+        ("false-lit\nppm", Align::Right),
+        ("false-shadowed\nppm", Align::Right),
+        ("largest wrong\ncluster px", Align::Right),
+    ];
+    let row = |row: &Row| {
+        let id = row.technique.to_string();
+        let of = move |(i, light): (usize, &LightStats)| {
+            vec![
+                id.clone(),
+                i.to_string(),
+                decimals(Some(light.rays_per_pixel()), 3),
+                ppm(light.errors.false_lit_ppm()),
+                ppm(light.errors.false_shadowed_ppm()),
+                grouped(light.errors.largest_cluster_px.into()),
+            ]
+        };
+        row.lights.iter().enumerate().map(of).collect::<Vec<_>>()
+    };
+    let rows: Vec<_> = comparison.rows.iter().flat_map(row).collect();
+    format!(
+        "{}\nabove: rays of all lights; rates count every pixel once for each light\n",
+        table::render(&columns, &rows)
     )
 }
 

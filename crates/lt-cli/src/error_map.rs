@@ -16,15 +16,20 @@ pub const RAY: [u8; 4] = [40, 200, 120, 255];
 /// No mark.
 pub const CLEAR: [u8; 4] = [0; 4];
 
-/// Marks of wrong pixels over nothing: transparent where the technique is right or nothing is visible.
+/// Marks of wrong pixels over nothing: transparent where the technique is right or nothing is visible. Where several lights are
+/// wrong, the first one's mark.
 pub fn error_marks(comparison: &Comparison, row: &Row, is_valid: &[bool]) -> Picture {
-    let truth = &comparison.reference.visibility;
-    let mark = |((&valid, &truth), &visibility): ((&bool, &f32), &f32)| match verdict(truth, visibility) {
-        Verdict::FalseLit if valid => FALSE_LIT,
-        Verdict::FalseShadowed if valid => FALSE_SHADOWED,
-        _ => CLEAR,
-    };
-    let pixels = is_valid.iter().zip(truth).zip(&row.frame.visibility).map(mark).collect();
+    let mut pixels = vec![CLEAR; is_valid.len()];
+    for (truth, frame) in comparison.reference.each_light().iter().zip(row.frame.each_light()) {
+        let visibilities = truth.visibility.iter().zip(&frame.visibility);
+        for ((pixel, &valid), (&truth, &visibility)) in pixels.iter_mut().zip(is_valid).zip(visibilities) {
+            *pixel = match verdict(truth, visibility) {
+                Verdict::FalseLit if valid && *pixel == CLEAR => FALSE_LIT,
+                Verdict::FalseShadowed if valid && *pixel == CLEAR => FALSE_SHADOWED,
+                _ => *pixel,
+            };
+        }
+    }
     Picture::new(comparison.size, pixels)
 }
 

@@ -2,7 +2,8 @@
 
 use lt_math::glam::Vec3;
 use lt_render::{
-    Comparison, Effect, EffectPlan, Frame, FrameStats, MaskBits, PassKind, PassTime, Row, Technique, metrics,
+    Comparison, Effect, EffectPlan, Frame, FrameStats, LightStats, MaskBits, PassKind, PassTime, Row,
+    Technique, metrics,
 };
 
 use crate::{
@@ -33,6 +34,7 @@ pub fn summary() -> Summary {
             light_dir: Some([0.0, -1.0, 0.0]),
             light_pos: None,
             cone_deg: None,
+            more_lights: Vec::new(),
         },
         command: "lt compare box".into(),
         version: "0.0.0",
@@ -55,6 +57,7 @@ pub fn played() -> (Comparison, Playback) {
     for (i, row) in comparison.rows.iter_mut().enumerate() {
         row.frames = (0..2)
             .map(|at| FrameStats {
+                lights: vec![LightStats { errors: row.errors, rays: row.frame.rays }],
                 errors: row.errors,
                 rays: row.frame.rays,
                 map_draws: 1,
@@ -64,8 +67,15 @@ pub fn played() -> (Comparison, Playback) {
             })
             .collect();
     }
-    let playback =
-        Playback { frames: 2, is_still: false, motion_px: 2.0, objects_move: false, mask_frames: vec![1] };
+    let playback = Playback {
+        frames: 2,
+        is_still: false,
+        motion_px: 2.0,
+        objects_move: false,
+        lights_move: false,
+        is_cold: false,
+        mask_frames: vec![1],
+    };
     (comparison, playback)
 }
 
@@ -80,6 +90,7 @@ fn frame(visibility: Vec<f32>, doubt: bool) -> Frame {
         map_bytes: 0,
         mask: Vec::new(),
         map_draws: 0,
+        lights: Vec::new(),
     }
 }
 
@@ -112,6 +123,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
         },
         rays_per_pixel: rays as f64 / 8.0,
         errors: metrics::errors([4, 2], &[true; 8], &truth, &frame.visibility),
+        lights: Vec::new(),
         flip_mean: Some(0.25),
         passes: vec![PassTime { kind: PassKind::Evaluate, median_ms: Some(ms), p95_ms: Some(ms * 1.1) }],
         map_ms: Some(0.0),

@@ -2,7 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
-use lt_render::{Comparison, FrameStats, PlayOptions, RenderError, Row, Sequence, compare_frames, quantile};
+use lt_math::glam::Vec3;
+use lt_render::{
+    Comparison, FrameStats, PlayOptions, RenderError, Row, Sequence, compare_frames, frames_to_settle,
+    quantile,
+};
+use lt_scene::{Camera, CameraPath, Keyframes, Light, Scene, Source};
 use serde::Serialize;
 
 use crate::{
@@ -33,6 +38,10 @@ pub struct Playback {
     pub motion_px: f64,
     /// Things in the scene moved.
     pub objects_move: bool,
+    /// Lights moved.
+    pub lights_move: bool,
+    /// Techniques with a temporal mask began with a cleared one.
+    pub is_cold: bool,
     /// Frames whose masks are kept for pictures.
     pub mask_frames: Vec<usize>,
 }
@@ -40,14 +49,17 @@ pub struct Playback {
 impl Playback {
     /// One line about it.
     pub fn headline(&self) -> String {
-        let what = match (self.is_still, self.objects_move) {
-            (true, _) => "nothing moves; errors are the last frame's".to_owned(),
-            (false, false) => format!("the camera moves by {:.2} px a frame in the median", self.motion_px),
-            (false, true) => {
-                format!("the camera moves by {:.2} px a frame in the median, and things move", self.motion_px)
-            }
+        let what = match (self.objects_move, self.lights_move) {
+            _ if self.is_still => "nothing moves; errors are the last frame's".to_owned(),
+            (objects, lights) => format!(
+                "the camera moves by {:.2} px a frame in the median{}{}",
+                self.motion_px,
+                if objects { ", things move" } else { "" },
+                if lights { ", lights move" } else { "" }
+            ),
         };
-        format!("{} frames · {what}", self.frames)
+        let start = if self.is_cold { " · from a cleared mask" } else { "" };
+        format!("{} frames · {what}{start}", self.frames)
     }
 }
 
@@ -77,24 +89,25 @@ pub fn spread(values: impl Iterator<Item = f64>) -> Spread {
 /// # Errors
 /// A pose that cannot be read or drawn, or a failing device.
 pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Result<(Comparison, Playback)> {
-    let width = opened.session.setup().size.x as f32;
-    let path = opened.source.camera_path(opened.session.setup().camera.clone());
-    let wanted_px = f64::from(args.motion.unwrap_or(DEFAULT_MOTION_PX) * width / MOTION_WIDTH);
-    let way = match args.still {
-        true => 0.0,
-        false => lt_render::way_per_frame(&opened.session, &path, wanted_px),
-    };
+    let way = Way::new(args, opened)?;
+    if let Way::Keyframes(_) = way {
+        opened.session.look(&way.at(0))?;
+    }
+    let lamps = Lamps::new(args, opened, frames)?;
     let playback = Playback {
         frames,
         is_still: args.still,
-        motion_px: lt_render::median_motion_px(&opened.session, &path.at(way)),
+        motion_px: lt_render::median_motion_px(&opened.session, &way.at(1)),
         objects_move: !args.still && opened.scene.instances.iter().any(|i| i.is_dynamic),
+        lights_move: lamps.is_animated || args.light_spin.is_some(),
+        is_cold: args.cold,
         mask_frames: pictured(frames),
     };
     opened.session.play(Sequence {
         is_played: true,
         camera_moves: !args.still,
         objects_move: playback.objects_move,
+        starts_cold: args.cold,
     });
     let options = PlayOptions {
         frames,
@@ -110,17 +123,26 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
         &args.techniques(),
         &options,
         |session, frame| {
-            let camera = path.at(way * frame as f32);
-            match (args.still, playback.objects_move) {
-                (true, _) => Ok(()),
-                (false, false) => session.look(&camera),
-                (false, true) => {
-                    let time_s = args.scene.time + frame as f32 / FRAME_RATE;
-                    let now = args.scene.pose(&opened.source, time_s).map_err(|error| {
-                        let problem = error.to_string();
-                        failure = Some(error);
-                        RenderError::Build(problem)
-                    })?;
+            if args.still {
+                return Ok(());
+            }
+            let camera = way.at(frame);
+            let mut keep = |error: anyhow::Error| {
+                let problem = error.to_string();
+                failure = Some(error);
+                RenderError::Build(problem)
+            };
+            let is_posed = playback.objects_move || lamps.is_animated;
+            let now = match is_posed {
+                true => Some(args.scene.pose(&opened.source, time_of(args, frame)).map_err(&mut keep)?),
+                false => None,
+            };
+            if playback.lights_move {
+                session.relight(&lamps.at(args, now.as_ref(), frame).map_err(&mut keep)?)?;
+            }
+            match now.filter(|_| playback.objects_move) {
+                None => session.look(&camera),
+                Some(now) => {
                     session.advance(&camera, &now, &before)?;
                     before = now;
                     Ok(())
@@ -137,6 +159,79 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
     }
 }
 
+/// The moment of a frame.
+fn time_of(args: &CompareArgs, frame: usize) -> f32 {
+    args.scene.time + frame as f32 / FRAME_RATE
+}
+
+/// Where the camera goes.
+enum Way {
+    /// Nowhere.
+    Still(Camera),
+    /// Along a path at this pace.
+    Path(CameraPath, f32),
+    /// As a file says.
+    Keyframes(Keyframes),
+}
+
+impl Way {
+    fn new(args: &CompareArgs, opened: &Opened) -> anyhow::Result<Self> {
+        let start = opened.session.setup().camera.clone();
+        if args.still {
+            return Ok(Self::Still(start));
+        }
+        if let Some(file) = &args.path {
+            return Ok(Self::Keyframes(Keyframes::open(file, start)?));
+        }
+        let width = opened.session.setup().size.x as f32;
+        let path = opened.source.camera_path(start);
+        let wanted_px = f64::from(args.motion.unwrap_or(DEFAULT_MOTION_PX) * width / MOTION_WIDTH);
+        let pace = lt_render::way_per_frame(&opened.session, &path, wanted_px);
+        Ok(Self::Path(path, pace))
+    }
+
+    fn at(&self, frame: usize) -> Camera {
+        match self {
+            Self::Still(camera) => camera.clone(),
+            Self::Path(path, pace) => path.at(pace * frame as f32),
+            Self::Keyframes(keys) => keys.at(frame as f32 / FRAME_RATE),
+        }
+    }
+}
+
+/// Where the lights go.
+struct Lamps {
+    start: Vec<Light>,
+    /// The scene's animation moves them.
+    is_animated: bool,
+    center: Vec3,
+}
+
+impl Lamps {
+    fn new(args: &CompareArgs, opened: &Opened, frames: usize) -> anyhow::Result<Self> {
+        let setup = opened.session.setup();
+        let start: Vec<Light> = setup.lights().cloned().collect();
+        let mut is_animated = false;
+        if !args.still && args.scene.lights_are_the_scenes() && matches!(opened.source, Source::Gltf(_)) {
+            for frame in [1, frames / 2, frames - 1] {
+                let scene = args.scene.pose(&opened.source, time_of(args, frame))?;
+                is_animated |= args.scene.lights(&scene)? != start;
+            }
+        }
+        Ok(Self { start, is_animated, center: setup.camera.target })
+    }
+
+    /// The lights of a frame, of the scene's pose then if they are animated.
+    fn at(&self, args: &CompareArgs, scene: Option<&Scene>, frame: usize) -> anyhow::Result<Vec<Light>> {
+        let lights = match scene.filter(|_| self.is_animated) {
+            Some(scene) => args.scene.lights(scene)?,
+            None => self.start.clone(),
+        };
+        let angle = args.light_spin.unwrap_or(0.0).to_radians() * frame as f32;
+        Ok(lights.iter().map(|light| light.turned(self.center, angle)).collect())
+    }
+}
+
 /// Frames spread over all, first and last among them.
 fn pictured(frames: usize) -> Vec<usize> {
     let count = frames.min(PICTURED_MASKS);
@@ -145,9 +240,10 @@ fn pictured(frames: usize) -> Vec<usize> {
     all
 }
 
-/// A table of what every technique did along the path.
-pub fn text_table(comparison: &Comparison, flips: &[u64]) -> String {
-    let columns = [
+/// A table of what every technique did along the path; with nothing moving, also how many frames it took until as many pixels
+/// were wrong as in the last one, and how many those are.
+pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> String {
+    let mut columns = vec![
         ("technique", Align::Left),
         ("false-lit ppm\nmedian", Align::Right),
         ("\np95", Align::Right),
@@ -162,7 +258,18 @@ pub fn text_table(comparison: &Comparison, flips: &[u64]) -> String {
         ("total ms\nmedian", Align::Right),
         ("\nmax", Align::Right),
     ];
-    let rows: Vec<_> = comparison.rows.iter().zip(flips).map(|(row, &flips)| text_row(row, flips)).collect();
+    if is_still {
+        columns.extend([("settled\nafter", Align::Right), ("wrong px\nleft", Align::Right)]);
+    }
+    let row = |(row, &flips): (&Row, &u64)| {
+        let mut cells = text_row(row, flips);
+        if is_still {
+            let left = row.errors.false_lit + row.errors.false_shadowed;
+            cells.extend([grouped(frames_to_settle(&row.frames) as u64), grouped(left)]);
+        }
+        cells
+    };
+    let rows: Vec<_> = comparison.rows.iter().zip(flips).map(row).collect();
     table::render(&columns, &rows)
 }
 

@@ -66,6 +66,13 @@ fn dump(dir: &Path, session: &mut Session, frame: &Frame) -> anyhow::Result<()> 
         ("reference.Y", reference.visibility),
         ("doubt.Y", as_floats(&frame.doubt)),
     ];
+    let names: Vec<[String; 2]> = (0..frame.lights.len())
+        .map(|i| [format!("light{i}.visibility"), format!("light{i}.reference")])
+        .collect();
+    for (names, (light, truth)) in names.iter().zip(frame.lights.iter().zip(&reference.lights)) {
+        channels.push((&names[0], light.visibility.clone()));
+        channels.push((&names[1], truth.visibility.clone()));
+    }
     if !frame.tint.is_empty() {
         channels.extend([("tint.R", tint(|t| t.x)), ("tint.G", tint(|t| t.y)), ("tint.B", tint(|t| t.z))]);
     }

@@ -1,6 +1,6 @@
 //! `results.json`, schema 1: fields may be added, never renamed.
 
-use lt_render::{Comparison, Doubt, FrameStats, PassKind, PassTime, Row};
+use lt_render::{Comparison, Doubt, FrameStats, LightStats, PassKind, PassTime, Row, frames_to_settle};
 use serde::Serialize;
 
 use crate::{
@@ -44,8 +44,19 @@ struct ResultRow {
     false_shadowed_px: u64,
     is_on_frontier: bool,
     passes: Vec<PassRow>,
+    /// Each light's share; empty for one light.
+    lights: Vec<LightRow>,
     /// Null for a single view.
     path: Option<PathRow>,
+}
+
+/// One light's share of a technique.
+#[derive(Debug, Serialize)]
+struct LightRow {
+    rays_per_pixel: f64,
+    false_lit_ppm: f64,
+    false_shadowed_ppm: f64,
+    largest_cluster_px: u32,
 }
 
 /// One technique over several frames.
@@ -56,6 +67,8 @@ struct PathRow {
     rays_per_pixel: Spread,
     total_ms: Option<Spread>,
     map_draws: u32,
+    /// Frames until as many pixels were wrong as in the last one; null where things move.
+    frames_to_settle: Option<usize>,
     frames: Vec<FrameRow>,
 }
 
@@ -99,6 +112,7 @@ impl<'a> Results<'a> {
         playback: Option<&'a Playback>,
     ) -> Self {
         let frontier = frontier_of(comparison);
+        let is_still = playback.is_some_and(|p| p.is_still);
         let rows = comparison.rows.iter().zip(flips).zip(frontier);
         Self {
             schema: 1,
@@ -108,7 +122,9 @@ impl<'a> Results<'a> {
             repeats: if playback.is_some() { 1 } else { repeats },
             valid_pixels: comparison.valid_pixels,
             peak_memory_mb: peak_memory_mb(),
-            rows: rows.map(|((row, &flips), is_best)| result_row(row, summary, flips, is_best)).collect(),
+            rows: rows
+                .map(|((row, &flips), is_best)| result_row(row, summary, (flips, is_still), is_best))
+                .collect(),
         }
     }
 }
@@ -119,7 +135,12 @@ pub fn frontier_of(comparison: &Comparison) -> Vec<bool> {
     pareto::frontier(&points)
 }
 
-fn result_row(row: &Row, summary: &Summary, flips: u64, is_on_frontier: bool) -> ResultRow {
+fn result_row(
+    row: &Row,
+    summary: &Summary,
+    (flips, is_still): (u64, bool),
+    is_on_frontier: bool,
+) -> ResultRow {
     let technique = row.technique;
     ResultRow {
         technique: technique.to_string(),
@@ -139,11 +160,21 @@ fn result_row(row: &Row, summary: &Summary, flips: u64, is_on_frontier: bool) ->
         false_shadowed_px: row.errors.false_shadowed,
         is_on_frontier,
         passes: row.passes.iter().map(pass_row).collect(),
-        path: path_row(row),
+        lights: row.lights.iter().map(light_row).collect(),
+        path: path_row(row, is_still),
     }
 }
 
-fn path_row(row: &Row) -> Option<PathRow> {
+fn light_row(light: &LightStats) -> LightRow {
+    LightRow {
+        rays_per_pixel: light.rays_per_pixel(),
+        false_lit_ppm: light.errors.false_lit_ppm(),
+        false_shadowed_ppm: light.errors.false_shadowed_ppm(),
+        largest_cluster_px: light.errors.largest_cluster_px,
+    }
+}
+
+fn path_row(row: &Row, is_still: bool) -> Option<PathRow> {
     let frames = &row.frames;
     if frames.is_empty() {
         return None;
@@ -155,6 +186,7 @@ fn path_row(row: &Row) -> Option<PathRow> {
         rays_per_pixel: spread(frames.iter().map(FrameStats::rays_per_pixel)),
         total_ms: times.map(|t| spread(t.into_iter())),
         map_draws: frames.iter().map(|f| f.map_draws).sum(),
+        frames_to_settle: is_still.then(|| frames_to_settle(frames)),
         frames: frames.iter().map(frame_row).collect(),
     })
 }

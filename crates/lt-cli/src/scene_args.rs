@@ -10,7 +10,7 @@ use crate::{
     failure::Usage,
     numbers::grouped,
     progress::spinner,
-    values::{self, Cone, Defaults, Ground},
+    values::{self, Cone, Defaults, Ground, Lights},
 };
 
 /// Options shared by `compare`, `render` and `plan`.
@@ -40,6 +40,9 @@ pub struct SceneArgs {
     /// Index of the scene's light to draw shadows for
     #[arg(long, value_name = "N", conflicts_with_all = ["light_dir", "light_pos"], help_heading = "View and light")]
     pub light: Option<usize>,
+    /// Indices of the scene's lights to draw shadows for, all at once: 0,2 or all
+    #[arg(long, value_name = "N,…|all", conflicts_with_all = ["light", "light_dir", "light_pos"], value_parser = values::lights, help_heading = "View and light")]
+    pub lights: Option<Lights>,
     /// Position of a point light; of a spot light with --light-dir
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::point, help_heading = "View and light")]
     pub light_pos: Option<Vec3>,
@@ -150,16 +153,39 @@ impl SceneArgs {
         if let Some(index) = self.camera {
             setup.camera = pick("--camera", index, &scene.cameras)?;
         }
-        if let Some(index) = self.light {
-            setup.light = pick("--light", index, &scene.lights)?;
-        }
-        if let Some(kind) = self.light_kind() {
-            setup.light = Light { kind, ..Light::sun(Vec3::NEG_Y) };
-        }
+        let mut lights = self.lights(scene)?.into_iter();
+        setup.light = lights.next().unwrap_or(setup.light);
+        setup.more_lights = lights.collect();
         self.aim(&mut setup.camera)?;
         setup.packing.traces_translucency = self.translucent;
         setup.map_size = self.map_size.unwrap_or(setup.map_size);
         Ok(setup)
+    }
+
+    /// The lights that the options ask for, of a scene in any pose; at least one.
+    ///
+    /// # Errors
+    /// [`Usage`] for an index that the scene does not have.
+    pub fn lights(&self, scene: &Scene) -> Result<Vec<Light>, Usage> {
+        if let Some(kind) = self.light_kind() {
+            return Ok(vec![Light { kind, ..Light::sun(Vec3::NEG_Y) }]);
+        }
+        match (self.light, &self.lights) {
+            (Some(index), _) => Ok(vec![pick("--light", index, &scene.lights)?]),
+            (_, Some(Lights::Some(indices))) => {
+                indices.iter().map(|&index| pick("--lights", index, &scene.lights)).collect()
+            }
+            (_, Some(Lights::All)) if !scene.lights.is_empty() => Ok(scene.lights.clone()),
+            (_, Some(Lights::All)) => {
+                Err(Usage("--lights all: the scene has none; leave the option out".into()))
+            }
+            (_, None) => Ok(vec![Setup::for_scene(scene, 1, 1).light]),
+        }
+    }
+
+    /// Whether the lights are the scene's own, which its animation may move.
+    pub fn lights_are_the_scenes(&self) -> bool {
+        self.light_kind().is_none()
     }
 
     /// The light that the options describe, if they do.
@@ -259,6 +285,7 @@ mod tests {
             assert!(parse(&words).is_err(), "{words:?}");
         }
         assert!(parse(&["--light", "0", "--light-dir", "0,-1,0"]).is_err());
+        assert!(parse(&["--light", "0", "--lights", "all"]).is_err());
         assert!(parse(&["--light", "0", "--light-pos", "0,-1,0"]).is_err());
         assert!(parse(&["--light-pos", "0,1,0", "--cone", "20"]).is_err());
         assert!(parse(&["--light-dir", "0,-1,0", "--light-range", "2"]).is_err());
@@ -272,6 +299,21 @@ mod tests {
             "--light 0: the scene has none; leave the option out"
         );
         assert_eq!(pick("--camera", 1, &[7, 8]).unwrap(), 8);
+    }
+
+    #[test]
+    fn several_lights_are_picked_in_the_order_asked_for() {
+        let suns = [Vec3::NEG_Y, Vec3::NEG_X, Vec3::NEG_Z].map(Light::sun);
+        let scene = Scene { lights: suns.to_vec(), ..Scene::default() };
+        let lights = |words: &[&str]| parse(words).unwrap().lights(&scene);
+        assert_eq!(lights(&["--lights", "2,0"]).unwrap(), [suns[2].clone(), suns[0].clone()]);
+        assert_eq!(lights(&["--lights", "all"]).unwrap(), suns);
+        assert_eq!(lights(&["--light", "1"]).unwrap(), [suns[1].clone()]);
+        assert_eq!(lights(&[]).unwrap(), [suns[0].clone()]);
+        assert!(lights(&["--lights", "0,3"]).unwrap_err().0.contains("numbers 0 to 2"));
+        assert!(parse(&["--lights", "all"]).unwrap().lights(&Scene::default()).is_err());
+        let setup = parse(&["--lights", "1,2"]).unwrap().setup(&scene).unwrap();
+        assert_eq!((setup.light, setup.more_lights), (suns[1].clone(), vec![suns[2].clone()]));
     }
 
     #[test]

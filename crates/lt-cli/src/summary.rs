@@ -1,7 +1,7 @@
 //! What was run, on what: the facts that head the table, the results file and the report.
 
 use lt_render::Session;
-use lt_scene::LightKind;
+use lt_scene::{Light, LightKind};
 use serde::Serialize;
 
 use crate::{
@@ -28,6 +28,36 @@ pub struct View {
     /// Half-angle of a spot light's cone, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cone_deg: Option<f32>,
+    /// Further lights.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub more_lights: Vec<LightView>,
+}
+
+/// A light, for those who want to see the same.
+#[derive(Clone, Debug, Serialize)]
+pub struct LightView {
+    /// Direction in which it travels; none for a light that has no single one.
+    pub light_dir: Option<[f32; 3]>,
+    /// Where a spot or point light stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light_pos: Option<[f32; 3]>,
+    /// Half-angle of a spot light's cone, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cone_deg: Option<f32>,
+}
+
+impl LightView {
+    /// Of this light.
+    fn of(light: &Light) -> Self {
+        let (light_pos, light_dir, cone_deg) = match light.kind {
+            LightKind::Directional { direction } => (None, Some(direction.to_array()), None),
+            LightKind::Point { position, .. } => (Some(position.to_array()), None, None),
+            LightKind::Spot { position, direction, outer_cone_rad, .. } => {
+                (Some(position.to_array()), Some(direction.to_array()), Some(outer_cone_rad.to_degrees()))
+            }
+        };
+        Self { light_dir, light_pos, cone_deg }
+    }
 }
 
 /// The facts of a run.
@@ -106,16 +136,10 @@ impl Summary {
 }
 
 impl View {
-    /// Camera and light of a setup.
+    /// Camera and lights of a setup.
     pub fn of(setup: &lt_render::Setup) -> Self {
         let camera = &setup.camera;
-        let (light_pos, light_dir, cone_deg) = match setup.light.kind {
-            LightKind::Directional { direction } => (None, Some(direction.to_array()), None),
-            LightKind::Point { position, .. } => (Some(position.to_array()), None, None),
-            LightKind::Spot { position, direction, outer_cone_rad, .. } => {
-                (Some(position.to_array()), Some(direction.to_array()), Some(outer_cone_rad.to_degrees()))
-            }
-        };
+        let LightView { light_dir, light_pos, cone_deg } = LightView::of(&setup.light);
         Self {
             eye: camera.eye.to_array(),
             target: camera.target.to_array(),
@@ -124,6 +148,14 @@ impl View {
             light_dir,
             light_pos,
             cone_deg,
+            more_lights: setup.more_lights.iter().map(LightView::of).collect(),
         }
+    }
+
+    /// Every light.
+    pub fn lights(&self) -> Vec<LightView> {
+        let first =
+            LightView { light_dir: self.light_dir, light_pos: self.light_pos, cone_deg: self.cone_deg };
+        std::iter::once(first).chain(self.more_lights.iter().cloned()).collect()
     }
 }

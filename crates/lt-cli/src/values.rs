@@ -105,6 +105,31 @@ pub fn cone(text: &str) -> Result<Cone, String> {
     }
 }
 
+/// Which of a scene's lights shine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Lights {
+    /// Every one.
+    All,
+    /// These, at least one and no one twice.
+    Some(Vec<usize>),
+}
+
+/// Lights, `all` or indices with commas.
+pub fn lights(text: &str) -> Result<Lights, String> {
+    if text == "all" {
+        return Ok(Lights::All);
+    }
+    let mut indices = Vec::new();
+    for word in text.split(',') {
+        let index = word.parse().map_err(|_| "write indices with commas, such as 0,2; or all".to_owned())?;
+        if indices.contains(&index) {
+            return Err(format!("names {index} twice"));
+        }
+        indices.push(index);
+    }
+    Ok(Lights::Some(indices))
+}
+
 /// A distance above 0.
 pub fn range(text: &str) -> Result<f32, String> {
     finite(text).and_then(|r| if r > 0.0 { Ok(r) } else { Err("must lie above 0".into()) })
@@ -228,6 +253,12 @@ mod tests {
             assert!(cone(text).is_err(), "{text}");
         }
         assert!(range("0").is_err() && range("-1").is_err() && range("2") == Ok(2.0));
+    }
+
+    #[test]
+    fn lights_are_indices_or_all() {
+        assert_eq!((lights("all"), lights("3,0")), (Ok(Lights::All), Ok(Lights::Some(vec![3, 0]))));
+        assert!(["", "x", "1,", "-1", "1,1"].into_iter().all(|text| lights(text).is_err()));
     }
 
     #[test]

@@ -73,6 +73,8 @@ pub struct Evidence {
     pub is_on_map: bool,
     /// The pixel was found in the last frame; if not, a ray is forced and `neighbourhood` unused.
     pub is_reprojected: bool,
+    /// The rolling refresh traces this pixel in this frame: see [`crate::is_due`].
+    pub is_due: bool,
     /// What the last frame says; [`Neighbourhood::EMPTY`] with `allows_removal` false switches the history off.
     pub neighbourhood: Neighbourhood,
     /// RR is switched on and no guard forbids it here: see [`allows_removal`].
@@ -112,8 +114,10 @@ impl Reason {
     pub const EXPANDED: Self = Self(4);
     /// Doubted, but all neighbours' histories confirm the shadow test: no ray.
     pub const REMOVED: Self = Self(5);
+    /// Seen before, and its turn in the rolling refresh: ray.
+    pub const REFRESHED: Self = Self(6);
 
-    /// A dense number 0…5, e.g. for counters.
+    /// A dense number 0…6, e.g. for counters.
     #[inline]
     pub fn to_index(self) -> u32 {
         self.0
@@ -153,8 +157,8 @@ impl Decision {
     }
 }
 
-/// Decides a pixel that faces the light, in the paper's order: LTT, failed reprojection forces a ray, ER if LTT was
-/// false, RR if LTT was true.
+/// Decides a pixel that faces the light, in the paper's order: LTT, failed reprojection (or its turn in the rolling refresh, which
+/// is not the paper's) forces a ray, ER if LTT was false, RR if LTT was true.
 ///
 /// A receiver outside the map and a NaN estimate always get a ray: RR cannot remove what no shadow test has judged.
 /// For surfaces facing away store [`MaskBits::FACING_AWAY`] instead.
@@ -173,6 +177,8 @@ pub fn decide_doubt(is_test_shadowed: bool, is_doubted: bool, evidence: Evidence
         Reason::UNKNOWN
     } else if !evidence.is_reprojected {
         Reason::UNSEEN
+    } else if evidence.is_due {
+        Reason::REFRESHED
     } else if !is_doubted && history.any_expands {
         Reason::EXPANDED
     } else if is_doubted && evidence.allows_removal && history.all_remove {
@@ -252,17 +258,18 @@ mod tests {
     fn the_whole_decision_follows_the_steps_of_the_paper() {
         let mut cases = 0;
         for visibility in [0.0, 0.005, 0.01, 0.02, 0.49, 0.5, 0.75, 0.98, 0.99, 0.995, 1.0, f32::NAN] {
-            for bits in 0..32 {
+            for bits in 0..64 {
                 let flag = |i: u32| bits >> i & 1 == 1;
                 let evidence = Evidence {
                     is_on_map: flag(0),
                     is_reprojected: flag(1),
                     neighbourhood: Neighbourhood { any_expands: flag(2), all_remove: flag(3) },
                     allows_removal: flag(4),
+                    is_due: flag(5),
                 };
                 let original_ltt = visibility.is_nan() || (visibility > 0.01 && visibility < 0.99);
                 let mut ltt = original_ltt;
-                if !evidence.is_reprojected {
+                if !evidence.is_reprojected || evidence.is_due {
                     ltt = true;
                 } else {
                     if !original_ltt && evidence.neighbourhood.any_expands {
@@ -282,11 +289,11 @@ mod tests {
                 cases += 1;
             }
         }
-        assert_eq!(cases, 12 * 32);
+        assert_eq!(cases, 12 * 64);
     }
 
     fn seen(neighbourhood: Neighbourhood, allows_removal: bool) -> Evidence {
-        Evidence { is_on_map: true, is_reprojected: true, neighbourhood, allows_removal }
+        Evidence { is_on_map: true, is_reprojected: true, is_due: false, neighbourhood, allows_removal }
     }
 
     #[test]
@@ -302,6 +309,8 @@ mod tests {
         assert_eq!(reason(1.0, Evidence { is_reprojected: false, ..seen(quiet, true) }), Reason::UNSEEN);
         assert_eq!(reason(1.0, Evidence { is_on_map: false, ..seen(quiet, true) }), Reason::UNKNOWN);
         assert_eq!(reason(f32::NAN, seen(quiet, true)), Reason::UNKNOWN);
+        assert_eq!(reason(1.0, Evidence { is_due: true, ..seen(quiet, true) }), Reason::REFRESHED);
+        assert_eq!(reason(0.6, Evidence { is_due: true, ..seen(quiet, true) }), Reason::REFRESHED);
     }
 
     #[test]

@@ -46,6 +46,7 @@
 //! let evidence = Evidence {
 //!     is_on_map: true,
 //!     is_reprojected: place.is_valid,
+//!     is_due: false,
 //!     neighbourhood,
 //!     allows_removal: allows_removal(true, false, true, place.has_moved),
 //! };
@@ -61,6 +62,7 @@ mod bits;
 mod decide;
 mod pack;
 mod pattern;
+mod refresh;
 mod reproject;
 
 pub use bits::MaskBits;
@@ -68,6 +70,7 @@ pub use decide::{
     DEPTH_CONSISTENCY_TOLERANCE, Decision, Evidence, Neighbourhood, Reason, SHADOW_TEST_THRESHOLD,
     allows_removal, decide, decide_doubt, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
 };
-pub use pack::{MAX_LIGHTS, PackedMask, words_for_lights};
+pub use pack::{LightPlace, MAX_LIGHTS, PackedMask, words_for_lights};
 pub use pattern::{Pattern, gather_corner};
+pub use refresh::{MAX_REFRESH, is_due, refresh_stride};
 pub use reproject::{Reprojection, reproject};

@@ -26,12 +26,9 @@ impl PackedMask {
         if light >= MAX_LIGHTS {
             return MaskBits::BLACK;
         }
-        let (word, shift) = place(light);
-        let mut bits = self.word(word) >> shift;
-        if shift > 32 - MaskBits::BIT_COUNT {
-            bits |= self.word(word + 1) << (32 - shift);
-        }
-        MaskBits::from_bits(bits)
+        let place = LightPlace::of(light);
+        let next = if place.straddles() { self.word(place.word + 1) } else { 0 };
+        place.read(self.word(place.word), next)
     }
 
     /// The same histories with that of light `light` replaced; unchanged from 42 on.
@@ -40,15 +37,12 @@ impl PackedMask {
         if light >= MAX_LIGHTS {
             return self;
         }
-        let (word, shift) = place(light);
-        let kept = self.word(word) & !(MaskBits::ALL << shift);
-        let mut packed = self.with_word(word, kept | (mask.to_bits() << shift));
-        if shift > 32 - MaskBits::BIT_COUNT {
-            let rest = 32 - shift;
-            let kept = self.word(word + 1) & !(MaskBits::ALL >> rest);
-            packed = packed.with_word(word + 1, kept | (mask.to_bits() >> rest));
+        let place = LightPlace::of(light);
+        let packed = self.with_word(place.word, place.write(self.word(place.word), mask));
+        if !place.straddles() {
+            return packed;
         }
-        packed
+        packed.with_word(place.word + 1, place.write_rest(self.word(place.word + 1), mask))
     }
 
     /// Word 0 … 3, by comparison rather than by index: shaders then need no bounds check.
@@ -74,11 +68,51 @@ impl PackedMask {
     }
 }
 
-/// Word and shift of a light's lowest bit.
-#[inline]
-fn place(light: u32) -> (u32, u32) {
-    let bit = light * MaskBits::BIT_COUNT;
-    (bit / 32, bit % 32)
+/// Where the history of one light lies among a pixel's words, for those who store words rather than texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LightPlace {
+    /// The word of its lowest bit.
+    pub word: u32,
+    /// How far up in that word its lowest bit lies, 0 … 31.
+    shift: u32,
+}
+
+impl LightPlace {
+    /// The place of light `light`, below [`MAX_LIGHTS`].
+    #[inline]
+    pub fn of(light: u32) -> Self {
+        let bit = light * MaskBits::BIT_COUNT;
+        Self { word: bit / 32, shift: bit % 32 }
+    }
+
+    /// Whether it goes on in the next word.
+    #[inline]
+    pub fn straddles(self) -> bool {
+        self.shift > 32 - MaskBits::BIT_COUNT
+    }
+
+    /// The history in `word` and, where it [`LightPlace::straddles`], in `next`, which is ignored otherwise.
+    #[inline]
+    pub fn read(self, word: u32, next: u32) -> MaskBits {
+        let mut bits = word >> self.shift;
+        if self.straddles() {
+            bits |= next << (32 - self.shift);
+        }
+        MaskBits::from_bits(bits)
+    }
+
+    /// `word` with the history put into it, as far as it lies there.
+    #[inline]
+    pub fn write(self, word: u32, mask: MaskBits) -> u32 {
+        word & !(MaskBits::ALL << self.shift) | mask.to_bits() << self.shift
+    }
+
+    /// The next word with the rest of the history; only where it [`LightPlace::straddles`].
+    #[inline]
+    pub fn write_rest(self, next: u32, mask: MaskBits) -> u32 {
+        let rest = 32 - self.shift;
+        next & !(MaskBits::ALL >> rest) | mask.to_bits() >> rest
+    }
 }
 
 #[cfg(test)]
@@ -134,9 +168,9 @@ mod tests {
 
     #[test]
     fn the_straddling_lights_are_10_and_21_but_not_the_aligned_32() {
-        let straddles = |light: u32| place(light).1 > 29;
+        let straddles = |light: u32| LightPlace::of(light).straddles();
         assert_eq!((0..42).filter(|&l| straddles(l)).collect::<std::vec::Vec<_>>(), [10, 21]);
-        assert_eq!(place(32), (3, 0));
+        assert_eq!(LightPlace::of(32), LightPlace { word: 3, shift: 0 });
         for light in [10, 21] {
             for state in [MaskBits::GREEN, MaskBits::WHITE, MaskBits::PURPLE, MaskBits::RED, MaskBits::YELLOW]
             {

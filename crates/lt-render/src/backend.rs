@@ -92,8 +92,12 @@ pub struct FrameJob {
     pub map: Option<DepthMapJob>,
     /// The temporal mask's frame, if the plan has one.
     pub mask: Option<MaskParams>,
-    /// Which storage keeps map and history between frames: 0 for techniques that keep nothing, else the technique's own.
+    /// Which storage keeps map and history between frames: 0 for techniques that keep nothing, else the technique's own for
+    /// this light.
     pub slot: usize,
+    /// The slot of the technique's first light. A backend that packs the histories of all lights into one keeps it there, and
+    /// turns it over when the first light ([`lt_shaders::abi::LightParams::number`] 0) begins a frame.
+    pub history_slot: usize,
 }
 
 impl FrameJob {
@@ -106,6 +110,11 @@ impl FrameJob {
     /// The levels that pixels search, where the plan has them search.
     pub fn searched_levels(&self) -> Option<Vec<LightProjection>> {
         self.map.as_ref().filter(|_| self.plan.level_search).map(DepthMapJob::projections)
+    }
+
+    /// Whether the history that this frame reads must be cleared before.
+    pub fn clears_history(&self) -> bool {
+        self.mask.is_some_and(|m| m.flags & MaskParams::CLEARED != 0)
     }
 
     /// How many maps are drawn whole in this frame.
@@ -158,16 +167,22 @@ pub trait Backend {
     /// [`RenderError::Gpu`] when the device fails.
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError>;
 
-    /// Shades the samples with this visibility and tint (row by row; an empty tint is white), sRGB.
+    /// Shades the samples under these lights, at least one, sRGB.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    fn shade(
-        &mut self,
-        visibility: &[f32],
-        tint: &[Vec3],
-        params: &ShadeParams,
-    ) -> Result<Vec<[u8; 4]>, RenderError>;
+    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError>;
+}
+
+/// A light and how much of it reaches each pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct ShadedLight<'a> {
+    /// Camera and haze, the same for all lights of a picture, and the light.
+    pub params: ShadeParams,
+    /// Row by row.
+    pub visibility: &'a [f32],
+    /// Row by row; empty for white.
+    pub tint: &'a [Vec3],
 }
 
 /// A test's default parameters in the order its kernel reads them (`lt_shaders::evaluate::TestFromParams`).

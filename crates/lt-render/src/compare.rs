@@ -35,8 +35,10 @@ pub struct Row {
     pub plan: EffectPlan,
     /// Shadow rays per valid pixel (a pixel with geometry).
     pub rays_per_pixel: f64,
-    /// Wrong pixels against `ray`.
+    /// Wrong pixels against `ray`, those of several lights together.
     pub errors: metrics::Errors,
+    /// Each light's share, where several shine; else empty.
+    pub lights: Vec<LightStats>,
     /// Mean FLIP of the shaded picture against the reference's, in [0, 1]; `None` if not asked for.
     pub flip_mean: Option<f64>,
     /// Every pass, median and p95 over the repeats.
@@ -59,10 +61,34 @@ pub struct Row {
     pub frames: Vec<FrameStats>,
 }
 
+/// One light's share of what a technique did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightStats {
+    /// Wrong pixels against `ray`.
+    pub errors: metrics::Errors,
+    /// Shadow rays.
+    pub rays: u64,
+}
+
+impl LightStats {
+    /// Shadow rays per valid pixel.
+    pub fn rays_per_pixel(&self) -> f64 {
+        self.rays as f64 / self.errors.valid.max(1) as f64
+    }
+
+    /// Of every light, in a frame and against the truth.
+    fn each(size: [u32; 2], valid: &[bool], truth: &Frame, frame: &Frame) -> Vec<Self> {
+        let errors = metrics::errors_by_light(size, valid, truth, frame);
+        errors.into_iter().zip(frame.each_light()).map(|(errors, f)| Self { errors, rays: f.rays }).collect()
+    }
+}
+
 /// One technique in one frame of several.
 #[derive(Clone, Debug)]
 pub struct FrameStats {
-    /// Wrong pixels against `ray` in the same frame.
+    /// Every light's share, at least one's.
+    pub lights: Vec<LightStats>,
+    /// Wrong pixels against `ray` in the same frame, those of several lights together.
     pub errors: metrics::Errors,
     /// Shadow rays.
     pub rays: u64,
@@ -82,9 +108,9 @@ impl FrameStats {
         self.passes.iter().filter(|p| wanted(p.kind)).map(|p| p.ms).sum()
     }
 
-    /// Shadow rays per valid pixel.
+    /// Shadow rays per valid pixel, for all lights.
     pub fn rays_per_pixel(&self) -> f64 {
-        self.rays as f64 / self.errors.valid.max(1) as f64
+        self.lights.iter().map(LightStats::rays_per_pixel).sum()
     }
 }
 
@@ -194,8 +220,10 @@ pub fn compare_frames(
             progress((frame_index + 1) * jobs.len() + i, steps, &format!("frame {frame_index}: {job}"));
             let frame = session.render(job)?;
             let truth = frames.first().unwrap_or(&frame);
+            let lights = LightStats::each(size, &valid, truth, &frame);
             played[i].push(FrameStats {
-                errors: metrics::errors(size, &valid, &truth.visibility, &frame.visibility),
+                errors: metrics::Errors::sum(lights.iter().map(|l| l.errors)),
+                lights,
                 rays: frame.rays,
                 map_draws: frame.map_draws,
                 passes: frame.passes.clone(),
@@ -216,24 +244,36 @@ pub fn compare_frames(
         let Some(at) = jobs.iter().position(|j| *j == row.technique) else { continue };
         row.frames = std::mem::take(&mut played[at]);
         if !options.is_still {
-            row.errors = median_errors(&row.frames);
+            row.errors = median_errors(row.frames.iter().map(|f| f.errors));
+            for (i, light) in row.lights.iter_mut().enumerate() {
+                light.errors = median_errors(row.frames.iter().map(|f| f.lights[i].errors));
+                light.rays = median(row.frames.iter().map(|f| f.lights[i].rays as f64)) as u64;
+            }
             row.rays_per_pixel = median(row.frames.iter().map(FrameStats::rays_per_pixel));
         }
     }
     Ok(comparison)
 }
 
-/// Pixels whose visibility differs, bit by bit.
+/// The number of frames before the first from which on as many pixels are wrong as in the last: how long a history takes to
+/// grow, where nothing moves. 0 for no frames.
+pub fn frames_to_settle(frames: &[FrameStats]) -> usize {
+    let wrong = |f: &FrameStats| f.errors.false_lit + f.errors.false_shadowed;
+    let Some(last) = frames.last() else { return 0 };
+    frames.iter().rposition(|f| wrong(f) != wrong(last)).map_or(0, |i| i + 1)
+}
+
+/// Pixels whose visibility differs, bit by bit; those of several lights together.
 pub fn flips(a: &Frame, b: &Frame) -> u64 {
     let differs = |(a, b): &(&f32, &f32)| a.to_bits() != b.to_bits();
-    a.visibility.iter().zip(&b.visibility).filter(differs).count() as u64
+    let lights = a.each_light().iter().zip(b.each_light());
+    lights.map(|(a, b)| a.visibility.iter().zip(&b.visibility).filter(differs).count() as u64).sum()
 }
 
 /// Each count's own median over the frames; halves round up.
-fn median_errors(frames: &[FrameStats]) -> metrics::Errors {
-    let of = |pick: fn(&metrics::Errors) -> u64| {
-        median(frames.iter().map(|f| pick(&f.errors) as f64)).round() as u64
-    };
+fn median_errors(frames: impl Iterator<Item = metrics::Errors>) -> metrics::Errors {
+    let frames: Vec<metrics::Errors> = frames.collect();
+    let of = |pick: fn(&metrics::Errors) -> u64| median(frames.iter().map(|e| pick(e) as f64)).round() as u64;
     metrics::Errors {
         false_lit: of(|e| e.false_lit),
         false_shadowed: of(|e| e.false_shadowed),
@@ -274,11 +314,13 @@ fn judge(
             continue;
         }
         let total_ms = median_of(&runs[i], |_| true);
+        let lights = LightStats::each([size.x, size.y], &valid, &reference, &frame);
         rows.push(Row {
             technique: jobs[i],
             plan: session.plan(&jobs[i]),
             rays_per_pixel: frame.rays as f64 / valid_pixels.max(1) as f64,
-            errors: metrics::errors([size.x, size.y], &valid, &reference.visibility, &frame.visibility),
+            errors: metrics::Errors::sum(lights.iter().map(|l| l.errors)),
+            lights: if lights.len() > 1 { lights } else { Vec::new() },
             flip_mean: flips[i],
             passes: pass_times(&runs[i]),
             map_ms: median_of(&runs[i], PassKind::makes_map),
@@ -354,16 +396,25 @@ mod tests {
 
     #[test]
     fn errors_of_a_path_are_medians_of_each_count() {
+        let errors = |false_lit, false_shadowed| metrics::Errors {
+            false_lit,
+            false_shadowed,
+            valid: 10,
+            largest_cluster_px: 1,
+        };
         let frame = |false_lit, false_shadowed| FrameStats {
-            errors: metrics::Errors { false_lit, false_shadowed, valid: 10, largest_cluster_px: 1 },
+            lights: vec![LightStats { errors: errors(false_lit, false_shadowed), rays: 5 }],
+            errors: errors(false_lit, false_shadowed),
             rays: 5,
             map_draws: 0,
             passes: Vec::new(),
             flips: None,
             mask: None,
         };
-        let errors = median_errors(&[frame(1, 9), frame(2, 0), frame(9, 1)]);
-        assert_eq!((errors.false_lit, errors.false_shadowed, errors.valid), (2, 1, 10));
+        let medians = median_errors([errors(1, 9), errors(2, 0), errors(9, 1)].into_iter());
+        assert_eq!((medians.false_lit, medians.false_shadowed, medians.valid), (2, 1, 10));
+        let settling = [frame(9, 1), frame(3, 1), frame(2, 0), frame(1, 1), frame(0, 2)];
+        assert_eq!((frames_to_settle(&settling), frames_to_settle(&settling[..1])), (2, 0));
         assert_eq!(frame(0, 0).rays_per_pixel(), 0.5);
     }
 

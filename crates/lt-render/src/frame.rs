@@ -1,6 +1,6 @@
 //! What one frame runs and what comes out of it.
 
-use lt_mask::MaskBits;
+use lt_mask::{MaskBits, PackedMask};
 use lt_math::glam::Vec3;
 
 /// Kinds of pass, in the order a frame runs them.
@@ -58,25 +58,73 @@ pub struct Pass {
 }
 
 /// The shadows of one frame, read back.
+///
+/// Of several lights, [`Frame::lights`] holds each one's own, and the rest sums them up.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// Per pixel, row by row from the top: 1 lit, 0 blocked, between for unresolved soft estimates. 0 where nothing
-    /// is visible or the surface faces away from the light.
+    /// is visible or the surface faces away from the light. The mean over several lights.
     pub visibility: Vec<f32>,
     /// Per pixel, the share of the light that translucent casters let through, linear RGB in [0, 1]; white where nothing
-    /// could tint it. Empty where translucency is not traced or nothing is translucent. What reaches a pixel is visibility
-    /// times tint.
+    /// could tint it. Empty where translucency is not traced or nothing is translucent, and over several lights. What
+    /// reaches a pixel is visibility times tint.
     pub tint: Vec<Vec3>,
-    /// Per pixel: whether the estimate was doubted (and so resolved).
+    /// Per pixel: whether the estimate was doubted (and so resolved), for any of several lights.
     pub doubt: Vec<bool>,
     /// Shadow rays traced, those of the tint pass included.
     pub rays: u64,
-    /// Passes in order, with times.
+    /// Passes in order, with times; each kind once, however many lights it ran for.
     pub passes: Vec<Pass>,
     /// Bytes of map storage the technique needed.
     pub map_bytes: u64,
-    /// Per pixel, what the temporal mask remembers of this frame; empty without one.
+    /// Per pixel, what the temporal mask remembers of this frame; empty without one. The first of several lights': for all of
+    /// them see [`Frame::packed_masks`].
     pub mask: Vec<MaskBits>,
     /// Maps drawn for this frame: 0 where a kept one served.
     pub map_draws: u32,
+    /// Each light's shadows, where several shine; empty for one.
+    pub lights: Vec<Frame>,
+}
+
+impl Frame {
+    /// Sums up the shadows of several lights, at least one, in the same view.
+    pub fn of_lights(lights: Vec<Frame>) -> Self {
+        let pixels = lights.iter().map(|l| l.visibility.len()).max().unwrap_or(0);
+        let share = 1.0 / lights.len().max(1) as f32;
+        let mean = |i: usize| lights.iter().map(|l| l.visibility[i]).sum::<f32>() * share;
+        let mut kinds: Vec<PassKind> = lights.iter().flat_map(|l| &l.passes).map(|p| p.kind).collect();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let pass = |kind| {
+            let all = lights.iter().flat_map(|l| &l.passes).filter(|p| p.kind == kind);
+            Pass { kind, ms: all.map(|p| p.ms).sum() }
+        };
+        Self {
+            visibility: (0..pixels).map(mean).collect(),
+            tint: Vec::new(),
+            doubt: (0..pixels).map(|i| lights.iter().any(|l| l.doubt[i])).collect(),
+            rays: lights.iter().map(|l| l.rays).sum(),
+            passes: kinds.into_iter().map(pass).collect(),
+            map_bytes: lights.iter().map(|l| l.map_bytes).sum(),
+            mask: lights.first().map_or(Vec::new(), |l| l.mask.clone()),
+            map_draws: lights.iter().map(|l| l.map_draws).sum(),
+            lights,
+        }
+    }
+
+    /// Each light's shadows: its own if there is one light.
+    pub fn each_light(&self) -> &[Frame] {
+        if self.lights.is_empty() { std::slice::from_ref(self) } else { &self.lights }
+    }
+
+    /// Per pixel, what the temporal mask remembers of every light; empty without a mask.
+    pub fn packed_masks(&self) -> Vec<PackedMask> {
+        let mut packed = vec![PackedMask::default(); self.mask.len()];
+        for (light, frame) in self.each_light().iter().enumerate() {
+            for (packed, bits) in packed.iter_mut().zip(&frame.mask) {
+                *packed = packed.with_light(light as u32, *bits);
+            }
+        }
+        packed
+    }
 }

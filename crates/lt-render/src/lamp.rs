@@ -32,8 +32,50 @@ pub(crate) fn lamp_maps(light: &LightKind) -> Option<u32> {
     }
 }
 
-/// A light for kernels.
-pub(crate) fn light_params(light: &Light) -> LightParams {
+/// Turn of a light between two frames, radians, up to which it counts as moving; further is a jump, after which what its rays
+/// found before says nothing any more, and every pixel is traced anew. See docs/results/leak-tracing.md.
+pub const LIGHT_JUMP_RAD: f32 = 0.035;
+
+/// What became of a light since the last frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LightChange {
+    /// It is not what it was.
+    pub has_moved: bool,
+    /// So much that its history is worth nothing.
+    pub is_jump: bool,
+}
+
+/// Whether a light changed by more than a slow motion: it turned by more than [`LIGHT_JUMP_RAD`] about itself or, seen from the
+/// usual distance of what it shines on, about that; or it became another light.
+pub(crate) fn is_jump(before: &LightKind, now: &LightKind, usual_distance: impl Fn(Vec3) -> f32) -> bool {
+    let turns = |a: Vec3, b: Vec3| a.angle_between(b) > LIGHT_JUMP_RAD;
+    let goes = |a: Vec3, b: Vec3| a != b && a.distance(b) > LIGHT_JUMP_RAD * usual_distance(b);
+    match (*before, *now) {
+        (LightKind::Directional { direction: a }, LightKind::Directional { direction: b }) => turns(a, b),
+        (LightKind::Point { position: a, range }, LightKind::Point { position: b, range: range_now }) => {
+            range != range_now || goes(a, b)
+        }
+        (
+            LightKind::Spot { position: a, direction: axis, inner_cone_rad: _, outer_cone_rad, range },
+            LightKind::Spot {
+                position: b,
+                direction: axis_now,
+                inner_cone_rad: _,
+                outer_cone_rad: outer_now,
+                range: range_now,
+            },
+        ) => range != range_now || outer_cone_rad != outer_now || turns(axis, axis_now) || goes(a, b),
+        _ => true,
+    }
+}
+
+/// Light number `number` of `count`, for kernels.
+pub(crate) fn light_params_of(light: &Light, number: u32, count: u32) -> LightParams {
+    LightParams { number, mask_words: lt_mask::words_for_lights(count), ..light_params(light) }
+}
+
+/// A frame's only light, for kernels.
+fn light_params(light: &Light) -> LightParams {
     let squared = |range: f32| (range * range).min(UNLIMITED);
     match light.kind {
         LightKind::Directional { direction } => LightParams::directional(-direction.normalize()),

@@ -41,19 +41,20 @@ mod session;
 mod setup;
 mod technique;
 
-pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
+pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob, ShadedLight};
 pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits, parse_count};
 pub use compare::{
-    CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips,
-    quantile,
+    CompareOptions, Comparison, FrameStats, LightStats, PassTime, PlayOptions, Row, compare, compare_frames,
+    flips, frames_to_settle, quantile,
 };
 pub use error::RenderError;
 pub use frame::{Frame, Pass, PassKind};
+pub use lamp::LIGHT_JUMP_RAD;
 pub use light_fit::{KEPT_GROWTH, LightFit, fit_directional, fit_kept};
 pub use lt_mask::MaskBits;
 pub use lt_shaders::abi::Sample;
 pub use pace::{median_motion_px, way_per_frame};
-pub use packed::{DrawRange, PackStats, PackedScene, Packing, Trees};
+pub use packed::{DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees};
 pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
 pub use session::{SceneInfo, Session};
 pub use setup::Setup;

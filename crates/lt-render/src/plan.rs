@@ -27,6 +27,9 @@ pub struct Sequence {
     pub camera_moves: bool,
     /// Things in the scene move.
     pub objects_move: bool,
+    /// Techniques with a temporal mask begin with a cleared one, instead of tracing every pixel of their first frame: a
+    /// diagnostic that shows how a history grows from nothing.
+    pub starts_cold: bool,
 }
 
 /// Which parts of the temporal mask run.
@@ -260,6 +263,16 @@ impl EffectPlan {
                 Some(Removal::Published) => "everywhere, as published".to_owned(),
             },
             "reads the neighbours of doubted pixels".to_owned(),
+        );
+        list(
+            "rolling refresh",
+            technique.mask.is_some_and(|m| m.refresh > 0),
+            match technique.mask.map(|m| m.refresh) {
+                None => no_mask(),
+                Some(0) => "the technique trusts its history".to_owned(),
+                Some(n) => format!("every pixel is traced once in {n} frames"),
+            },
+            "a ray for one pixel in as many".to_owned(),
         );
         list(
             "temporal depth test",

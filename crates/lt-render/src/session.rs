@@ -1,21 +1,21 @@
-//! The frame driver: one scene, one view, one light; the passes of a plan in order, on any backend.
+//! The frame driver: one scene, one view, one light or several in turn; the passes of a plan in order, on any backend.
 
 use std::{collections::HashMap, time::Instant};
 
 use lt_mask::DEPTH_CONSISTENCY_TOLERANCE;
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_scene::{Bounds, Camera, LightKind, Scene};
+use lt_scene::{Bounds, Camera, Light, LightKind, Scene};
 use lt_shaders::abi::{
-    CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
+    CameraParams, DepthParams, FilterParams, LightParams, MaskParams, Sample, ShadeParams, ShadowParams,
 };
 
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
     Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal,
-    RenderError, Sequence, Setup, Technique,
+    RenderError, Sequence, Setup, ShadedLight, Technique,
     cpu::CpuBackend,
     fit_directional,
-    lamp::{lamp_levels, light_params},
+    lamp::{LightChange, is_jump, lamp_levels, light_params_of},
     levels::{Levels, View, fit_levels, keep_levels},
     light_fit::fit_kept,
 };
@@ -35,6 +35,8 @@ pub struct SceneInfo {
 const FILTER_SIGMA: f32 = 1.0;
 /// Radiance of a sun of intensity 1 in the shaded pictures.
 const SUN_STRENGTH: f32 = 1.25;
+/// Samples looked at for a median distance.
+const DISTANCE_SAMPLES: usize = 20_000;
 /// Haze at a distance of one scene diagonal.
 const HAZE: f32 = 0.22;
 
@@ -51,8 +53,8 @@ pub struct Session {
     /// Counts poses: what casters stood still since.
     pose: u64,
     sequence: Sequence,
-    /// What techniques that keep something kept, by id.
-    slots: HashMap<String, Slot>,
+    /// What techniques that keep something kept, by id and light.
+    slots: HashMap<(String, u32), Slot>,
     samples: Vec<Sample>,
     info: SceneInfo,
     backend: Box<dyn Backend>,
@@ -65,7 +67,7 @@ struct PackedSummary {
     root: u32,
 }
 
-/// What one technique keeps between frames; the backend holds its buffers.
+/// What one technique keeps between frames for one light; the backend holds its buffers.
 #[derive(Clone, Debug)]
 struct Slot {
     /// Storage in the backend; 0 belongs to all techniques that keep nothing.
@@ -82,6 +84,7 @@ struct LastFrame {
     view: u64,
     pose: u64,
     camera: CameraParams,
+    light: LightKind,
     /// The levels of the light's map and their size; empty without a map.
     levels: (Vec<LightFit>, u32),
     /// A box of all casters that the levels' depths were fitted to.
@@ -173,7 +176,23 @@ impl Session {
         self.look(camera)
     }
 
-    /// View and light.
+    /// Changes the lights, as many as there are, from the next frame on; histories and maps of those that stay as they are
+    /// serve on, and so do histories of those that move slowly ([`crate::LIGHT_JUMP_RAD`]).
+    ///
+    /// # Errors
+    /// [`RenderError::BadSetup`] for another number of lights, or for a light that cannot be drawn.
+    pub fn relight(&mut self, lights: &[Light]) -> Result<(), RenderError> {
+        let count = self.setup.lights().count();
+        let (Some((first, more)), true) = (lights.split_first(), lights.len() == count) else {
+            return Err(RenderError::BadSetup(format!("{} lights in place of {count}", lights.len())));
+        };
+        let setup = Setup { light: first.clone(), more_lights: more.to_vec(), ..self.setup.clone() };
+        setup.check()?;
+        self.setup = setup;
+        Ok(())
+    }
+
+    /// View and lights.
     pub fn setup(&self) -> &Setup {
         &self.setup
     }
@@ -198,37 +217,52 @@ impl Session {
         self.backend.device()
     }
 
-    /// The effects a technique calls for here.
+    /// The effects a technique calls for here, under the first light.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        EffectPlan::for_scene(
-            &self.scene.stats,
-            &self.setup.light.kind,
-            technique,
-            self.setup.map_size,
-            self.sequence,
-        )
+        self.plan_under(technique, &self.setup.light)
     }
 
-    /// Where a directional light's one map of this many texels a side looks.
+    fn plan_under(&self, technique: &Technique, light: &Light) -> EffectPlan {
+        EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, self.setup.map_size, self.sequence)
+    }
+
+    /// Where the first light's one map of this many texels a side looks, if it is a directional one.
     pub fn light_fit(&self, map_size: u32) -> LightFit {
-        fit_directional(self.scene.bounds, &self.camera, sun_direction(&self.setup), map_size)
+        fit_directional(self.scene.bounds, &self.camera, sun_direction(&self.setup.light.kind), map_size)
     }
 
-    /// Runs the passes of the technique's plan and reads the frame back.
+    /// Runs the passes of the technique's plan for every light and reads the frame back.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails or the map does not fit it.
     pub fn render(&mut self, technique: &Technique) -> Result<Frame, RenderError> {
-        self.render_plan(technique, self.plan(technique))
+        if self.setup.more_lights.is_empty() {
+            return self.render_plan(technique, self.plan(technique));
+        }
+        let lights: Vec<Light> = self.setup.lights().cloned().collect();
+        let frames = lights.iter().enumerate().map(|(number, light)| {
+            self.render_light(technique, self.plan_under(technique, light), (number as u32, light))
+        });
+        Ok(Frame::of_lights(frames.collect::<Result<_, _>>()?))
     }
 
-    /// Runs a plan that differs from the technique's own, to show what an effect is worth. Effects that the scene
-    /// needs must stay on.
+    /// Runs a plan that differs from the technique's own, under the first light alone, to show what an effect is worth.
+    /// Effects that the scene needs must stay on.
     ///
     /// # Errors
     /// As [`Session::render`].
     pub fn render_plan(&mut self, technique: &Technique, plan: EffectPlan) -> Result<Frame, RenderError> {
-        let (job, slot) = self.next_job(technique, plan);
+        let light = self.setup.light.clone();
+        self.render_light(technique, plan, (0, &light))
+    }
+
+    fn render_light(
+        &mut self,
+        technique: &Technique,
+        plan: EffectPlan,
+        light: (u32, &Light),
+    ) -> Result<Frame, RenderError> {
+        let (job, slot) = self.next_job(technique, plan, light);
         self.backend.begin(&job)?;
         for kind in job.passes() {
             self.backend.pass(kind, &job)?;
@@ -236,7 +270,7 @@ impl Session {
         let frame = self.backend.finish(&job)?;
         // Only a frame that was drawn is a last frame.
         if slot.index > 0 {
-            self.slots.insert(technique.to_string(), slot);
+            self.slots.insert((technique.to_string(), light.0), slot);
         }
         Ok(frame)
     }
@@ -246,48 +280,66 @@ impl Session {
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
     pub fn shade(&mut self, frame: &Frame) -> Result<Vec<[u8; 4]>, RenderError> {
-        let light = &self.setup.light;
         let size = self.scene.bounds.max - self.scene.bounds.min;
         let haze =
             if self.scene.bounds.is_empty() { 0.0 } else { HAZE / size.length().max(f32::MIN_POSITIVE) };
-        let params = ShadeParams {
-            camera: self.camera,
-            light: light_params(&self.setup.light),
-            light_color: (light.color * SUN_STRENGTH * self.brightness()).extend(haze),
-        };
-        self.backend.shade(&frame.visibility, &frame.tint, &params)
+        let lights: Vec<ShadedLight<'_>> = frame
+            .each_light()
+            .iter()
+            .zip(self.setup.lights())
+            .map(|(of, light)| {
+                // Lights share a sun's strength, so that many of them do not blind.
+                let strength = SUN_STRENGTH * self.brightness(&light.kind) / frame.each_light().len() as f32;
+                let params = ShadeParams {
+                    camera: self.camera,
+                    light: light_params_of(light, 0, 1),
+                    light_color: (light.color * strength).extend(haze),
+                };
+                ShadedLight { params, visibility: &of.visibility, tint: &of.tint }
+            })
+            .collect();
+        self.backend.shade(&lights)
     }
 
     /// Strength at distance 1 with which a spot or point light brings a sun's light to half of what is seen; 1 for a sun.
-    fn brightness(&self) -> f32 {
-        let (LightKind::Point { position, .. } | LightKind::Spot { position, .. }) = self.setup.light.kind
-        else {
+    fn brightness(&self, light: &LightKind) -> f32 {
+        let (LightKind::Point { position, .. } | LightKind::Spot { position, .. }) = *light else {
             return 1.0;
         };
-        let squared = self
-            .samples
-            .iter()
-            .filter(|s| s.is_valid())
-            .map(|s| f64::from(s.position.distance_squared(position)));
-        crate::quantile(squared.collect(), 0.5) as f32
+        self.usual_distance(position).powi(2)
     }
 
-    /// What the passes of a technique need in its next frame, for callers that record them themselves. They keep slots: the
-    /// job's map and history are those of the last frame that this session itself drew.
+    /// The median distance of what is seen from a point.
+    fn usual_distance(&self, from: Vec3) -> f32 {
+        let stride = (self.samples.len() / DISTANCE_SAMPLES).max(1);
+        let seen = self.samples.iter().step_by(stride).filter(|s| s.is_valid());
+        crate::quantile(seen.map(|s| f64::from(s.position.distance(from))).collect(), 0.5) as f32
+    }
+
+    /// What the passes of a technique need in its next frame under the first light, for callers that record them themselves.
+    /// They keep slots: the job's map and history are those of the last frame that this session itself drew.
     pub fn job(&self, technique: &Technique) -> FrameJob {
-        self.next_job(technique, self.plan(technique)).0
+        self.next_job(technique, self.plan(technique), (0, &self.setup.light)).0
     }
 
-    /// The next frame of a technique, and what it keeps once that is drawn.
-    fn next_job(&self, technique: &Technique, mut plan: EffectPlan) -> (FrameJob, Slot) {
-        let mut slot = self.slot(technique, &plan);
+    /// The next frame of a technique under one light, and what it keeps once that is drawn.
+    fn next_job(
+        &self,
+        technique: &Technique,
+        mut plan: EffectPlan,
+        (number, light): (u32, &Light),
+    ) -> (FrameJob, Slot) {
+        let mut slot = self.slot(technique, &plan, number);
+        let count = 1 + self.setup.more_lights.len() as u32;
+        let for_kernels = light_params_of(light, number, count);
         // Drawn once more, the same view is its own past: nothing has moved since.
         plan.object_motion &= slot.last.as_ref().is_none_or(|l| l.view != self.view);
         let map_size = technique.map_size.unwrap_or(self.setup.map_size);
-        let last = slot.last.as_ref().filter(|l| plan.reuse && l.levels.1 == map_size);
+        let last =
+            slot.last.as_ref().filter(|l| plan.reuse && l.levels.1 == map_size && l.light == light.kind);
         // A caster outside the box that the kept maps were drawn of may lie before their near planes.
         let kept = last.filter(|l| encloses(l.casters, self.scene.bounds)).map_or(&[][..], |l| &l.levels.0);
-        let levels = self.levels(technique, &plan, map_size, kept);
+        let levels = self.levels(technique, &plan, &light.kind, (map_size, kept));
         let casters = match last {
             Some(last) if levels.draws.is_empty() => last.casters,
             _ => self.scene.bounds,
@@ -301,7 +353,7 @@ impl Session {
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));
         let shadow = ShadowParams {
             projection,
-            light: light_params(&self.setup.light),
+            light: for_kernels,
             test,
             size: self.setup.size,
             map_size,
@@ -324,13 +376,21 @@ impl Session {
             refreshes,
             filter: FilterParams { test, map_size, sigma: FILTER_SIGMA, pad: UVec2::ZERO },
         });
-        let mask = technique.mask.map(|m| self.mask_params(&m, &slot, (&levels.fits, map_size)));
-        let job = FrameJob { plan, shadow, map, mask, slot: slot.index };
+        let change = slot.last.as_ref().map(|l| LightChange {
+            has_moved: l.light != light.kind,
+            is_jump: is_jump(&l.light, &light.kind, |from| self.usual_distance(from)),
+        });
+        let maps = (&levels.fits[..], map_size);
+        let mask = technique.mask.map(|m| self.mask_params(&m, &slot, maps, (for_kernels, change)));
+        let first = self.slots.get(&(technique.to_string(), 0)).map_or(slot.index, |first| first.index);
+        let history_slot = if slot.index == 0 { 0 } else { first };
+        let job = FrameJob { plan, shadow, map, mask, slot: slot.index, history_slot };
         slot.frame = slot.frame.wrapping_add(1);
         slot.last = Some(LastFrame {
             view: self.view,
             pose: self.pose,
             camera: self.camera,
+            light: light.kind,
             levels: (levels.fits, map_size),
             casters,
         });
@@ -338,13 +398,19 @@ impl Session {
     }
 
     /// Where the maps of a technique look in its next frame, and which of them must be drawn.
-    fn levels(&self, technique: &Technique, plan: &EffectPlan, map_size: u32, kept: &[LightFit]) -> Levels {
-        let (scene, camera, direction) = (self.scene.bounds, &self.camera, sun_direction(&self.setup));
+    fn levels(
+        &self,
+        technique: &Technique,
+        plan: &EffectPlan,
+        light: &LightKind,
+        (map_size, kept): (u32, &[LightFit]),
+    ) -> Levels {
+        let (scene, camera, direction) = (self.scene.bounds, &self.camera, sun_direction(light));
         if plan.map.is_none() {
             return Levels { fits: Vec::new(), draws: Vec::new() };
         }
         if plan.perspective {
-            return lamp_levels(&self.setup.light.kind, scene, map_size, kept);
+            return lamp_levels(light, scene, map_size, kept);
         }
         if technique.cascades.count > 1 {
             let view = View { scene, camera, direction, map_size };
@@ -358,16 +424,18 @@ impl Session {
             None if plan.reuse => {
                 Levels { fits: vec![fit_kept(scene, camera, direction, map_size)], draws: vec![0] }
             }
-            None => Levels { fits: vec![self.light_fit(map_size)], draws: vec![0] },
+            None => {
+                Levels { fits: vec![fit_directional(scene, camera, direction, map_size)], draws: vec![0] }
+            }
         }
     }
 
     /// What a technique kept, less what this view cannot follow.
-    fn slot(&self, technique: &Technique, plan: &EffectPlan) -> Slot {
+    fn slot(&self, technique: &Technique, plan: &EffectPlan, light: u32) -> Slot {
         if plan.mask.is_none() && !plan.reuse {
             return Slot { index: 0, last: None, frame: 0 };
         }
-        let mut slot = self.slots.get(&technique.to_string()).cloned().unwrap_or(Slot {
+        let mut slot = self.slots.get(&(technique.to_string(), light)).cloned().unwrap_or(Slot {
             index: self.slots.len() + 1,
             last: None,
             frame: 0,
@@ -376,13 +444,26 @@ impl Session {
         slot
     }
 
-    fn mask_params(&self, mask: &crate::TemporalMask, slot: &Slot, map: (&[LightFit], u32)) -> MaskParams {
-        let last = slot.last.as_ref();
-        // Where the map or a caster changed, what a ray found in the last frame says nothing certain about this one.
-        let is_still = last.is_some_and(|l| (&l.levels.0[..], l.levels.1) == map && l.pose == self.pose);
+    fn mask_params(
+        &self,
+        mask: &crate::TemporalMask,
+        slot: &Slot,
+        map: (&[LightFit], u32),
+        (light, change): (LightParams, Option<LightChange>),
+    ) -> MaskParams {
+        let last = slot.last.as_ref().filter(|_| change.is_some_and(|c| !c.is_jump));
+        let has_light_moved = change.is_some_and(|c| c.has_moved);
+        // Only the first frame after `play`: a view that was missed is another matter.
+        let is_cold = self.sequence.starts_cold && slot.frame == 0;
+        // Where light, map or a caster changed, what a ray found in the last frame says nothing certain about this one.
+        let is_still = !has_light_moved
+            && last.is_some_and(|l| (&l.levels.0[..], l.levels.1) == map && l.pose == self.pose);
         let mut flags = 0;
-        if last.is_some() {
+        if last.is_some() || is_cold {
             flags |= MaskParams::HAS_HISTORY;
+        }
+        if is_cold {
+            flags |= MaskParams::CLEARED;
         }
         if mask.removal == Removal::Published || (mask.removal == Removal::Still && is_still) {
             flags |= MaskParams::MAY_REMOVE;
@@ -390,18 +471,23 @@ impl Session {
         if mask.removal == Removal::Published {
             flags |= MaskParams::MAY_REMOVE_MOVING;
         }
+        let moving_pattern = mask.moving_pattern_for(self.scene.stats.masked_triangles > 0);
+        // Under a light that moves, shadows move over pixels that do not.
+        let is_published = mask.removal == Removal::Published;
+        let still_pattern = if has_light_moved && !is_published { moving_pattern } else { mask.pattern };
         MaskParams {
             current: self.camera,
             previous: last.map_or(self.camera, |l| l.camera),
-            light: light_params(&self.setup.light),
+            light,
             frame: slot.frame,
-            still_pattern: mask.pattern.to_index(),
-            moving_pattern: mask.moving_pattern_for(self.scene.stats.masked_triangles > 0).to_index(),
+            still_pattern: still_pattern.to_index(),
+            moving_pattern: moving_pattern.to_index(),
             flags,
-            depth_tolerance: DEPTH_CONSISTENCY_TOLERANCE,
+            // A cleared history saw no depths: any agrees.
+            depth_tolerance: if is_cold { 3.0e38 } else { DEPTH_CONSISTENCY_TOLERANCE },
+            refresh: mask.refresh,
             pad0: 0,
             pad1: 0,
-            pad2: 0,
         }
     }
 }
@@ -428,8 +514,8 @@ fn encloses(outer: Bounds, inner: Bounds) -> bool {
     outer.contains(inner.min) && outer.contains(inner.max)
 }
 
-fn sun_direction(setup: &Setup) -> Vec3 {
-    match setup.light.kind {
+fn sun_direction(light: &LightKind) -> Vec3 {
+    match *light {
         LightKind::Directional { direction } | LightKind::Spot { direction, .. } => direction.normalize(),
         LightKind::Point { .. } => Vec3::NEG_Y,
     }
@@ -486,7 +572,8 @@ mod tests {
 
     /// The next frame, in which one level is fitted half a texel off where it was.
     fn render_shifted(session: &mut Session, technique: &Technique, level: usize) -> Frame {
-        let (mut job, mut slot) = session.next_job(technique, session.plan(technique));
+        let (mut job, mut slot) =
+            session.next_job(technique, session.plan(technique), (0, &session.setup.light));
         let shift = |projection: &mut lt_math::LightProjection| {
             projection.row_x.w += 0.5 / 256.0;
             projection.row_y.w -= 0.5 / 256.0;
@@ -501,7 +588,7 @@ mod tests {
         for kind in job.passes() {
             session.backend.pass(kind, &job).expect("pass");
         }
-        session.slots.insert(technique.to_string(), slot);
+        session.slots.insert((technique.to_string(), 0), slot);
         session.backend.finish(&job).expect("frame")
     }
 }

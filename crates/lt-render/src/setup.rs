@@ -1,5 +1,6 @@
 //! What to look at and under which light.
 
+use lt_mask::MAX_LIGHTS;
 use lt_math::glam::{UVec2, Vec3};
 use lt_scene::{Camera, Light, LightKind, Scene};
 
@@ -14,6 +15,8 @@ pub struct Setup {
     pub camera: Camera,
     /// What shines.
     pub light: Light,
+    /// What else shines; [`lt_mask::MAX_LIGHTS`] in all at most. Every light has maps, rays and history of its own.
+    pub more_lights: Vec<Light>,
     /// Default map resolution, a multiple of 64.
     pub map_size: u32,
     /// How the scene is packed.
@@ -37,6 +40,7 @@ impl Setup {
             size: UVec2::new(width, height),
             camera,
             light,
+            more_lights: Vec::new(),
             map_size: DEFAULT_MAP_SIZE,
             packing: Packing::default(),
         }
@@ -67,28 +71,40 @@ impl Setup {
         if self.map_size == 0 || !self.map_size.is_multiple_of(64) || self.map_size > MAX_MAP_SIZE {
             return bad(format!("map size {}: must be a multiple of 64 up to {MAX_MAP_SIZE}", self.map_size));
         }
-        match self.light.kind {
-            LightKind::Directional { direction } if direction.is_finite() && direction.length() > 0.0 => {
-                Ok(())
+        let count = self.lights().count();
+        if count > MAX_LIGHTS as usize {
+            return bad(format!("{count} lights: at most {MAX_LIGHTS}"));
+        }
+        self.lights().try_for_each(|light| check_light(&light.kind))
+    }
+
+    /// All lights, the first one first.
+    pub fn lights(&self) -> impl Iterator<Item = &Light> {
+        std::iter::once(&self.light).chain(&self.more_lights)
+    }
+}
+
+fn check_light(light: &LightKind) -> Result<(), RenderError> {
+    let bad = |problem: String| Err(RenderError::BadSetup(problem));
+    match *light {
+        LightKind::Directional { direction } if direction.is_finite() && direction.length() > 0.0 => Ok(()),
+        LightKind::Directional { direction } => {
+            bad(format!("light direction {direction}: must be finite and not zero"))
+        }
+        LightKind::Point { position, range } => check_lamp(position, range),
+        LightKind::Spot { position, direction, inner_cone_rad, outer_cone_rad, range } => {
+            if !(direction.is_finite() && direction.length() > 0.0) {
+                return bad(format!("light direction {direction}: must be finite and not zero"));
             }
-            LightKind::Directional { direction } => {
-                bad(format!("light direction {direction}: must be finite and not zero"))
+            let right_angle = std::f32::consts::FRAC_PI_2;
+            let is_ordered = inner_cone_rad >= 0.0 && inner_cone_rad <= outer_cone_rad;
+            let is_open = outer_cone_rad > 0.0 && outer_cone_rad < right_angle;
+            if !(is_ordered && is_open) {
+                return bad(format!(
+                    "cone of {inner_cone_rad} to {outer_cone_rad} rad: must be 0 ≤ inner ≤ outer < π/2"
+                ));
             }
-            LightKind::Point { position, range } => check_lamp(position, range),
-            LightKind::Spot { position, direction, inner_cone_rad, outer_cone_rad, range } => {
-                if !(direction.is_finite() && direction.length() > 0.0) {
-                    return bad(format!("light direction {direction}: must be finite and not zero"));
-                }
-                let right_angle = std::f32::consts::FRAC_PI_2;
-                let is_ordered = inner_cone_rad >= 0.0 && inner_cone_rad <= outer_cone_rad;
-                let is_open = outer_cone_rad > 0.0 && outer_cone_rad < right_angle;
-                if !(is_ordered && is_open) {
-                    return bad(format!(
-                        "cone of {inner_cone_rad} to {outer_cone_rad} rad: must be 0 ≤ inner ≤ outer < π/2"
-                    ));
-                }
-                check_lamp(position, range)
-            }
+            check_lamp(position, range)
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::{fmt, str::FromStr};
 
-use lt_mask::Pattern;
+use lt_mask::{MAX_REFRESH, Pattern};
 use lt_math::LTT_EPSILON;
 
 use crate::{Cascades, FarLevel};
@@ -145,6 +145,8 @@ pub struct TemporalMask {
     pub pattern: Pattern,
     /// Neighbours asked where pixels move; `None` leaves it to the scene ([`TemporalMask::moving_pattern_for`]).
     pub moving_pattern: Option<Pattern>,
+    /// Frames in which every pixel is traced once, on a rolling pattern (`lt_mask::is_due`); 0 for no such refresh.
+    pub refresh: u32,
     /// The temporal depth test: a pixel where the last frame saw another surface counts as not found.
     pub depth_test: bool,
 }
@@ -159,6 +161,7 @@ impl TemporalMask {
             removal: Removal::Still,
             pattern: Pattern::GATHER_2X2,
             moving_pattern: None,
+            refresh: 0,
             depth_test: matches!(test, MapTest::Esm | MapTest::Msm | MapTest::MsmHausdorff),
         }
     }
@@ -279,7 +282,7 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 18] {
+    pub fn modifiers() -> [(&'static str, &'static str); 19] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
@@ -320,6 +323,10 @@ impl Technique {
                 "moving=P",
                 "lt-: neighbours asked where pixels move: the same names (default 3x3; diamond where casters have \
                  holes)",
+            ),
+            (
+                "refresh=N",
+                "lt-: trace every pixel once in N frames, 2 to 256, on a rolling pattern (default: never)",
             ),
             (
                 "depth-test",
@@ -401,6 +408,9 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
     }
     if let Some(pattern) = mask.moving_pattern.filter(|_| mask.moving_pattern != base.moving_pattern) {
         write!(f, ":moving={}", pattern_name(pattern))?;
+    }
+    if mask.refresh > 0 {
+        write!(f, ":refresh={}", mask.refresh)?;
     }
     match (mask.depth_test, base.depth_test) {
         (true, false) => write!(f, ":depth-test"),
@@ -511,7 +521,8 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
         }
         "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
         "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
-        "no-rr" | "no-er" | "published" | "pattern" | "moving" | "depth-test" | "no-depth-test" => {
+        "no-rr" | "no-er" | "published" | "pattern" | "moving" | "refresh" | "depth-test"
+        | "no-depth-test" => {
             let Some(mask) = &mut technique.mask else {
                 return Err(format!("`{key}` needs a technique with a temporal mask, such as lt-evsm"));
             };
@@ -532,6 +543,12 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                     }
                 }
                 "moving" => mask.moving_pattern = Some(parse_pattern(key, value)?),
+                "refresh" => {
+                    let period = value.parse().ok().filter(|n| (2..=MAX_REFRESH).contains(n));
+                    mask.refresh = period.ok_or_else(|| {
+                        format!("`refresh={value}` must be a whole number of frames from 2 to {MAX_REFRESH}")
+                    })?;
+                }
                 _ => mask.depth_test = key == "depth-test",
             }
         }
@@ -577,6 +594,7 @@ mod tests {
             "ltt-evsm:cascades=1",
             "sm:cascades=3:map=512",
             "lt-esm:published",
+            "lt-evsm:no-rr:refresh=16",
             "ray:light",
             "ray:dac",
             "alias-free",
@@ -601,6 +619,9 @@ mod tests {
             "evsm:foo",
             "ltt-evsm:no-rr",
             "lt-evsm:pattern=2x2",
+            "lt-evsm:refresh=1",
+            "lt-evsm:refresh=257",
+            "ltt-evsm:refresh=16",
             "lt-evsm:no-er:no-rr",
             "ray:no-reuse",
             "ray:cascades=2",

@@ -22,6 +22,7 @@ pub mod builtin;
 mod camera;
 mod error;
 pub mod gltf;
+mod keyframes;
 mod light;
 mod material;
 mod mesh;
@@ -31,6 +32,7 @@ mod source;
 
 pub use camera::Camera;
 pub use error::SceneError;
+pub use keyframes::Keyframes;
 pub use light::{Light, LightKind};
 pub use material::{AlphaMode, Material, Texture, TextureRef, UvTransform, Wrap};
 pub use mesh::{Instance, Mesh};

@@ -1,6 +1,6 @@
 //! Light sources.
 
-use lt_math::glam::Vec3;
+use lt_math::glam::{Quat, Vec3};
 
 /// Shape and place of a light, world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,26 @@ pub struct Light {
 }
 
 impl Light {
+    /// The same light turned by this many radians around the vertical through `center`, to the right as seen from above.
+    pub fn turned(&self, center: Vec3, angle_rad: f32) -> Self {
+        let turn = Quat::from_rotation_y(-angle_rad);
+        let around = |p: Vec3| center + turn * (p - center);
+        let kind = match self.kind {
+            LightKind::Directional { direction } => LightKind::Directional { direction: turn * direction },
+            LightKind::Point { position, range } => LightKind::Point { position: around(position), range },
+            LightKind::Spot { position, direction, inner_cone_rad, outer_cone_rad, range } => {
+                LightKind::Spot {
+                    position: around(position),
+                    direction: turn * direction,
+                    inner_cone_rad,
+                    outer_cone_rad,
+                    range,
+                }
+            }
+        };
+        Self { kind, ..self.clone() }
+    }
+
     /// A white directional light travelling along `direction` (any finite non-zero length).
     pub fn sun(direction: Vec3) -> Self {
         Self {

@@ -76,12 +76,14 @@ pub struct LightParams {
     pub range_squared: f32,
     /// Cosine of the half-angle up to which a spot light shines fully; −1 for other lights. For shading.
     pub cos_inner: f32,
-    /// Explicit padding.
-    pub pad: UVec2,
+    /// Which of the frame's lights it is: its bits in a pixel's mask (`lt_mask::PackedMask`).
+    pub number: u32,
+    /// 32-bit words of a pixel's mask, for all of the frame's lights: `lt_mask::words_for_lights`.
+    pub mask_words: u32,
 }
 
 impl LightParams {
-    /// A directional light.
+    /// A directional light, the frame's only one.
     ///
     /// `to_light` is the unit direction to it.
     pub const fn directional(to_light: Vec3) -> Self {
@@ -91,7 +93,8 @@ impl LightParams {
             cos_outer: -1.0,
             range_squared: 3.0e38,
             cos_inner: -1.0,
-            pad: UVec2::ZERO,
+            number: 0,
+            mask_words: 1,
         }
     }
 }
@@ -208,12 +211,12 @@ pub struct MaskParams {
     pub flags: u32,
     /// Relative tolerance of the temporal depth test.
     pub depth_tolerance: f32,
+    /// Period of the rolling refresh, frames (`lt_mask::is_due`); 0 for none.
+    pub refresh: u32,
     /// Explicit padding: scalars, because uniform arrays would need a stride of 16.
     pub pad0: u32,
     /// Explicit padding.
     pub pad1: u32,
-    /// Explicit padding.
-    pub pad2: u32,
 }
 
 impl MaskParams {
@@ -223,6 +226,8 @@ impl MaskParams {
     pub const MAY_REMOVE: u32 = 2;
     /// Flag: rays may be removed where pixels move too, as published.
     pub const MAY_REMOVE_MOVING: u32 = 4;
+    /// Flag: the history is a cleared one, for the host to clear: nothing was traced, everything lit.
+    pub const CLEARED: u32 = 8;
 }
 
 /// Sun, sky and tone for the shading pass.

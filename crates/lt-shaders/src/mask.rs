@@ -5,13 +5,13 @@
 //! test), `EXPANDS` (ER) and `REMOVES` (RR). One that is off costs neither a branch nor a read.
 
 use lt_mask::{
-    Evidence, MaskBits, Neighbourhood, Pattern, Reprojection, allows_removal, decide_doubt,
-    is_depth_consistent, is_test_shadowed, reproject,
+    Evidence, LightPlace, MaskBits, Neighbourhood, Pattern, Reprojection, allows_removal, decide_doubt,
+    is_depth_consistent, is_due, is_test_shadowed, reproject,
 };
 use lt_math::glam::{UVec2, Vec2, Vec3};
 
 use crate::{
-    abi::{CameraParams, MaskParams, Sample},
+    abi::{CameraParams, LightParams, MaskParams, Sample},
     evaluate::{Verdict, settle},
 };
 
@@ -23,11 +23,44 @@ pub trait HistorySource: Copy {
     fn depth(&self, pixel: UVec2) -> f32;
 }
 
-/// Bits alone, one word per pixel, row by row.
+/// Where one light's bits lie in a picture's masks, `words` to a pixel ([`LightParams::mask_words`]), row by row.
+#[derive(Clone, Copy)]
+pub struct BitsPlace {
+    /// Among a pixel's words.
+    pub light: LightPlace,
+    /// Words of a pixel.
+    pub words: u32,
+}
+
+impl BitsPlace {
+    /// Of this light.
+    #[inline]
+    pub fn of(light: &LightParams) -> Self {
+        Self { light: LightPlace::of(light.number), words: light.mask_words }
+    }
+
+    /// The first word of pixel `i` that holds the light's bits; the next one holds the rest where they straddle.
+    #[inline]
+    pub fn word(self, i: u32) -> usize {
+        (i * self.words + self.light.word) as usize
+    }
+
+    /// The bits of pixel `i`.
+    #[inline]
+    pub fn read(self, bits: &[u32], i: u32) -> MaskBits {
+        let at = self.word(i);
+        let next = if self.light.straddles() { bits[at + 1] } else { 0 };
+        self.light.read(bits[at], next)
+    }
+}
+
+/// Bits alone, row by row.
 #[derive(Clone, Copy)]
 pub struct BitsHistory<'a> {
-    /// `width · height` words.
+    /// `width · height` pixels' words.
     pub bits: &'a [u32],
+    /// Where a pixel's lie.
+    pub place: BitsPlace,
     /// Pixels in a row.
     pub width: u32,
 }
@@ -35,7 +68,7 @@ pub struct BitsHistory<'a> {
 impl HistorySource for BitsHistory<'_> {
     #[inline]
     fn bits(&self, pixel: UVec2) -> MaskBits {
-        MaskBits::from_bits(self.bits[(pixel.y * self.width + pixel.x) as usize])
+        self.place.read(self.bits, pixel.y * self.width + pixel.x)
     }
     #[inline]
     fn depth(&self, _pixel: UVec2) -> f32 {
@@ -46,8 +79,10 @@ impl HistorySource for BitsHistory<'_> {
 /// Bits and depths, row by row.
 #[derive(Clone, Copy)]
 pub struct DepthHistory<'a> {
-    /// `width · height` words.
+    /// `width · height` pixels' words.
     pub bits: &'a [u32],
+    /// Where a pixel's lie.
+    pub place: BitsPlace,
     /// `width · height` depths.
     pub depths: &'a [f32],
     /// Pixels in a row.
@@ -57,7 +92,7 @@ pub struct DepthHistory<'a> {
 impl HistorySource for DepthHistory<'_> {
     #[inline]
     fn bits(&self, pixel: UVec2) -> MaskBits {
-        MaskBits::from_bits(self.bits[(pixel.y * self.width + pixel.x) as usize])
+        self.place.read(self.bits, pixel.y * self.width + pixel.x)
     }
     #[inline]
     fn depth(&self, pixel: UVec2) -> f32 {
@@ -80,6 +115,17 @@ pub struct Masked {
 #[inline]
 pub fn bits_after_ray(before: MaskBits, visibility: f32) -> MaskBits {
     MaskBits::traced(before.is_test_shadowed(), is_test_shadowed(visibility))
+}
+
+/// Remembers what the ray of pixel `i` found; see [`bits_after_ray`].
+#[inline]
+pub fn learn(bits: &mut [u32], place: BitsPlace, i: u32, visibility: f32) {
+    let after = bits_after_ray(place.read(bits, i), visibility);
+    let at = place.word(i);
+    bits[at] = place.light.write(bits[at], after);
+    if place.light.straddles() {
+        bits[at + 1] = place.light.write_rest(bits[at + 1], after);
+    }
 }
 
 /// Depth of a world point along a camera's view axis.
@@ -192,6 +238,7 @@ pub fn mask<
         Evidence {
             is_on_map: estimate != Verdict::UNJUDGED,
             is_reprojected: place.is_valid,
+            is_due: is_due(px, p.frame, p.refresh),
             neighbourhood,
             allows_removal: removal,
         },
@@ -232,9 +279,9 @@ mod tests {
             moving_pattern: Pattern::FULL_3X3.to_index(),
             flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE,
             depth_tolerance: 0.1,
+            refresh: 0,
             pad0: 0,
             pad1: 0,
-            pad2: 0,
         }
     }
 
@@ -257,7 +304,7 @@ mod tests {
         bits: &[u32],
         depths: &[f32],
     ) -> Masked {
-        let history = DepthHistory { bits, depths, width: SIZE.x };
+        let history = DepthHistory { bits, place: BitsPlace::of(&p.light), depths, width: SIZE.x };
         let sample = wall(px);
         mask::<_, M, D, true, true>(px, &sample, sample.position, estimate, p, history)
     }
@@ -336,5 +383,36 @@ mod tests {
         let p = MaskParams { light: LightParams::directional(Vec3::NEG_Z), ..params(Vec3::ZERO) };
         let masked = decide::<false, false>(AT, 0.3, &p, &[7; 12], &[]);
         assert_eq!((masked.needs_ray, masked.visibility, masked.bits), (false, 0.0, MaskBits::BLACK));
+    }
+
+    #[test]
+    fn a_refresh_traces_a_quiet_pixel_in_its_turn() {
+        let quiet = params(Vec3::ZERO);
+        let turns = (0..8u32).filter(|&frame| {
+            let p = MaskParams { frame, refresh: 4, ..quiet };
+            decide::<false, false>(AT, 1.0, &p, &[0; 12], &[]).needs_ray
+        });
+        assert_eq!(turns.count(), 2);
+    }
+
+    /// A light's bits are found among those of others, in two words of a pixel where they straddle.
+    #[test]
+    fn each_light_reads_its_own_history() {
+        for (light, count) in [(0, 12), (9, 12), (10, 12), (11, 12), (10, 42), (21, 42), (41, 42)] {
+            let words = lt_mask::words_for_lights(count);
+            let mut bits = [0; 48];
+            let mut masks = [lt_mask::PackedMask::default(); 12];
+            masks[0] = masks[0].with_light(light, MaskBits::PURPLE);
+            for (i, mask) in masks.iter().enumerate() {
+                let all = mask.0.to_array();
+                bits[i * words as usize..][..words as usize].copy_from_slice(&all[..words as usize]);
+            }
+            for asking in 0..count {
+                let quiet = params(Vec3::ZERO);
+                let light_params = LightParams { number: asking, mask_words: words, ..quiet.light };
+                let p = MaskParams { light: light_params, ..quiet };
+                assert_eq!(decide::<false, false>(AT, 1.0, &p, &bits, &[]).needs_ray, asking == light);
+            }
+        }
     }
 }

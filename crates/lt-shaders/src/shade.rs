@@ -1,4 +1,4 @@
-//! Shading good enough to look at: sun times visibility, sky from above, haze with distance.
+//! Shading good enough to look at: lights times visibility, sky from above, haze with distance.
 
 use lt_math::glam::{UVec2, Vec3};
 
@@ -16,24 +16,30 @@ const BOUNCE: Vec3 = Vec3::new(0.16, 0.14, 0.12);
 /// Share of the sky that reaches a surface.
 const SKY_STRENGTH: f32 = 0.42;
 
-/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255. `reaching` is the share of the light that reaches
-/// it: visibility times tint.
+/// What one light gives to a surface, linear RGB; the sum over all lights goes to [`shade`]. `reaching` is the share of the
+/// light that reaches it: visibility times tint.
 #[inline]
-pub fn shade(px: UVec2, sample: &Sample, reaching: Vec3, p: &ShadeParams) -> u32 {
+pub fn light_on(sample: &Sample, reaching: Vec3, p: &ShadeParams) -> Vec3 {
+    let to_light = to_light(sample.position, &p.light);
+    let facing = sample.shading_normal.dot(to_light.normalize());
+    let strength = if facing > 0.0 { facing * falloff(to_light, &p.light) } else { 0.0 };
+    if strength > 0.0 { p.light_color.truncate() * (reaching * strength) } else { Vec3::ZERO }
+}
+
+/// Colour of one pixel, sRGB in three bytes from the lowest, alpha 255. `light` is what all lights give: see [`light_on`]. Of
+/// the parameters, camera and haze are read.
+#[inline]
+pub fn shade(px: UVec2, sample: &Sample, light: Vec3, p: &ShadeParams) -> u32 {
     let view = view_direction(px, &p.camera);
     if !sample.is_valid() {
         return pack_srgb(sky(view));
     }
     let n = sample.shading_normal;
-    let to_light = to_light(sample.position, &p.light);
-    let facing = n.dot(to_light.normalize());
-    let strength = if facing > 0.0 { facing * falloff(to_light, &p.light) } else { 0.0 };
-    let sun = if strength > 0.0 { p.light_color.truncate() * (reaching * strength) } else { Vec3::ZERO };
     let up = 0.5 + 0.5 * n.y;
     let ambient = (HORIZON.lerp(ZENITH, 0.4) * up + BOUNCE * (1.0 - up)) * SKY_STRENGTH;
     // A little form in the shade: surfaces seen edge-on receive less sky.
     let form = 0.8 + 0.2 * n.dot(-view).abs();
-    let lit = unpack_albedo(sample.albedo) * (sun + ambient * form);
+    let lit = unpack_albedo(sample.albedo) * (light + ambient * form);
     let distance = (sample.position - p.camera.eye).length();
     let haze = 1.0 - 1.0 / (1.0 + distance * p.light_color.w);
     pack_srgb(lit.lerp(HORIZON, haze))

@@ -8,7 +8,7 @@ use super::lanes::NodeLanes;
 use super::tree::{Block, Part, WideNode};
 use crate::any_hit::AnyHit;
 use crate::ray::{Hit, Ray};
-use crate::slab::{Slab, Span, finite_inverse};
+use crate::slab::{Slab, Span, reciprocal};
 use crate::triangle::{Shear, is_nearer};
 use lt_math::glam::Vec3;
 
@@ -184,7 +184,7 @@ impl Aim {
     /// Along a valid direction.
     #[inline(always)]
     pub fn new(direction: Vec3) -> Self {
-        Aim { direction, inverse: finite_inverse(direction), shear: Shear::along(Vec3::ZERO, direction) }
+        Aim { direction, inverse: reciprocal(direction), shear: Shear::along(Vec3::ZERO, direction) }
     }
 
     /// Whether it is that of a ray.

@@ -18,7 +18,7 @@ use crate::{
     numbers::{decimals, factor, grouped, ms, ppm},
     play::Playback,
     results::frontier_of,
-    summary::{Summary, View},
+    summary::{LightView, Summary},
 };
 
 use effects::EffectTable;
@@ -39,6 +39,8 @@ pub struct Report {
     path: Option<PathReport>,
     effects: EffectTable,
     rows: Vec<ReportRow>,
+    /// Each light's share: technique, light, cells; empty for one light.
+    lights: Vec<(String, usize, [String; 3])>,
 }
 
 /// One technique: text for the table, classes for its layers are made from `index`.
@@ -78,6 +80,7 @@ impl Report {
             plot: plot::error_against_time(&plot::points(comparison, &best))?,
             path: playback.map(|p| PathReport::new(comparison, p)).transpose()?,
             effects: EffectTable::of(&comparison.rows),
+            lights: comparison.rows.iter().flat_map(light_rows).collect(),
             rows: comparison.rows.iter().zip(best).map(|(row, is_best)| report_row(row, is_best)).collect(),
         })
     }
@@ -97,7 +100,7 @@ impl Report {
 
 fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, String)> {
     let view = &summary.view;
-    vec![
+    let mut all = vec![
         ("Scene", summary.scene.clone()),
         ("Triangles", format!("{} in {} instances", grouped(summary.triangles), grouped(summary.instances))),
         (
@@ -114,25 +117,38 @@ fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, Strin
         ("Visible samples", format!("{} ms, shared by all techniques", ms(summary.camera_ms))),
         ("Shadow map", format!("{0} × {0} unless a technique says otherwise", summary.map_size)),
         ("Camera", format!("from {} to {}, {:.1}°", vector(view.eye), vector(view.target), view.fov_deg)),
-        ("Light", light_words(view)),
-        ("Version", format!("lt {}", summary.version)),
-    ]
+    ];
+    let lights = view.lights();
+    all.extend(lights.iter().map(|light| ("Light", light_words(light))));
+    all.push(("Version", format!("lt {}", summary.version)));
+    all
 }
 
 fn vector(v: [f32; 3]) -> String {
     v.map(|x| format!("{x:.3}")).join(", ")
 }
 
-fn light_words(view: &View) -> String {
-    let ways = match (view.light_dir, view.cone_deg) {
+fn light_words(light: &LightView) -> String {
+    let ways = match (light.light_dir, light.cone_deg) {
         (Some(d), Some(cone)) => format!("along {} in a cone of {cone:.1}°", vector(d)),
         (Some(d), None) => format!("along {}", vector(d)),
         (None, _) => "all ways".to_owned(),
     };
-    match view.light_pos {
+    match light.light_pos {
         Some(from) => format!("travels from {} {ways}", vector(from)),
         None => format!("travels {ways}"),
     }
+}
+
+fn light_rows(row: &Row) -> impl Iterator<Item = (String, usize, [String; 3])> {
+    row.lights.iter().enumerate().map(|(i, light)| {
+        let cells = [
+            decimals(Some(light.rays_per_pixel()), 3),
+            ppm(light.errors.false_lit_ppm()),
+            ppm(light.errors.false_shadowed_ppm()),
+        ];
+        (row.technique.to_string(), i, cells)
+    })
 }
 
 fn report_row(row: &Row, is_best: bool) -> ReportRow {

@@ -71,6 +71,11 @@ impl History {
         self.current = 1 - self.current;
     }
 
+    /// Makes the last frame one that trusted its map everywhere and found light.
+    pub fn clear(&mut self) {
+        self.bits[1 - self.current].fill(BlockBits::default());
+    }
+
     /// Hears the last frame's neighbourhoods, and opens this frame's memory for [`super::mask_batch::mask_block`] to fill.
     pub fn open<'a>(&'a mut self, tiles: Tiles, params: &'a MaskParams, effects: MaskEffects) -> Open<'a> {
         let [first, second] = &mut self.bits;

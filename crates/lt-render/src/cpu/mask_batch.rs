@@ -105,6 +105,7 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
     let Frames { tiles, params: p, effects, .. } = frames;
     let BlockPixels { samples, previous, visibility, is_doubted, bits, depths } = pixels;
     let origin = tiles.origin(block);
+    let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
     let batches = samples.as_chunks::<BATCH>().0.iter().zip(visibility.as_chunks_mut::<BATCH>().0);
     for (piece, ((samples, estimates), is_doubted)) in
         batches.zip(is_doubted.as_chunks_mut::<BATCH>().0).enumerate()
@@ -137,6 +138,7 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
         };
         let before = before.as_ref().unwrap_or(&rows.position);
         let mut places = in_this_frame(tiles, origin, piece);
+        let is_due = turns.as_ref().map_or([0; BATCH], |turns| turns.due(origin, piece));
         if MOTION {
             places.follow(&rows.position, before, p);
         }
@@ -158,7 +160,7 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             let is_unseen = 1 ^ (places.is_valid[i] & has_history);
             let removes = may_remove & (1 ^ (places.has_moved[i] & guards_motion)) & (1 ^ asked[i]);
             let by_rule = (is_between & (1 ^ removes)) | ((1 ^ is_between) & expands & asked[i]);
-            let needs_ray = is_open & (is_unjudged | is_unseen | by_rule);
+            let needs_ray = is_open & (is_unjudged | is_unseen | is_due[i] | by_rule);
             shadowed[i] = (is_open & st) as u8;
             traced[i] = needs_ray as u8;
             let snapped = if st != 0 { 0.0 } else { 1.0 };
@@ -187,6 +189,32 @@ fn in_this_frame(tiles: Tiles, origin: UVec2, piece: usize) -> Places {
         places.y[i] = (origin.y + corner.1 + rows[i]).min(last.y);
     }
     places
+}
+
+/// [`lt_mask::is_due`] of pieces, with one division for all of a piece's pixels.
+struct Turns {
+    period: u32,
+    frame: u32,
+    /// How far each pixel's turn is from that of the piece's first pixel, below the period.
+    offsets: [u32; BATCH],
+}
+
+impl Turns {
+    fn of(period: u32, frame: u32) -> Self {
+        let [columns, rows] = &IN_PIECE;
+        let stride = lt_mask::refresh_stride(period);
+        let offset = |i: usize| (columns[i] + rows[i] * stride) % period;
+        Self { period, frame, offsets: std::array::from_fn(offset) }
+    }
+
+    #[inline(always)]
+    fn due(&self, origin: UVec2, piece: usize) -> [u32; BATCH] {
+        let corner = place_in_block((piece * BATCH) as u32);
+        let (x, y) = (origin.x + corner.0, origin.y + corner.1);
+        let period = self.period;
+        let first = (x + y * lt_mask::refresh_stride(period) + self.frame % period) % period;
+        self.offsets.map(|offset| u32::from(first + offset == 0) | u32::from(first + offset == period))
+    }
 }
 
 /// Column and row in a piece, by position.
@@ -306,7 +334,7 @@ mod tests {
     use super::*;
     use lt_mask::{MaskBits, Pattern};
     use lt_shaders::abi::LightParams;
-    use lt_shaders::mask::{DepthHistory, bits_after_ray, mask, seen_depth};
+    use lt_shaders::mask::{BitsPlace, DepthHistory, bits_after_ray, mask, seen_depth};
 
     fn camera(size: UVec2, eye: Vec3) -> CameraParams {
         CameraParams {
@@ -397,7 +425,8 @@ mod tests {
                 case.1 = case.0.iter().map(|s| s.position).collect();
             }
             let p = MaskParams { frame, flags: if frame == 0 { 0 } else { p.flags }, ..*p };
-            let last = DepthHistory { bits: &bits, depths: &depths, width: size.x };
+            let last =
+                DepthHistory { bits: &bits, place: BitsPlace::of(&p.light), depths: &depths, width: size.x };
             let expected: Vec<_> = (0..bits.len())
                 .map(|i| match (effects.motion, effects.depth_test) {
                     (false, false) => shared::<false, false>(&case, &p, effects, last, i),
@@ -466,6 +495,7 @@ mod tests {
                         moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
                         flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | published,
                         depth_tolerance: 0.3,
+                        refresh: if pattern == Pattern::PLUS { bits % 7 } else { 0 },
                         ..bytemuck::Zeroable::zeroed()
                     };
                     let counts = check(size, &p, effects, flag(4));

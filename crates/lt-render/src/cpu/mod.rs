@@ -25,21 +25,22 @@ use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
-use lt_shaders::abi::{CameraParams, FilterParams, Sample, ShadeParams};
+use lt_shaders::abi::{CameraParams, FilterParams, Sample};
 use lt_shaders::camera::{
     ColorSource, ColorTextures, NoColorTextures, previous_position, primary_ray, sample_at_hit,
 };
 use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
-use lt_shaders::shade::shade;
-use lt_shaders::surface::Coverage;
+use lt_shaders::shade::{light_on, shade};
 use rayon::prelude::*;
 use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
 
 use crate::packed::Trees;
-use crate::{Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError};
+use crate::{
+    Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError, ShadedLight,
+};
 
 pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 
@@ -86,8 +87,7 @@ impl CpuBackend {
 
     /// Takes the scene and prepares its tracer.
     pub fn new(scene: PackedScene) -> Self {
-        // The tracer makes its tree on first use: not in the first frame.
-        tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+        prepare(&scene);
         Self {
             scene,
             tiles: Tiles::new(UVec2::ZERO),
@@ -106,20 +106,18 @@ impl CpuBackend {
     }
 }
 
+/// Makes what tracing needs and would else be made in the first frame: the tracer's tree and the opacity maps.
+fn prepare(scene: &PackedScene) {
+    tracer(scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+    if scene.stats().masked_triangles > 0 {
+        scene.coverage(0);
+    }
+}
+
 fn tracer(scene: &PackedScene) -> Simd<'_> {
     match scene.trees() {
         Trees::Flat(bvh) => Simd::new(bvh),
         Trees::Instanced(bvh) => Simd::instanced(bvh),
-    }
-}
-
-fn coverage(scene: &PackedScene, required_flags: u32) -> Coverage<'_> {
-    Coverage {
-        triangles: scene.triangles(),
-        vertices: scene.vertices(),
-        materials: scene.materials(),
-        alpha_texels: scene.alpha_texels(),
-        required_flags,
     }
 }
 
@@ -133,7 +131,7 @@ impl Backend for CpuBackend {
     }
 
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
-        tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+        prepare(&scene);
         self.scene = scene;
         self.light_tree = None;
         Ok(())
@@ -147,7 +145,7 @@ impl Backend for CpuBackend {
         self.visibility.resize(len, 0.0);
         self.is_doubted.resize(len, false);
         let start = Instant::now();
-        let covers = coverage(&self.scene, 0);
+        let covers = self.scene.coverage(0);
         let view = View { scene: &self.scene, tiles: self.tiles, params };
         match (plan.alpha_test, plan.color_textures) {
             (false, false) => see(view, Opaque, NoColorTextures, &mut self.samples, &mut self.previous),
@@ -175,6 +173,9 @@ impl Backend for CpuBackend {
         slot.rows.resize(vector_texels, Vec4::ZERO);
         slot.vectors.resize(vector_texels, Vec4::ZERO);
         slot.history.begin(self.tiles, job.plan.mask);
+        if job.clears_history() {
+            slot.history.clear();
+        }
         self.tint.resize(if job.plan.tint { self.tiles.len() } else { 0 }, Vec3::ONE);
         self.rays = 0;
         self.passes.clear();
@@ -254,24 +255,25 @@ impl Backend for CpuBackend {
             map_bytes: bytes as u64,
             mask: job.plan.mask.map_or(Vec::new(), |_| slot.history.rows(self.tiles)),
             map_draws: job.map_draws(),
+            lights: Vec::new(),
         })
     }
 
-    fn shade(
-        &mut self,
-        visibility: &[f32],
-        tint: &[Vec3],
-        params: &ShadeParams,
-    ) -> Result<Vec<[u8; 4]>, RenderError> {
+    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError> {
         let (size, tiles) = (self.tiles.size(), self.tiles);
+        let Some(first) = lights.first() else { return Ok(Vec::new()) };
         let mut picture = vec![0u32; tiles.len()];
         picture.par_chunks_mut(BLOCK).zip(self.samples.par_chunks(BLOCK)).enumerate().for_each(
             |(block, (out, samples))| {
                 for (i, (word, sample)) in out.iter_mut().zip(samples).enumerate() {
                     if let Some(px) = tiles.pixel(block, i) {
                         let at = (px.y * size.x + px.x) as usize;
-                        let reaching = tint.get(at).map_or(Vec3::ONE, |t| *t) * visibility[at];
-                        *word = shade(px, sample, reaching, params);
+                        let given = |l: &ShadedLight<'_>| {
+                            let reaching = l.tint.get(at).map_or(Vec3::ONE, |t| *t) * l.visibility[at];
+                            light_on(sample, reaching, &l.params)
+                        };
+                        let light = lights.iter().fold(Vec3::ZERO, |sum, l| sum + given(l));
+                        *word = shade(px, sample, light, &first.params);
                     }
                 }
             },

@@ -31,6 +31,8 @@ pub struct FrameBuffers {
     pub(super) visibility: wgpu::Buffer,
     /// Tint of the light at each pixel; only where translucent casters are traced.
     pub(super) tints: Option<wgpu::Buffer>,
+    /// What the lights added so far give to each pixel; only while a picture is shaded.
+    pub(super) light: Option<wgpu::Buffer>,
     pub(super) doubt: Option<DoubtBuffers>,
     /// By [`crate::FrameJob::slot`].
     pub(super) slots: Vec<SlotBuffers>,
@@ -43,8 +45,10 @@ pub(super) struct SlotBuffers {
     pub history: Option<HistoryBuffers>,
 }
 
-/// The temporal mask's memory: the last frame's and this one's take turns.
+/// The temporal mask's memory for all lights: the last frame's and this one's take turns.
 pub(super) struct HistoryBuffers {
+    /// Words of a pixel, three bits a light.
+    pub words: u32,
     pub bits: [wgpu::Buffer; 2],
     /// Depths along the view axis, for the temporal depth test.
     pub depths: Option<[wgpu::Buffer; 2]>,
@@ -189,6 +193,7 @@ impl Allocator {
                 Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST,
             )?,
             tints: None,
+            light: None,
             past: None,
             doubt: None,
             slots: Vec::new(),
@@ -231,16 +236,23 @@ impl Allocator {
         self.empty("tints", pixels * 16, Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST)
     }
 
+    pub fn light(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
+        let pixels = u64::from(size.x) * u64::from(size.y);
+        self.empty("light", pixels * 16, Usage::STORAGE)
+    }
+
     pub fn past(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
         let pixels = u64::from(size.x) * u64::from(size.y);
         self.empty("last positions of samples", pixels * 16, Usage::STORAGE)
     }
 
-    pub fn history(&self, size: UVec2, has_depths: bool) -> Result<HistoryBuffers, RenderError> {
+    pub fn history(&self, size: UVec2, words: u32, has_depths: bool) -> Result<HistoryBuffers, RenderError> {
         let bytes = u64::from(size.x) * u64::from(size.y) * 4;
-        let bits = || self.empty("mask", bytes, Usage::STORAGE | Usage::COPY_SRC);
+        let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
+        let bits = || self.empty("mask", bytes * u64::from(words), usage);
         let depths = || self.empty("last depths", bytes, Usage::STORAGE);
         Ok(HistoryBuffers {
+            words,
             bits: [bits()?, bits()?],
             depths: match has_depths {
                 true => Some([depths()?, depths()?]),

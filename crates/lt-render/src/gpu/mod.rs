@@ -23,13 +23,14 @@ use std::time::Instant;
 
 use lt_mask::MaskBits;
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_shaders::abi::{CameraParams, Sample, ShadeParams};
+use lt_shaders::abi::{CameraParams, Sample};
 use lt_shaders::doubt::{COUNT, LIST_START};
 use lt_shaders::evaluate::settle;
+use lt_shaders::mask::BitsPlace;
 use lt_shaders::resolve::may_be_tinted;
 use timestamps::Timestamps;
 
-use crate::{Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError};
+use crate::{Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, ShadedLight};
 
 /// Runs frames on a device of its own and reads them back.
 pub struct GpuBackend {
@@ -134,6 +135,14 @@ impl GpuBackend {
         }
     }
 
+    /// What the mask remembers of the job's light, row by row; empty without one.
+    fn mask(&self, job: &FrameJob) -> Result<Vec<MaskBits>, RenderError> {
+        let Some(history) = &self.frame.slots[job.history_slot].history else { return Ok(Vec::new()) };
+        let (buffer, place) = (&history.bits[history.current], BitsPlace::of(&job.shadow.light));
+        let words: Vec<u32> = self.recorder.allocator().read(&self.queue, buffer, buffer.size())?;
+        Ok((0..self.pixels() as u32).map(|i| place.read(&words, i)).collect())
+    }
+
     fn pixels(&self) -> u64 {
         u64::from(self.frame.size.x) * u64::from(self.frame.size.y)
     }
@@ -224,39 +233,33 @@ impl Backend for GpuBackend {
         };
         let slot = &self.frame.slots[job.slot];
         let map_bytes = slot.map.as_ref().filter(|_| job.map.is_some()).map_or(0, |m| m.bytes());
-        let mask = match &slot.history {
-            None => Vec::new(),
-            Some(history) => {
-                let words: Vec<u32> =
-                    self.recorder.allocator().read(&self.queue, &history.bits[history.current], bytes)?;
-                words.into_iter().map(MaskBits::from_bits).collect()
-            }
-        };
-        let map_draws = job.map_draws();
-        Ok(Frame { visibility, tint, doubt, rays, passes, map_bytes, mask, map_draws })
+        let mask = self.mask(job)?;
+        let (map_draws, lights) = (job.map_draws(), Vec::new());
+        Ok(Frame { visibility, tint, doubt, rays, passes, map_bytes, mask, map_draws, lights })
     }
 
-    fn shade(
-        &mut self,
-        visibility: &[f32],
-        tint: &[Vec3],
-        params: &ShadeParams,
-    ) -> Result<Vec<[u8; 4]>, RenderError> {
-        self.queue.write_buffer(&self.frame.visibility, 0, bytemuck::cast_slice(visibility));
-        self.frame.tints = match tint {
-            [] => None,
-            tint => {
-                let buffer = self.recorder.allocator().tints(self.frame.size)?;
-                let rows: Vec<Vec4> = tint.iter().map(|t| t.extend(1.0)).collect();
-                self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&rows));
-                Some(buffer)
-            }
-        };
+    fn shade(&mut self, lights: &[ShadedLight<'_>]) -> Result<Vec<[u8; 4]>, RenderError> {
+        let Some(first) = lights.first() else { return Ok(Vec::new()) };
+        for light in lights {
+            self.queue.write_buffer(&self.frame.visibility, 0, bytemuck::cast_slice(light.visibility));
+            self.frame.tints = match light.tint {
+                [] => None,
+                tint => {
+                    let buffer = self.recorder.allocator().tints(self.frame.size)?;
+                    let rows: Vec<Vec4> = tint.iter().map(|t| t.extend(1.0)).collect();
+                    self.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(&rows));
+                    Some(buffer)
+                }
+            };
+            let mut encoder = self.new_encoder();
+            self.recorder.add_light(&mut encoder, &mut self.frame, &light.params)?;
+            self.queue.submit([encoder.finish()]);
+        }
         let bytes = self.pixels() * 4;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let picture = self.recorder.allocator().empty("picture", bytes, usage)?;
         let mut encoder = self.new_encoder();
-        self.recorder.shade(&mut encoder, &self.frame, &picture, params)?;
+        self.recorder.shade(&mut encoder, &mut self.frame, &picture, &first.params)?;
         self.queue.submit([encoder.finish()]);
         let words: Vec<u32> = self.recorder.allocator().read(&self.queue, &picture, bytes)?;
         Ok(words.into_iter().map(u32::to_le_bytes).collect())

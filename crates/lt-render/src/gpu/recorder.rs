@@ -164,13 +164,18 @@ impl Recorder {
                 }
             }
         }
+        // The slot of the first light was prepared before this one's.
+        let slot = &mut frame.slots[job.history_slot];
+        let light = &job.shadow.light;
         match job.plan.mask {
             None => slot.history = None,
             Some(effects) => {
-                let fits = |h: &HistoryBuffers| h.depths.is_some() == effects.depth_test;
+                let wanted = (light.mask_words, effects.depth_test);
+                let fits = |h: &HistoryBuffers| (h.words, h.depths.is_some()) == wanted;
                 match slot.history.as_mut().filter(|h| fits(h)) {
-                    Some(history) => history.current = 1 - history.current,
-                    None => slot.history = Some(self.allocator.history(size, effects.depth_test)?),
+                    Some(history) if light.number == 0 => history.current = 1 - history.current,
+                    Some(_) => {}
+                    None => slot.history = Some(self.allocator.history(size, wanted.0, wanted.1)?),
                 }
             }
         }
@@ -219,6 +224,15 @@ impl Recorder {
 
     fn slot<'a>(&self, frame: &'a FrameBuffers, job: &FrameJob) -> Result<&'a SlotBuffers, RenderError> {
         frame.slots.get(job.slot).ok_or_else(|| self.unprepared())
+    }
+
+    /// The history of all lights; none without a mask.
+    fn history<'a>(
+        &self,
+        frame: &'a FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<Option<&'a HistoryBuffers>, RenderError> {
+        frame.slots.get(job.history_slot).map(|s| s.history.as_ref()).ok_or_else(|| self.unprepared())
     }
 
     fn depth_map(
@@ -370,7 +384,7 @@ impl Recorder {
         frame: &FrameBuffers,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
-        let history = self.slot(frame, job)?.history.as_ref();
+        let history = self.history(frame, job)?;
         let (Some(history), Some(p), Some(effects), Some(doubt)) =
             (history, job.mask, job.plan.mask, &frame.doubt)
         else {
@@ -379,6 +393,9 @@ impl Recorder {
         let uniform = self.allocator.filled("mask", &[p], Usage::UNIFORM)?;
         encoder.clear_buffer(&doubt.list, 0, Some(16));
         let (last, current) = (1 - history.current, history.current);
+        if job.clears_history() && p.light.number == 0 {
+            encoder.clear_buffer(&history.bits[last], 0, None);
+        }
         let mut name = "mask".to_owned();
         let mut bindings = vec![
             &uniform,
@@ -415,7 +432,7 @@ impl Recorder {
         job: &FrameJob,
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
-        let history = self.slot(frame, job)?.history.as_ref();
+        let history = self.history(frame, job)?;
         let mut name = match (job.plan.trace_all, history) {
             (true, _) => "resolve_all",
             (false, Some(_)) => "resolve_learn",
@@ -477,23 +494,46 @@ impl Recorder {
         self.dispatch(encoder, "tint_cs", &bindings, grid(frame.size))
     }
 
-    /// Shades the frame's samples with its visibility, and its tint if there is one, into `picture`, one sRGB word per
-    /// pixel.
+    /// Adds a light to what the frame's samples receive: after the passes of its job, when visibility, and tint if there is
+    /// one, are the light's.
     ///
     /// # Errors
-    /// [`RenderError::Gpu`] when a uniform cannot be made.
+    /// [`RenderError::Gpu`] when a buffer cannot be made.
+    pub fn add_light(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &mut FrameBuffers,
+        p: &ShadeParams,
+    ) -> Result<(), RenderError> {
+        let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
+        // New buffers are zero.
+        let light = match frame.light.take() {
+            Some(light) => light,
+            None => self.allocator.light(frame.size)?,
+        };
+        let mut bindings = vec![&uniform, &frame.samples, &frame.visibility, &light];
+        bindings.extend(&frame.tints);
+        let name = if frame.tints.is_some() { "light_tinted_cs" } else { "light_cs" };
+        self.dispatch(encoder, name, &bindings, grid(frame.size))?;
+        frame.light = Some(light);
+        Ok(())
+    }
+
+    /// Shades the frame's samples with the lights added so far into `picture`, one sRGB word per pixel, and forgets the lights.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] when a uniform cannot be made, or no light was added.
     pub fn shade(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameBuffers,
+        frame: &mut FrameBuffers,
         picture: &wgpu::Buffer,
         p: &ShadeParams,
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
-        let mut bindings = vec![&uniform, &frame.samples, &frame.visibility, picture];
-        bindings.extend(&frame.tints);
-        let name = if frame.tints.is_some() { "shade_tinted_cs" } else { "shade_cs" };
-        self.dispatch(encoder, name, &bindings, grid(frame.size))
+        let light = frame.light.take().ok_or_else(|| self.unprepared())?;
+        let bindings = [&uniform, &frame.samples, &light, picture];
+        self.dispatch(encoder, "shade_cs", &bindings, grid(frame.size))
     }
 
     fn dispatch(

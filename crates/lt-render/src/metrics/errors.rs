@@ -1,6 +1,7 @@
 //! Wrong pixels of a binary shadow, told apart by the side they err on.
 
 use super::largest_cluster;
+use crate::Frame;
 
 /// Wrong pixels of a technique against full ray tracing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -9,7 +10,7 @@ pub struct Errors {
     pub false_lit: u64,
     /// Pixels the technique calls blocked though they are lit.
     pub false_shadowed: u64,
-    /// Valid pixels.
+    /// Valid pixels, of several lights each time.
     pub valid: u64,
     /// Pixels in the largest 8-connected cluster of wrong pixels (either kind).
     pub largest_cluster_px: u32,
@@ -29,6 +30,16 @@ impl Errors {
     /// Wrong pixels of either kind per million valid pixels; 0 when no pixel is valid.
     pub fn wrong_ppm(&self) -> f64 {
         self.ppm(self.false_lit + self.false_shadowed)
+    }
+
+    /// Those of several pictures together.
+    pub fn sum(parts: impl IntoIterator<Item = Self>) -> Self {
+        parts.into_iter().fold(Self::default(), |all, part| Self {
+            false_lit: all.false_lit + part.false_lit,
+            false_shadowed: all.false_shadowed + part.false_shadowed,
+            valid: all.valid + part.valid,
+            largest_cluster_px: all.largest_cluster_px.max(part.largest_cluster_px),
+        })
     }
 
     fn ppm(&self, count: u64) -> f64 {
@@ -82,6 +93,12 @@ pub fn errors(size: [u32; 2], valid: &[bool], reference: &[f32], visibility: &[f
     }
     counts.largest_cluster_px = largest_cluster(size, &is_wrong);
     counts
+}
+
+/// The wrong pixels of a frame, light by light; `truth` was drawn of the same view under the same lights.
+pub fn errors_by_light(size: [u32; 2], valid: &[bool], truth: &Frame, frame: &Frame) -> Vec<Errors> {
+    let lights = truth.each_light().iter().zip(frame.each_light());
+    lights.map(|(t, f)| errors(size, valid, &t.visibility, &f.visibility)).collect()
 }
 
 #[cfg(test)]

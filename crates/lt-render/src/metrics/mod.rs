@@ -5,5 +5,5 @@ mod errors;
 mod flip;
 
 pub use clusters::largest_cluster;
-pub use errors::{Errors, Verdict, errors, verdict};
+pub use errors::{Errors, Verdict, errors, errors_by_light, verdict};
 pub use flip::flip_mean;

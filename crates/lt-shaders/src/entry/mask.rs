@@ -7,7 +7,7 @@ use spirv_std::spirv;
 use super::{doubt::list_pixel, pixel_index};
 use crate::{
     abi::{MaskParams, Sample},
-    mask::{BitsHistory, DepthHistory, mask, seen_depth},
+    mask::{BitsHistory, BitsPlace, DepthHistory, mask, seen_depth},
 };
 
 macro_rules! mask_entry {
@@ -43,7 +43,13 @@ macro_rules! mask_entry {
                         id.xy(), sample, past_world, estimate, p, history,
                     );
                     *visibility.index_unchecked_mut(i) = masked.visibility;
-                    *bits.index_unchecked_mut(i) = masked.bits.to_bits();
+                    let place = BitsPlace::of(&p.light);
+                    let at = place.word(i as u32);
+                    *bits.index_unchecked_mut(at) = place.light.write(*bits.index_unchecked(at), masked.bits);
+                    if place.light.straddles() {
+                        let rest = place.light.write_rest(*bits.index_unchecked(at + 1), masked.bits);
+                        *bits.index_unchecked_mut(at + 1) = rest;
+                    }
                     $(mask_entry!(@keep depths $new_d, i, sample, p);)?
                     needs_ray = masked.needs_ray;
                 }
@@ -53,9 +59,16 @@ macro_rules! mask_entry {
         }
     };
     (@history $bits:ident, $p:ident, $depths:ident $b:literal) => {
-        DepthHistory { bits: $bits, depths: $depths, width: $p.current.size.x }
+        DepthHistory {
+            bits: $bits,
+            place: BitsPlace::of(&$p.light),
+            depths: $depths,
+            width: $p.current.size.x,
+        }
     };
-    (@history $bits:ident, $p:ident) => { BitsHistory { bits: $bits, width: $p.current.size.x } };
+    (@history $bits:ident, $p:ident) => {
+        BitsHistory { bits: $bits, place: BitsPlace::of(&$p.light), width: $p.current.size.x }
+    };
     (@past $sample:ident, $i:ident, $past:ident $b:literal) => { $past.index_unchecked($i).xyz() };
     (@past $sample:ident, $i:ident) => { $sample.position };
     (@keep $depths:ident $b:literal, $i:ident, $sample:ident, $p:ident) => {

@@ -2,7 +2,6 @@
 //! test.
 
 use lt_bvh::{Instance, Node, Opaque, Triangle};
-use lt_mask::MaskBits;
 use lt_math::glam::UVec3;
 use spirv_std::spirv;
 
@@ -12,7 +11,7 @@ use crate::{
     doubt::{COUNT, LIST_START, slot_of},
     evaluate::settle,
     geometry::{FlatGeometry, InstancedGeometry},
-    mask::bits_after_ray,
+    mask::{BitsPlace, learn},
     resolve::trace_visibility,
     surface::Coverage,
 };
@@ -118,7 +117,7 @@ macro_rules! resolve_entries {
                 let geometry = geometry!(p, nodes, triangles $(, instances $i2)?);
                 let any_hit = any_hit!(triangles $(, vertices $v2, materials $m2, alpha_texels $a2)?);
                 visibility[i] = trace_visibility(&samples[i], &p.light, geometry, any_hit);
-                bits[i] = bits_after_ray(MaskBits::from_bits(bits[i]), visibility[i]).to_bits();
+                learn(bits, BitsPlace::of(&p.light), i as u32, visibility[i]);
             }
         }
     };
