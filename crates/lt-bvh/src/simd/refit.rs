@@ -50,7 +50,7 @@ impl SimdTree {
     }
 
     /// Links to all leaves.
-    fn leaf_links(&self) -> impl Iterator<Item = u32> {
+    pub(super) fn leaf_links(&self) -> impl Iterator<Item = u32> {
         let links = self.nodes.iter().flat_map(|node| node.children);
         links.filter(|&link| link != NONE && link & LEAF != 0)
     }

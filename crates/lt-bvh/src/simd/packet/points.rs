@@ -158,3 +158,80 @@ fn largest<L: NodeLanes>(lanes: L, p: [L::F; 3]) -> L::F {
     let least = lanes.min(lanes.min(p[0], p[1]), p[2]);
     lanes.max(most, lanes.sub(lanes.splat(0.0), least))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::lanes::Portable;
+    use super::super::{Kind, Run};
+    use super::*;
+    use crate::build::{BuildQuality, Bvh};
+    use crate::ray::Ray;
+    use crate::slab::{Slab, WHOLE_RAY};
+    use crate::triangle::Shear;
+    use std::vec::Vec;
+
+    /// Numbers in 0..1.
+    fn random(state: &mut u64) -> f32 {
+        *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (*state >> 40) as f32 / (1 << 24) as f32
+    }
+
+    fn random_point(state: &mut u64) -> Vec3 {
+        Vec3::new(random(state), random(state), random(state))
+    }
+
+    /// Four triangles, two of them slivers, within `size` of `centre`; and rays that pass their vertices and edges by a few roundings.
+    fn grazing(state: &mut u64, centre: Vec3, size: f32) -> (Bvh, Vec<Ray>) {
+        let mut positions: Vec<Vec3> = (0..12).map(|_| centre + random_point(state) * size).collect();
+        for sliver in [0, 3] {
+            let along = positions[sliver + 1] - positions[sliver];
+            positions[sliver + 2] = positions[sliver] + along * 0.4 + random_point(state) * (size * 1e-4);
+        }
+        let indices: Vec<[u32; 3]> = (0..4).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+        let bvh = Bvh::build(&positions, &indices, |_| true, BuildQuality::Medium).unwrap();
+        let direction = Vec3::new(0.3 * random(state), 1.0, -0.8 * random(state));
+        let rays = (0..PACKET).map(|_| {
+            let triangle = &indices[(random(state) * 4.0) as usize & 3];
+            let [a, b] = [0, 1].map(|k| positions[triangle[k] as usize]);
+            let on_edge = a.lerp(b, [0.0, 1.0, random(state)][(random(state) * 3.0) as usize % 3]);
+            let back = size * 8.0 * random(state);
+            Ray::new(on_edge - direction * back, direction)
+        });
+        let rays = rays.collect();
+        (bvh, rays)
+    }
+
+    #[test]
+    fn what_is_ruled_out_is_missed_and_without_tolerance_would_not_be() {
+        let (mut state, mut hits, mut saved) = (1, 0, 0);
+        for case in 0..400 {
+            let size = [0.01, 1.0, 300.0][case % 3];
+            let centre = random_point(&mut state) * [0.0, 10.0, 4000.0][case / 3 % 3];
+            let (bvh, rays) = grazing(&mut state, centre, size);
+            let part = bvh.simd_part();
+            let mut packet = Packet::empty();
+            packet.fill(Kind::of(&rays[0]).unwrap(), Run::first(&rays), &rays, None);
+            packet.prepare(Portable, part.tree);
+            assert!(packet.is_parallel());
+            for link in part.tree.leaf_links() {
+                let block = part.tree.block(link);
+                let may_hit = packet.may_hit(Portable, block, packet.all());
+                let exactly = Across { tolerance: [0.0; 8], ..packet.across(Portable, block) };
+                for (i, ray) in rays.iter().enumerate() {
+                    let slab = Slab::new(ray, part.tree.low, part.tree.high);
+                    let point = [[packet.points[0][i]; 8], [packet.points[1][i]; 8]];
+                    let may_hold = exactly.may_hold(Portable, point);
+                    for (lane, may_hit) in may_hit.into_iter().enumerate().take(block.len()) {
+                        let triangle = &bvh.triangles()[block.triangle(lane) as usize];
+                        if Shear::new(ray).intersect(ray, &slab, triangle, WHOLE_RAY).is_hit {
+                            assert!(may_hit >> i & 1 != 0, "case {case}: {ray:?} hits {triangle:?}");
+                            hits += 1;
+                            saved += u32::from(may_hold >> lane & 1 == 0);
+                        }
+                    }
+                }
+            }
+        }
+        assert!(hits > 5000 && saved > 100, "{saved} of {hits} hits would be lost without tolerance");
+    }
+}
