@@ -5,14 +5,13 @@
 //! rectangle and are not all behind its points. Both lists lie in arrays, row by row, and the halves are written behind them. A triangle that
 //! covers a rectangle above all of its points finishes them.
 //!
-//! Memory is the rectangles of all triangles, and per thread at most as much again for each of [`DEPTH`] levels; lists only shrink. Time
+//! Memory is the rectangles of all triangles, and at most as much again for each of [`DEPTH`] levels of each thread's; lists only shrink. Time
 //! is at worst that of every triangle against every leaf of points.
 
 use crate::block::{BLOCK, Block, Spread};
 use crate::casters::{Casters, Query};
 use crate::lanes::{Lanes, Level};
 use crate::level::{Chosen, Instructions, Work};
-use crate::planes::Planes;
 use crate::rect::Rect;
 use crate::tile::{TILE, Tile, least, most};
 use crate::tree::items;
@@ -24,12 +23,14 @@ use lt_math::glam::{Vec3, Vec4};
 
 /// Up to this many points are not divided further.
 const LEAF: usize = 128;
-/// Points to a task of a thread.
-const TASK: usize = 1 << 18;
+/// Up to this many points are one thread's.
+const TASK: usize = 1 << 15;
 /// Levels of division; what is left then is a leaf, however large.
 const DEPTH: usize = 40;
 /// Fewer triangles than this are not worth dividing the points for.
 const FEW: usize = 24;
+/// Triangles that are fetched before they are needed.
+const AHEAD: usize = 32;
 /// Room behind every list, so that whole registers may be written at its end.
 const SLACK: usize = 16;
 
@@ -214,20 +215,28 @@ impl Points {
         (rect, most(lanes, high[2]))
     }
 
-    /// Writes the points below (or not below) a place on an axis behind `to`; how many.
+    /// Writes the points of a step below (or not below) its place to `to`, from a list of others or of its own; how many.
     #[inline(always)]
-    fn half<P: Lanes>(&mut self, lanes: P, step: &Step, is_upper: bool, to: usize) -> usize {
+    fn half<P: Lanes>(
+        &mut self,
+        lanes: P,
+        from: Option<&Points>,
+        step: &Step,
+        is_upper: bool,
+        to: usize,
+    ) -> usize {
         self.reserve(to + step.len);
         let place = lanes.splat(step.place);
         let mut end = to;
         for at in (step.start..step.start + step.len).step_by(P::WIDTH) {
-            let (x, y, z) = (lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..]));
+            let rows = from.unwrap_or(self);
+            let (x, y, z) = (lanes.load(&rows.x[at..]), lanes.load(&rows.y[at..]), lanes.load(&rows.z[at..]));
             let below = lanes.lt(if step.is_y { y } else { x }, place);
             let mask = (if is_upper { !below } else { below }) & first(step.start + step.len - at);
             if mask & first(P::WIDTH) != 0 {
                 let mask = mask & first(P::WIDTH);
                 let mut ids = [0; 16];
-                ids[..P::WIDTH].copy_from_slice(&self.ids[at..at + P::WIDTH]);
+                ids[..P::WIDTH].copy_from_slice(&rows.ids[at..at + P::WIDTH]);
                 lanes.compress(mask, x, &mut self.x[end..]);
                 lanes.compress(mask, y, &mut self.y[end..]);
                 lanes.compress(mask, z, &mut self.z[end..]);
@@ -253,7 +262,6 @@ struct Scratch {
     tile: Box<Tile>,
     origins: Vec<Vec3>,
     blocks: Vec<Block>,
-    path: Vec<Step>,
 }
 
 /// Points that are being halved, and their triangles.
@@ -314,11 +322,12 @@ impl DivideAndConquer {
         let query = Query { casters, light: self.light, any_hit };
         let mut taken = 0;
         for view in View::of_light(self.light, self.domain, casters.root) {
-            let (all, triangles) = Lists::of(&view, casters);
-            let one = |scratch: &mut Scratch, (origins, out): (&[Vec3], &mut [bool])| {
-                chosen.run(Task { view: &view, query: &query, all: &all, triangles, origins, out, scratch })
-            };
-            taken += each_task(origins, out, one);
+            let scene = Scene { chosen, view: &view, query: &query, origins };
+            let problem = chosen.run(Root { view: &view, casters, origins });
+            taken += problem.points.1;
+            for id in scene.solve(problem, 0) {
+                out[id as usize] = true;
+            }
         }
         if taken < len {
             for (&origin, out) in origins.iter().zip(out) {
@@ -332,55 +341,145 @@ impl DivideAndConquer {
     }
 }
 
-/// Runs every task; the sum of what they return.
-#[cfg(feature = "std")]
-fn each_task(
-    origins: &[Vec3],
-    out: &mut [bool],
-    one: impl Fn(&mut Scratch, (&[Vec3], &mut [bool])) -> usize + Sync + Send,
-) -> usize {
-    use rayon::prelude::*;
-    let tasks = origins.par_chunks(TASK).zip(out.par_chunks_mut(TASK));
-    tasks.map_init(Scratch::default, one).sum()
+/// Points and triangles that may meet, with how many they are.
+struct Problem {
+    points: (Points, usize),
+    triangles: (Lists, usize),
+    bounds: (Rect, f32),
 }
 
-/// Runs every task; the sum of what they return.
-#[cfg(not(feature = "std"))]
-fn each_task(
-    origins: &[Vec3],
-    out: &mut [bool],
-    one: impl Fn(&mut Scratch, (&[Vec3], &mut [bool])) -> usize,
-) -> usize {
-    let mut scratch = Scratch::default();
-    origins.chunks(TASK).zip(out.chunks_mut(TASK)).map(|task| one(&mut scratch, task)).sum()
+/// What is known of half a problem.
+enum Half {
+    /// No point is blocked.
+    Clear,
+    /// All points are, by their places.
+    Blocked(Vec<u32>),
+    Open(Problem),
 }
 
-struct Task<'a, A> {
+/// What all problems of a view have in common.
+struct Scene<'a, A> {
+    chosen: Chosen,
     view: &'a View,
     query: &'a Query<'a, A>,
-    all: &'a Lists,
-    triangles: usize,
     origins: &'a [Vec3],
-    out: &'a mut [bool],
-    scratch: &'a mut Scratch,
 }
 
-impl<A: AnyHit> Work for Task<'_, A> {
-    /// Rays that the view took.
-    type Output = usize;
+impl<A: AnyHit + Sync> Scene<'_, A> {
+    /// The places of all blocked points.
+    fn solve(&self, problem: Problem, depth: usize) -> Vec<u32> {
+        if problem.points.1 == 0 || problem.triangles.1 == 0 {
+            return Vec::new();
+        }
+        if problem.points.1 <= TASK || depth == DEPTH {
+            return self.chosen.run(Task::new(self, problem));
+        }
+        let half = |is_upper: bool| match self.chosen.run(Halve { scene: self, problem: &problem, is_upper })
+        {
+            Half::Clear => Vec::new(),
+            Half::Blocked(places) => places,
+            Half::Open(half) => self.solve(half, depth + 1),
+        };
+        #[cfg(feature = "std")]
+        let (mut lower, upper) = rayon::join(|| half(false), || half(true));
+        #[cfg(not(feature = "std"))]
+        let (mut lower, upper) = (half(false), half(true));
+        lower.extend(upper);
+        lower
+    }
+
+    /// Whether a triangle blocks all points within the bounds for sure.
+    #[inline(always)]
+    fn is_covered<L: Level>(&self, level: L, (rect, far): &(Rect, f32), id: u32) -> bool {
+        if !A::IS_OPAQUE && !self.query.casters.triangles[id as usize].is_opaque() {
+            return false;
+        }
+        let block = Block::of(level.eight(), self.view, self.query.casters, &[id]);
+        let (constant, factor) = self.view.depth_tolerance();
+        let spread = Spread::new(rect, rect.z, *far, constant + factor * far);
+        block.test_rect(level.eight(), &spread).sure & 1 == 1
+    }
+}
+
+/// Makes the first problem of a view: all its points and triangles.
+struct Root<'a> {
+    view: &'a View,
+    casters: Casters<'a>,
+    origins: &'a [Vec3],
+}
+
+impl Work for Root<'_> {
+    type Output = Problem;
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> Problem {
+        let mut points = Points::default();
+        let len = points.fill(level.points(), self.view, self.origins);
+        let bounds = points.bounds(level.points(), 0, len);
+        let triangles = if len == 0 { Default::default() } else { Lists::of(self.view, self.casters) };
+        Problem { points: (points, len), triangles, bounds }
+    }
+}
+
+/// Takes half of a problem, as a problem of its own.
+struct Halve<'a, A> {
+    scene: &'a Scene<'a, A>,
+    problem: &'a Problem,
+    is_upper: bool,
+}
+
+impl<A: AnyHit + Sync> Work for Halve<'_, A> {
+    type Output = Half;
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> Half {
+        let lanes = level.points();
+        let Problem { points: (from, len), triangles: (all, count), bounds } = self.problem;
+        let step = Step::new((0, *len), (0, *count), &bounds.0);
+        let mut points = Points::default();
+        let len = points.half(lanes, Some(from), &step, self.is_upper, 0);
+        if len == 0 {
+            return Half::Clear;
+        }
+        let bounds = points.bounds(lanes, 0, len);
+        let mut lists = Lists::default();
+        let (count, cover) = lists.take(lanes, Some(all), 0, *count, &bounds, 0);
+        if count == 0 {
+            return Half::Clear;
+        }
+        if cover.is_some_and(|i| self.scene.is_covered(level, &bounds, lists.ids[i])) {
+            points.ids.truncate(len);
+            return Half::Blocked(points.ids);
+        }
+        Half::Open(Problem { points: (points, len), triangles: (lists, count), bounds })
+    }
+}
+
+/// Solves a problem to its end.
+struct Task<'a, A> {
+    scene: &'a Scene<'a, A>,
+    members: usize,
+    triangles: usize,
+    bounds: (Rect, f32),
+    scratch: Scratch,
+    blocked: Vec<u32>,
+}
+
+impl<'a, A: AnyHit + Sync> Task<'a, A> {
+    fn new(scene: &'a Scene<'a, A>, problem: Problem) -> Self {
+        let Problem { points: (points, members), triangles: (lists, triangles), bounds } = problem;
+        let scratch = Scratch { points, lists, ..Scratch::default() };
+        Task { scene, members, triangles, bounds, scratch, blocked: Vec::new() }
+    }
+}
+
+impl<A: AnyHit + Sync> Work for Task<'_, A> {
+    /// The places of all blocked points.
+    type Output = Vec<u32>;
 
     #[inline(always)]
-    fn run<L: Level>(mut self, level: L) -> usize {
+    fn run<L: Level>(mut self, level: L) -> Vec<u32> {
         let lanes = level.points();
-        let members = self.scratch.points.fill(lanes, self.view, self.origins);
-        if members == 0 {
-            return 0;
-        }
-        let bounds = self.scratch.points.bounds(lanes, 0, members);
-        let (len, _) = self.scratch.lists.take(lanes, Some(self.all), 0, self.triangles, &bounds, 0);
         // A loop and not a recursion: a function that calls itself would not be compiled for the instructions asked for.
-        let mut path = core::mem::take(&mut self.scratch.path);
-        path.push(Step::new((0, members), (0, len), &bounds.0));
+        let mut path = alloc::vec![Step::new((0, self.members), (0, self.triangles), &self.bounds.0)];
         while let Some(depth) = path.len().checked_sub(1) {
             let step = &mut path[depth];
             if step.done == 2 {
@@ -388,7 +487,7 @@ impl<A: AnyHit> Work for Task<'_, A> {
                 continue;
             }
             let to = step.start + step.len;
-            let points = self.scratch.points.half(lanes, step, step.done == 1, to);
+            let points = self.scratch.points.half(lanes, None, step, step.done == 1, to);
             step.done += 1;
             if points == 0 {
                 continue;
@@ -400,58 +499,40 @@ impl<A: AnyHit> Work for Task<'_, A> {
             if triangles == 0 {
                 continue;
             }
-            if cover.is_some_and(|i| self.is_covered(level, &bounds, i)) {
-                for id in &self.scratch.points.ids[to..to + points] {
-                    self.out[*id as usize] = true;
-                }
+            if cover.is_some_and(|i| self.scene.is_covered(level, &bounds, self.scratch.lists.ids[i])) {
+                self.blocked.extend_from_slice(&self.scratch.points.ids[to..to + points]);
             } else if points <= LEAF || triangles <= FEW || depth == DEPTH || bounds.0.area() == 0.0 {
                 self.leaf(level, (to, points), (behind, triangles));
             } else {
                 path.push(Step::new((to, points), (behind, triangles), &bounds.0));
             }
         }
-        self.scratch.path = path;
-        members
+        self.blocked
     }
 }
 
 impl<A: AnyHit> Task<'_, A> {
-    /// Whether a triangle of the lists blocks all points within the bounds for sure.
-    #[inline(always)]
-    fn is_covered<L: Level>(&self, level: L, (rect, far): &(Rect, f32), at: usize) -> bool {
-        let id = self.scratch.lists.ids[at];
-        let triangle = &self.query.casters.triangles[id as usize];
-        if !A::IS_OPAQUE && !triangle.is_opaque() {
-            return false;
-        }
-        let mut block = Block::EMPTY;
-        block.set(0, &Planes::new(self.view, triangle).0, id, false);
-        let (constant, factor) = self.view.depth_tolerance();
-        let spread = Spread::new(rect, rect.z, *far, constant + factor * far);
-        block.test_rect(level.eight(), &spread).sure & 1 == 1
-    }
-
     /// Holds points against triangles.
     #[inline(always)]
     fn leaf<L: Level>(&mut self, level: L, points: (usize, usize), triangles: (usize, usize)) {
+        let scene = self.scene;
         let Scratch { lists, points: all, tile, origins, blocks, .. } = &mut *self.scratch;
+        let ids = &lists.ids[triangles.0..triangles.0 + triangles.1];
+        let mut ahead = ids.iter();
+        ahead.by_ref().take(AHEAD).for_each(|id| scene.query.casters.prefetch(level, *id));
         blocks.clear();
-        for ids in lists.ids[triangles.0..triangles.0 + triangles.1].chunks(BLOCK) {
-            let mut block = Block::EMPTY;
-            for (slot, &id) in ids.iter().enumerate() {
-                let triangle = &self.query.casters.triangles[id as usize];
-                block.set(slot, &Planes::new(self.view, triangle).0, id, !triangle.is_opaque());
-            }
-            blocks.push(block);
+        for ids in ids.chunks(BLOCK) {
+            ahead.by_ref().take(BLOCK).for_each(|id| scene.query.casters.prefetch(level, *id));
+            blocks.push(Block::of(level.eight(), scene.view, scene.query.casters, ids));
         }
         for ids in all.ids[points.0..points.0 + points.1].chunks(TILE) {
             origins.clear();
-            origins.extend(ids.iter().map(|id| self.origins[*id as usize]));
-            tile.fill(level.points(), self.view, origins);
+            origins.extend(ids.iter().map(|id| scene.origins[*id as usize]));
+            tile.fill(level.points(), scene.view, origins);
             let (rect, _) = tile.bounds();
             for (i, block) in blocks.iter().enumerate() {
                 if lists.meet(level.eight(), triangles.0 + i * BLOCK, &rect) {
-                    tile.hold(level, self.view, self.query, block);
+                    tile.hold(level, scene.view, scene.query, block);
                     if tile.is_done() {
                         break;
                     }
@@ -461,7 +542,7 @@ impl<A: AnyHit> Task<'_, A> {
             while blocked != 0 {
                 let i = blocked.trailing_zeros() as usize;
                 blocked &= blocked - 1;
-                self.out[ids[i] as usize] = true;
+                self.blocked.push(ids[i]);
             }
         }
     }

@@ -200,13 +200,14 @@ impl Session {
 
     /// The effects a technique calls for here.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        EffectPlan::for_scene(
+        let plan = EffectPlan::for_scene(
             &self.scene.stats,
             &self.setup.light.kind,
             technique,
             self.setup.map_size,
             self.sequence,
-        )
+        );
+        EffectPlan { upkeep: self.setup.upkeep, ..plan }
     }
 
     /// Where a directional light's one map of this many texels a side looks.

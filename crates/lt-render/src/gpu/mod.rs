@@ -29,7 +29,7 @@ use lt_shaders::evaluate::settle;
 use lt_shaders::resolve::may_be_tinted;
 use timestamps::Timestamps;
 
-use crate::{Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError};
+use crate::{Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, Upkeep};
 
 /// Runs frames on a device of its own and reads them back.
 pub struct GpuBackend {
@@ -197,6 +197,10 @@ impl Backend for GpuBackend {
             let problem = format!(
                 "has no resolver `{resolver}` yet: use --backend cpu, or rays (leave `:{resolver}` out)"
             );
+            return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
+        }
+        if job.plan.upkeep != Upkeep::Kept {
+            let problem = "does not rebuild trees (--rebuild): use --backend cpu".to_owned();
             return Err(RenderError::Gpu { device: self.device_name.clone(), problem });
         }
         self.recorder.prepare(&mut self.frame, job)?;
