@@ -34,7 +34,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         return list();
     }
     files::prepare_dir(&args.out)?;
-    let mut opened = args.scene.open(&args.techniques())?;
+    let mut opened = args.scene.open(&args.techniques(), args.upkeep())?;
     let repeats = args.repeats.unwrap_or(DEFAULT_REPEATS);
     let (comparison, playback) = match args.frames {
         None => (single_view(args, &mut opened.session, repeats)?, None),

@@ -27,6 +27,9 @@
 //! the ray tracer's ([`Casters`]) and are named by their place there, which is how an `AnyHit` knows them.
 
 extern crate alloc;
+// Tests share their cases with those in tests/, which know the crate by its name.
+#[cfg(test)]
+extern crate self as lt_irregular;
 #[cfg(feature = "std")]
 extern crate std;
 

@@ -12,7 +12,7 @@ use lt_shaders::abi::{
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
     Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal,
-    RenderError, Sequence, Setup, ShadedLight, Technique,
+    RenderError, Resolve, Sequence, Setup, ShadedLight, Technique, Upkeep,
     cpu::CpuBackend,
     fit_directional,
     lamp::{LightChange, is_jump, lamp_levels, light_params_of},
@@ -219,11 +219,15 @@ impl Session {
 
     /// The effects a technique calls for here, under the first light.
     pub fn plan(&self, technique: &Technique) -> EffectPlan {
-        self.plan_under(technique, &self.setup.light)
+        self.plan_under(technique, (0, &self.setup.light))
     }
 
-    fn plan_under(&self, technique: &Technique, light: &Light) -> EffectPlan {
-        EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, self.setup.map_size, self.sequence)
+    fn plan_under(&self, technique: &Technique, (number, light): (u32, &Light)) -> EffectPlan {
+        let map_size = self.setup.map_size;
+        let plan = EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, map_size, self.sequence);
+        // Rays to all lights walk one tree.
+        let is_done = number > 0 && technique.resolve == Resolve::Ray;
+        EffectPlan { upkeep: if is_done { Upkeep::Kept } else { self.setup.upkeep }, ..plan }
     }
 
     /// Where the first light's one map of this many texels a side looks, if it is a directional one.
@@ -241,7 +245,8 @@ impl Session {
         }
         let lights: Vec<Light> = self.setup.lights().cloned().collect();
         let frames = lights.iter().enumerate().map(|(number, light)| {
-            self.render_light(technique, self.plan_under(technique, light), (number as u32, light))
+            let light = (number as u32, light);
+            self.render_light(technique, self.plan_under(technique, light), light)
         });
         Ok(Frame::of_lights(frames.collect::<Result<_, _>>()?))
     }
