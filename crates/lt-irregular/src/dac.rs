@@ -417,7 +417,7 @@ enum Half {
     Clear,
     /// All points are, by their places.
     Blocked(Vec<u32>),
-    Open(Problem),
+    Open(Box<Problem>),
 }
 
 /// What all problems of a view have in common.
@@ -444,7 +444,7 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
             |points: (Points, Part)| match self.chosen.run(Narrow { scene: self, points, all: &triangles }) {
                 Half::Clear => Vec::new(),
                 Half::Blocked(places) => places,
-                Half::Open(half) => self.solve(half, depth + 1),
+                Half::Open(half) => self.solve(*half, depth + 1),
             };
         let [a, b] = halves;
         #[cfg(feature = "std")]
@@ -531,7 +531,7 @@ impl<A: AnyHit + Sync> Work for Narrow<'_, A> {
             points.ids.truncate(len);
             return Half::Blocked(points.ids);
         }
-        Half::Open(Problem { points: (points, len), triangles: (lists, count), bounds })
+        Half::Open(Box::new(Problem { points: (points, len), triangles: (lists, count), bounds }))
     }
 }
 
