@@ -22,6 +22,7 @@ mod plot;
 mod rays;
 mod report;
 mod residual;
+mod today;
 
 use std::fs;
 use std::path::Path;

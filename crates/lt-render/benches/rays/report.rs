@@ -4,13 +4,13 @@ use std::fmt;
 use std::fmt::Write as _;
 
 use super::builds::Builds;
-use super::clock::today;
 use super::embree::{BUILD_THREADS, Embree};
 use super::judge::Differences;
 use super::measure::{Column, Family, Measured};
 use super::options::Options;
 use super::ours::MeanCounts;
 use super::places::Place;
+use super::today::today;
 
 /// Which rays of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
