@@ -971,1411 +971,1411 @@ fn function_() {
                 } else {
                     phi_897_ = abs(_e156.direction.x);
                 }
-                let _e305 = phi_897_;
+                let _e304 = phi_897_;
                 if (_e156.direction.x < 0f) {
-                    phi_904_ = (-1f / _e305);
+                    phi_904_ = (-1f / _e304);
                 } else {
-                    phi_904_ = (1f / _e305);
+                    phi_904_ = (1f / _e304);
                 }
-                let _e310 = phi_904_;
+                let _e309 = phi_904_;
                 if (abs(_e156.direction.y) < _e298) {
                     phi_912_ = _e298;
                 } else {
                     phi_912_ = abs(_e156.direction.y);
                 }
-                let _e317 = phi_912_;
+                let _e315 = phi_912_;
                 if (_e156.direction.y < 0f) {
-                    phi_919_ = (-1f / _e317);
+                    phi_919_ = (-1f / _e315);
                 } else {
-                    phi_919_ = (1f / _e317);
+                    phi_919_ = (1f / _e315);
                 }
-                let _e322 = phi_919_;
+                let _e320 = phi_919_;
                 if (abs(_e156.direction.z) < _e298) {
                     phi_927_ = _e298;
                 } else {
                     phi_927_ = abs(_e156.direction.z);
                 }
-                let _e329 = phi_927_;
+                let _e326 = phi_927_;
                 if (_e156.direction.z < 0f) {
-                    phi_934_ = (-1f / _e329);
+                    phi_934_ = (-1f / _e326);
                 } else {
-                    phi_934_ = (1f / _e329);
+                    phi_934_ = (1f / _e326);
                 }
-                let _e334 = phi_934_;
-                let _e342 = abs((bitcast<f32>(_e234) - _e156.origin.x));
-                let _e343 = abs((bitcast<f32>(_e238) - _e156.origin.y));
-                let _e344 = abs((bitcast<f32>(_e242) - _e156.origin.z));
-                let _e352 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
-                let _e353 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
-                let _e354 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
-                if (_e342 > _e352) {
-                    phi_959_ = _e342;
+                let _e331 = phi_934_;
+                let _e339 = abs((bitcast<f32>(_e234) - _e156.origin.x));
+                let _e340 = abs((bitcast<f32>(_e238) - _e156.origin.y));
+                let _e341 = abs((bitcast<f32>(_e242) - _e156.origin.z));
+                let _e349 = abs(((bitcast<f32>(_e246) + (bitcast<f32>((((_e258 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.x));
+                let _e350 = abs(((bitcast<f32>(_e250) + (bitcast<f32>((((_e258 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.y));
+                let _e351 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e258 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e156.origin.z));
+                if (_e339 > _e349) {
+                    phi_959_ = _e339;
                 } else {
-                    phi_959_ = _e352;
+                    phi_959_ = _e349;
                 }
-                let _e357 = phi_959_;
-                if (_e343 > _e353) {
-                    phi_964_ = _e343;
+                let _e354 = phi_959_;
+                if (_e340 > _e350) {
+                    phi_964_ = _e340;
                 } else {
-                    phi_964_ = _e353;
+                    phi_964_ = _e350;
                 }
-                let _e360 = phi_964_;
-                if (_e344 > _e354) {
-                    phi_969_ = _e344;
+                let _e357 = phi_964_;
+                if (_e341 > _e351) {
+                    phi_969_ = _e341;
                 } else {
-                    phi_969_ = _e354;
+                    phi_969_ = _e351;
                 }
-                let _e363 = phi_969_;
-                let _e364 = core_intrinsics_maximum_number_nsz_f32_(_e357, _e360);
-                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e364, _e363);
-                let _e370 = (_e365 * 0.0000019073486f);
-                let _e371 = (abs(_e310) * _e370);
-                let _e372 = (abs(_e322) * _e370);
-                let _e373 = (abs(_e334) * _e370);
-                let _e377 = (_e365 * 0.0000009536743f);
-                let _e378 = (abs(_e310) * _e377);
-                let _e379 = (abs(_e322) * _e377);
-                let _e380 = (abs(_e334) * _e377);
-                let _e383 = abs(_e156.direction.x);
-                let _e385 = abs(_e156.direction.y);
-                let _e387 = abs(_e156.direction.z);
-                if (_e383 >= _e385) {
-                    if (_e383 >= _e387) {
+                let _e360 = phi_969_;
+                let _e361 = core_intrinsics_maximum_number_nsz_f32_(_e354, _e357);
+                let _e362 = core_intrinsics_maximum_number_nsz_f32_(_e361, _e360);
+                let _e367 = (_e362 * 0.0000019073486f);
+                let _e368 = (abs(_e309) * _e367);
+                let _e369 = (abs(_e320) * _e367);
+                let _e370 = (abs(_e331) * _e367);
+                let _e374 = (_e362 * 0.0000009536743f);
+                let _e375 = (abs(_e309) * _e374);
+                let _e376 = (abs(_e320) * _e374);
+                let _e377 = (abs(_e331) * _e374);
+                let _e380 = abs(_e156.direction.x);
+                let _e382 = abs(_e156.direction.y);
+                let _e384 = abs(_e156.direction.z);
+                if (_e380 >= _e382) {
+                    if (_e380 >= _e384) {
                         phi_1002_ = false;
                     } else {
                         phi_1002_ = true;
                     }
-                    let _e391 = phi_1002_;
-                    phi_1003_ = _e391;
+                    let _e388 = phi_1002_;
+                    phi_1003_ = _e388;
                 } else {
                     phi_1003_ = true;
                 }
-                let _e393 = phi_1003_;
-                if _e393 {
-                    if (_e385 >= _e387) {
+                let _e390 = phi_1003_;
+                if _e390 {
+                    if (_e382 >= _e384) {
                         phi_1011_ = 1u;
                     } else {
                         phi_1011_ = 2u;
                     }
-                    let _e396 = phi_1011_;
-                    phi_1012_ = _e396;
+                    let _e393 = phi_1011_;
+                    phi_1012_ = _e393;
                 } else {
                     phi_1012_ = 0u;
                 }
-                let _e398 = phi_1012_;
-                if (_e398 == 0u) {
+                let _e395 = phi_1012_;
+                if (_e395 == 0u) {
                     phi_1031_ = vec3<f32>(_e156.direction.y, _e156.direction.z, _e156.direction.x);
                 } else {
-                    if (_e398 == 1u) {
+                    if (_e395 == 1u) {
                         phi_1030_ = vec3<f32>(_e156.direction.z, _e156.direction.x, _e156.direction.y);
                     } else {
                         phi_1030_ = _e156.direction;
                     }
-                    let _e411 = phi_1030_;
-                    phi_1031_ = _e411;
+                    let _e408 = phi_1030_;
+                    phi_1031_ = _e408;
                 }
-                let _e413 = phi_1031_;
-                let _e417 = (_e413.x / _e413.z);
-                let _e420 = (_e413.y / _e413.z);
-                if (_e310 < 0f) {
+                let _e410 = phi_1031_;
+                let _e414 = (_e410.x / _e410.z);
+                let _e417 = (_e410.y / _e410.z);
+                if (_e309 < 0f) {
                     phi_1045_ = 0u;
                 } else {
                     phi_1045_ = 1u;
                 }
-                let _e425 = phi_1045_;
-                if (_e322 < 0f) {
+                let _e422 = phi_1045_;
+                if (_e320 < 0f) {
                     phi_1050_ = 0u;
                 } else {
                     phi_1050_ = 2u;
                 }
-                let _e428 = phi_1050_;
-                if (_e334 < 0f) {
+                let _e425 = phi_1050_;
+                if (_e331 < 0f) {
                     phi_1055_ = 0u;
                 } else {
                     phi_1055_ = 4u;
                 }
-                let _e431 = phi_1055_;
-                let _e433 = ((_e425 | _e428) | _e431);
-                let _e434 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e434.first[0], _e434.first[1], _e434.first[2], _e434.first[3], _e434.first[4], _e434.first[5], _e434.first[6], _e434.first[7], _e434.first[8], _e434.first[9], _e434.first[10], _e434.first[11], _e434.first[12], _e434.first[13], _e434.first[14], _e434.first[15], _e434.first[16], _e434.first[17], _e434.first[18], _e434.first[19], _e434.first[20], _e434.first[21], _e434.first[22], _e434.first[23], _e434.first[24], _e434.first[25], _e434.first[26], _e434.first[27], _e434.first[28], _e434.first[29], _e434.first[30], _e434.first[31]), array<u32, 32>(_e434.mask[0], _e434.mask[1], _e434.mask[2], _e434.mask[3], _e434.mask[4], _e434.mask[5], _e434.mask[6], _e434.mask[7], _e434.mask[8], _e434.mask[9], _e434.mask[10], _e434.mask[11], _e434.mask[12], _e434.mask[13], _e434.mask[14], _e434.mask[15], _e434.mask[16], _e434.mask[17], _e434.mask[18], _e434.mask[19], _e434.mask[20], _e434.mask[21], _e434.mask[22], _e434.mask[23], _e434.mask[24], _e434.mask[25], _e434.mask[26], _e434.mask[27], _e434.mask[28], _e434.mask[29], _e434.mask[30], _e434.mask[31]), _e434.len, _e434.group, _e434.group_mask);
-                let _e508 = local_2.group_mask;
-                if ((_e508 & 4278190080u) == 0u) {
-                    let _e512 = local_2.len;
-                    if (_e512 == 0u) {
+                let _e428 = phi_1055_;
+                let _e430 = ((_e422 | _e425) | _e428);
+                let _e431 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e431.first[0], _e431.first[1], _e431.first[2], _e431.first[3], _e431.first[4], _e431.first[5], _e431.first[6], _e431.first[7], _e431.first[8], _e431.first[9], _e431.first[10], _e431.first[11], _e431.first[12], _e431.first[13], _e431.first[14], _e431.first[15], _e431.first[16], _e431.first[17], _e431.first[18], _e431.first[19], _e431.first[20], _e431.first[21], _e431.first[22], _e431.first[23], _e431.first[24], _e431.first[25], _e431.first[26], _e431.first[27], _e431.first[28], _e431.first[29], _e431.first[30], _e431.first[31]), array<u32, 32>(_e431.mask[0], _e431.mask[1], _e431.mask[2], _e431.mask[3], _e431.mask[4], _e431.mask[5], _e431.mask[6], _e431.mask[7], _e431.mask[8], _e431.mask[9], _e431.mask[10], _e431.mask[11], _e431.mask[12], _e431.mask[13], _e431.mask[14], _e431.mask[15], _e431.mask[16], _e431.mask[17], _e431.mask[18], _e431.mask[19], _e431.mask[20], _e431.mask[21], _e431.mask[22], _e431.mask[23], _e431.mask[24], _e431.mask[25], _e431.mask[26], _e431.mask[27], _e431.mask[28], _e431.mask[29], _e431.mask[30], _e431.mask[31]), _e431.len, _e431.group, _e431.group_mask);
+                let _e505 = local_2.group_mask;
+                if ((_e505 & 4278190080u) == 0u) {
+                    let _e509 = local_2.len;
+                    if (_e509 == 0u) {
                         phi_1169_ = false;
                     } else {
+                        let _e513 = local_2.len;
+                        local_2.len = (_e513 - 1u);
                         let _e516 = local_2.len;
-                        local_2.len = (_e516 - 1u);
-                        let _e519 = local_2.len;
-                        if (_e519 < 32u) {
+                        if (_e516 < 32u) {
                         } else {
                             return;
                         }
-                        let _e524 = local_2.first[(0u + _e519)];
-                        local_2.group = _e524;
-                        let _e527 = local_2.len;
-                        if (_e527 < 32u) {
+                        let _e521 = local_2.first[(0u + _e516)];
+                        local_2.group = _e521;
+                        let _e524 = local_2.len;
+                        if (_e524 < 32u) {
                         } else {
                             return;
                         }
-                        let _e532 = local_2.mask[(0u + _e527)];
-                        local_2.group_mask = _e532;
+                        let _e529 = local_2.mask[(0u + _e524)];
+                        local_2.group_mask = _e529;
                         phi_1169_ = true;
                     }
-                    let _e535 = phi_1169_;
-                    phi_1170_ = _e535;
+                    let _e532 = phi_1169_;
+                    phi_1170_ = _e532;
                 } else {
                     phi_1170_ = true;
                 }
-                let _e537 = phi_1170_;
-                if _e537 {
-                    let _e539 = local_2.group_mask;
-                    let _e545 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e539)), 32u, (_e539 == 0u)));
-                    let _e549 = local_2.group_mask;
-                    let _e563 = local_2.group_mask;
-                    local_2.group_mask = (_e563 & ~((1u << bitcast<u32>((_e545 & 31u)))));
-                    let _e566 = local_2.group;
-                    phi_1201_ = (_e566 + countOneBits(((_e549 & ~((4294967295u << bitcast<u32>((((_e545 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e534 = phi_1170_;
+                if _e534 {
+                    let _e536 = local_2.group_mask;
+                    let _e542 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e536)), 32u, (_e536 == 0u)));
+                    let _e546 = local_2.group_mask;
+                    let _e560 = local_2.group_mask;
+                    local_2.group_mask = (_e560 & ~((1u << bitcast<u32>((_e542 & 31u)))));
+                    let _e563 = local_2.group;
+                    phi_1201_ = (_e563 + countOneBits(((_e546 & ~((4294967295u << bitcast<u32>((((_e542 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1201_ = 4294967295u;
                 }
-                let _e569 = phi_1201_;
+                let _e566 = phi_1201_;
                 phi_1203_ = _e158;
-                phi_1206_ = _e569;
+                phi_1206_ = _e566;
                 loop {
-                    let _e571 = phi_1203_;
-                    let _e573 = phi_1206_;
-                    local_7 = _e571;
-                    let _e574 = (_e573 != 4294967295u);
-                    if _e574 {
-                        if (_e573 < _e77) {
+                    let _e568 = phi_1203_;
+                    let _e570 = phi_1206_;
+                    local_7 = _e568;
+                    let _e571 = (_e570 != 4294967295u);
+                    if _e571 {
+                        if (_e570 < _e77) {
                         } else {
                             return;
                         }
-                        let _e582 = nodes.member[(0u + _e573)].frame[3u];
-                        let _e607 = (bitcast<f32>((((_e582 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
-                        let _e608 = (bitcast<f32>((((_e582 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
-                        let _e609 = (bitcast<f32>((((_e582 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e334);
-                        let _e612 = nodes.member[(0u + _e573)].frame[0u];
-                        let _e616 = nodes.member[(0u + _e573)].frame[1u];
-                        let _e620 = nodes.member[(0u + _e573)].frame[2u];
-                        let _e628 = ((bitcast<f32>(_e612) - _e156.origin.x) * _e310);
-                        let _e629 = ((bitcast<f32>(_e616) - _e156.origin.y) * _e322);
-                        let _e630 = ((bitcast<f32>(_e620) - _e156.origin.z) * _e334);
-                        let _e638 = nodes.member[(0u + _e573)].x;
-                        if (_e310 < 0f) {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e638.w), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e638.x, _e655.unnamed_1.shift));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e638.y));
+                        let _e579 = nodes.member[(0u + _e570)].frame[3u];
+                        let _e604 = (bitcast<f32>((((_e579 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
+                        let _e605 = (bitcast<f32>((((_e579 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e320);
+                        let _e606 = (bitcast<f32>((((_e579 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
+                        let _e609 = nodes.member[(0u + _e570)].frame[0u];
+                        let _e613 = nodes.member[(0u + _e570)].frame[1u];
+                        let _e617 = nodes.member[(0u + _e570)].frame[2u];
+                        let _e625 = ((bitcast<f32>(_e609) - _e156.origin.x) * _e309);
+                        let _e626 = ((bitcast<f32>(_e613) - _e156.origin.y) * _e320);
+                        let _e627 = ((bitcast<f32>(_e617) - _e156.origin.z) * _e331);
+                        let _e635 = nodes.member[(0u + _e570)].x;
+                        if (_e309 < 0f) {
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.unnamed.word, _e635.w), _e646.unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e635.x, _e652.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e658.unnamed_1.word, _e635.y));
                         } else {
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e677.unnamed.word, _e638.y), _e677.unnamed_1);
-                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e638.z, _e683.unnamed_1.shift));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_mask_LightPlace(_e689.unnamed_1.word, _e638.w));
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e635.y), _e674.unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e635.z, _e680.unnamed_1.shift));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e635.w));
                         }
-                        let _e697 = phi_1291_;
-                        let _e707 = nodes.member[(0u + _e573)].y;
-                        if (_e322 < 0f) {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e707.w), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e707.x, _e724.unnamed_1.shift));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e707.y));
+                        let _e694 = phi_1291_;
+                        let _e704 = nodes.member[(0u + _e570)].y;
+                        if (_e320 < 0f) {
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.unnamed.word, _e704.w), _e715.unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e704.x, _e721.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e727.unnamed_1.word, _e704.y));
                         } else {
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.unnamed.word, _e707.y), _e746.unnamed_1);
-                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e707.z, _e752.unnamed_1.shift));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_mask_LightPlace(_e758.unnamed_1.word, _e707.w));
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e704.y), _e743.unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e704.z, _e749.unnamed_1.shift));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e704.w));
                         }
-                        let _e766 = phi_1318_;
-                        let _e776 = nodes.member[(0u + _e573)].z;
-                        if (_e334 < 0f) {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e776.w), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e776.x, _e793.unnamed_1.shift));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e776.y));
+                        let _e763 = phi_1318_;
+                        let _e773 = nodes.member[(0u + _e570)].z;
+                        if (_e331 < 0f) {
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.unnamed.word, _e773.w), _e784.unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e773.x, _e790.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e796.unnamed_1.word, _e773.y));
                         } else {
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.unnamed.word, _e776.y), _e815.unnamed_1);
-                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_mask_LightPlace(_e776.z, _e821.unnamed_1.shift));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_mask_LightPlace(_e827.unnamed_1.word, _e776.w));
+                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e773.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e812.unnamed.word, _e773.y), _e812.unnamed_1);
+                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_mask_LightPlace(_e773.z, _e818.unnamed_1.shift));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e824.unnamed_1.word, _e773.w));
                         }
-                        let _e835 = phi_1345_;
+                        let _e832 = phi_1345_;
                         phi_1351_ = 0u;
                         phi_1354_ = 0u;
                         loop {
-                            let _e845 = phi_1351_;
-                            let _e847 = phi_1354_;
-                            local_3 = _e847;
-                            local_4 = _e847;
-                            local_5 = _e847;
-                            let _e848 = (_e845 < 8u);
-                            if _e848 {
-                                let _e850 = (_e845 >> bitcast<u32>(2i));
-                                let _e851 = (_e845 & 3u);
-                                if (_e850 == 0u) {
-                                    phi_1368_ = _e697.unnamed.word;
+                            let _e842 = phi_1351_;
+                            let _e844 = phi_1354_;
+                            local_3 = _e844;
+                            local_4 = _e844;
+                            local_5 = _e844;
+                            let _e845 = (_e842 < 8u);
+                            if _e845 {
+                                let _e847 = (_e842 >> bitcast<u32>(2i));
+                                let _e848 = (_e842 & 3u);
+                                if (_e847 == 0u) {
+                                    phi_1368_ = _e694.unnamed.word;
                                 } else {
-                                    phi_1368_ = _e697.unnamed.shift;
+                                    phi_1368_ = _e694.unnamed.shift;
                                 }
-                                let _e854 = phi_1368_;
-                                if (_e850 == 0u) {
-                                    phi_1378_ = _e766.unnamed.word;
+                                let _e851 = phi_1368_;
+                                if (_e847 == 0u) {
+                                    phi_1378_ = _e763.unnamed.word;
                                 } else {
-                                    phi_1378_ = _e766.unnamed.shift;
+                                    phi_1378_ = _e763.unnamed.shift;
                                 }
-                                let _e863 = phi_1378_;
-                                if (_e850 == 0u) {
-                                    phi_1388_ = _e835.unnamed.word;
+                                let _e860 = phi_1378_;
+                                if (_e847 == 0u) {
+                                    phi_1388_ = _e832.unnamed.word;
                                 } else {
-                                    phi_1388_ = _e835.unnamed.shift;
+                                    phi_1388_ = _e832.unnamed.shift;
                                 }
-                                let _e872 = phi_1388_;
-                                let _e885 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e854 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)), ((f32(((_e863 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
-                                let _e886 = core_intrinsics_maximum_number_nsz_f32_(_e885, ((f32(((_e872 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)));
-                                if (_e850 == 0u) {
-                                    phi_1406_ = _e697.unnamed_1.word;
+                                let _e869 = phi_1388_;
+                                let _e882 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e851 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)), ((f32(((_e860 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e369)));
+                                let _e883 = core_intrinsics_maximum_number_nsz_f32_(_e882, ((f32(((_e869 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e370)));
+                                if (_e847 == 0u) {
+                                    phi_1406_ = _e694.unnamed_1.word;
                                 } else {
-                                    phi_1406_ = _e697.unnamed_1.shift;
+                                    phi_1406_ = _e694.unnamed_1.shift;
                                 }
-                                let _e889 = phi_1406_;
-                                if (_e850 == 0u) {
-                                    phi_1416_ = _e766.unnamed_1.word;
+                                let _e886 = phi_1406_;
+                                if (_e847 == 0u) {
+                                    phi_1416_ = _e763.unnamed_1.word;
                                 } else {
-                                    phi_1416_ = _e766.unnamed_1.shift;
+                                    phi_1416_ = _e763.unnamed_1.shift;
                                 }
-                                let _e898 = phi_1416_;
-                                if (_e850 == 0u) {
-                                    phi_1426_ = _e835.unnamed_1.word;
+                                let _e895 = phi_1416_;
+                                if (_e847 == 0u) {
+                                    phi_1426_ = _e832.unnamed_1.word;
                                 } else {
-                                    phi_1426_ = _e835.unnamed_1.shift;
+                                    phi_1426_ = _e832.unnamed_1.shift;
                                 }
-                                let _e907 = phi_1426_;
-                                let _e920 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)), ((f32(((_e898 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
-                                let _e921 = core_intrinsics_minimum_number_nsz_f32_(_e920, ((f32(((_e907 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)));
-                                if (_e886 <= _e921) {
-                                    if (_e886 <= _e571.t) {
-                                        if (_e921 >= _e156.tmin) {
-                                            if (_e850 == 0u) {
-                                                let _e928 = nodes.member[(0u + _e573)].links[2u];
+                                let _e904 = phi_1426_;
+                                let _e917 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e886 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)), ((f32(((_e895 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e369)));
+                                let _e918 = core_intrinsics_minimum_number_nsz_f32_(_e917, ((f32(((_e904 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e370)));
+                                if (_e883 <= _e918) {
+                                    if (_e883 <= _e568.t) {
+                                        if (_e918 >= _e156.tmin) {
+                                            if (_e847 == 0u) {
+                                                let _e925 = nodes.member[(0u + _e570)].links[2u];
+                                                phi_1462_ = _e925;
+                                            } else {
+                                                let _e928 = nodes.member[(0u + _e570)].links[3u];
                                                 phi_1462_ = _e928;
-                                            } else {
-                                                let _e931 = nodes.member[(0u + _e573)].links[3u];
-                                                phi_1462_ = _e931;
                                             }
-                                            let _e933 = phi_1462_;
-                                            let _e938 = ((_e933 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u);
-                                            let _e939 = (_e938 & 31u);
-                                            if (_e939 >= 24u) {
-                                                phi_1475_ = (24u + ((_e939 - 24u) ^ _e433));
+                                            let _e930 = phi_1462_;
+                                            let _e935 = ((_e930 >> bitcast<u32>(((_e848 * 8u) & 31u))) & 255u);
+                                            let _e936 = (_e935 & 31u);
+                                            if (_e936 >= 24u) {
+                                                phi_1475_ = (24u + ((_e936 - 24u) ^ _e430));
                                             } else {
-                                                phi_1475_ = _e939;
+                                                phi_1475_ = _e936;
                                             }
-                                            let _e945 = phi_1475_;
-                                            phi_1480_ = (_e847 | ((_e938 >> bitcast<u32>(5i)) << bitcast<u32>((_e945 & 31u))));
+                                            let _e942 = phi_1475_;
+                                            phi_1480_ = (_e844 | ((_e935 >> bitcast<u32>(5i)) << bitcast<u32>((_e942 & 31u))));
                                         } else {
-                                            phi_1480_ = _e847;
+                                            phi_1480_ = _e844;
                                         }
-                                        let _e953 = phi_1480_;
-                                        phi_1481_ = _e953;
+                                        let _e950 = phi_1480_;
+                                        phi_1481_ = _e950;
                                     } else {
-                                        phi_1481_ = _e847;
+                                        phi_1481_ = _e844;
                                     }
-                                    let _e955 = phi_1481_;
-                                    phi_1482_ = _e955;
+                                    let _e952 = phi_1481_;
+                                    phi_1482_ = _e952;
                                 } else {
-                                    phi_1482_ = _e847;
+                                    phi_1482_ = _e844;
                                 }
-                                let _e957 = phi_1482_;
-                                phi_1352_ = (_e845 + 1u);
-                                phi_1355_ = _e957;
+                                let _e954 = phi_1482_;
+                                phi_1352_ = (_e842 + 1u);
+                                phi_1355_ = _e954;
                             } else {
                                 phi_1352_ = u32();
                                 phi_1355_ = u32();
                             }
-                            let _e960 = phi_1352_;
-                            let _e962 = phi_1355_;
+                            let _e957 = phi_1352_;
+                            let _e959 = phi_1355_;
                             continue;
                             continuing {
-                                phi_1351_ = _e960;
-                                phi_1354_ = _e962;
-                                break if !(_e848);
+                                phi_1351_ = _e957;
+                                phi_1354_ = _e959;
+                                break if !(_e845);
                             }
                         }
-                        let _e966 = nodes.member[(0u + _e573)].links[0u];
-                        let _e970 = nodes.member[(0u + _e573)].frame[3u];
-                        let _e974 = local_3;
-                        if ((_e974 & 4278190080u) == 0u) {
+                        let _e963 = nodes.member[(0u + _e570)].links[0u];
+                        let _e967 = nodes.member[(0u + _e570)].frame[3u];
+                        let _e971 = local_3;
+                        if ((_e971 & 4278190080u) == 0u) {
                         } else {
-                            let _e978 = local_2.group_mask;
-                            if ((_e978 & 4278190080u) == 0u) {
+                            let _e975 = local_2.group_mask;
+                            if ((_e975 & 4278190080u) == 0u) {
                             } else {
-                                let _e982 = local_2.len;
-                                if (_e982 < 32u) {
-                                    let _e985 = local_2.group;
-                                    let _e987 = local_2.len;
-                                    if (_e987 < 32u) {
+                                let _e979 = local_2.len;
+                                if (_e979 < 32u) {
+                                    let _e982 = local_2.group;
+                                    let _e984 = local_2.len;
+                                    if (_e984 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e987)] = _e985;
-                                    let _e993 = local_2.group_mask;
-                                    let _e995 = local_2.len;
-                                    if (_e995 < 32u) {
+                                    local_2.first[(0u + _e984)] = _e982;
+                                    let _e990 = local_2.group_mask;
+                                    let _e992 = local_2.len;
+                                    if (_e992 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e995)] = _e993;
-                                    let _e1002 = local_2.len;
-                                    local_2.len = (_e1002 + 1u);
+                                    local_2.mask[(0u + _e992)] = _e990;
+                                    let _e999 = local_2.len;
+                                    local_2.len = (_e999 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e966);
-                            let _e1006 = local_4;
-                            local_2.group_mask = ((_e1006 & 4278190080u) | (_e970 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e963);
+                            let _e1003 = local_4;
+                            local_2.group_mask = ((_e1003 & 4278190080u) | (_e967 >> bitcast<u32>(24i)));
                         }
-                        let _e1011 = local_5;
-                        phi_1540_ = _e571;
-                        phi_1543_ = (_e1011 & 16777215u);
+                        let _e1008 = local_5;
+                        phi_1540_ = _e568;
+                        phi_1543_ = (_e1008 & 16777215u);
                         loop {
-                            let _e1014 = phi_1540_;
-                            let _e1016 = phi_1543_;
-                            local_6 = _e1014;
-                            if (_e1016 == 0u) {
+                            let _e1011 = phi_1540_;
+                            let _e1013 = phi_1543_;
+                            local_6 = _e1011;
+                            if (_e1013 == 0u) {
                                 phi_1541_ = lt_bvh_Hit();
                                 phi_1544_ = u32();
                                 phi_2399_ = false;
                             } else {
-                                let _e1020 = nodes.member[(0u + _e573)].links[1u];
-                                let _e1025 = ((0u + _e1020) + select(firstTrailingBit(_e1016), 32u, (_e1016 == 0u)));
-                                if (_e1025 < _e80) {
+                                let _e1017 = nodes.member[(0u + _e570)].links[1u];
+                                let _e1022 = ((0u + _e1017) + select(firstTrailingBit(_e1013), 32u, (_e1013 == 0u)));
+                                if (_e1022 < _e80) {
                                 } else {
                                     return;
                                 }
-                                let _e1032 = triangles.member[(0u + _e1025)].v0_;
-                                let _e1035 = (_e1032.x - _e156.origin.x);
-                                let _e1038 = (_e1032.y - _e156.origin.y);
-                                let _e1041 = (_e1032.z - _e156.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1590_ = vec3<f32>(_e1038, _e1041, _e1035);
+                                let _e1029 = triangles.member[(0u + _e1022)].v0_;
+                                let _e1032 = (_e1029.x - _e156.origin.x);
+                                let _e1035 = (_e1029.y - _e156.origin.y);
+                                let _e1038 = (_e1029.z - _e156.origin.z);
+                                if (_e395 == 0u) {
+                                    phi_1590_ = vec3<f32>(_e1035, _e1038, _e1032);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1589_ = vec3<f32>(_e1041, _e1035, _e1038);
+                                    if (_e395 == 1u) {
+                                        phi_1589_ = vec3<f32>(_e1038, _e1032, _e1035);
                                     } else {
-                                        phi_1589_ = (_e1032 - _e156.origin);
+                                        phi_1589_ = (_e1029 - _e156.origin);
                                     }
-                                    let _e1048 = phi_1589_;
-                                    phi_1590_ = _e1048;
+                                    let _e1045 = phi_1589_;
+                                    phi_1590_ = _e1045;
                                 }
-                                let _e1050 = phi_1590_;
-                                let _e1054 = (_e1050.x - (_e417 * _e1050.z));
-                                let _e1058 = (_e1050.y - (_e420 * _e1050.z));
-                                let _e1060 = triangles.member[(0u + _e1025)].v1_;
-                                let _e1063 = (_e1060.x - _e156.origin.x);
-                                let _e1066 = (_e1060.y - _e156.origin.y);
-                                let _e1069 = (_e1060.z - _e156.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1622_ = vec3<f32>(_e1066, _e1069, _e1063);
+                                let _e1047 = phi_1590_;
+                                let _e1051 = (_e1047.x - (_e414 * _e1047.z));
+                                let _e1055 = (_e1047.y - (_e417 * _e1047.z));
+                                let _e1057 = triangles.member[(0u + _e1022)].v1_;
+                                let _e1060 = (_e1057.x - _e156.origin.x);
+                                let _e1063 = (_e1057.y - _e156.origin.y);
+                                let _e1066 = (_e1057.z - _e156.origin.z);
+                                if (_e395 == 0u) {
+                                    phi_1622_ = vec3<f32>(_e1063, _e1066, _e1060);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1621_ = vec3<f32>(_e1069, _e1063, _e1066);
+                                    if (_e395 == 1u) {
+                                        phi_1621_ = vec3<f32>(_e1066, _e1060, _e1063);
                                     } else {
-                                        phi_1621_ = (_e1060 - _e156.origin);
+                                        phi_1621_ = (_e1057 - _e156.origin);
                                     }
-                                    let _e1076 = phi_1621_;
-                                    phi_1622_ = _e1076;
+                                    let _e1073 = phi_1621_;
+                                    phi_1622_ = _e1073;
                                 }
-                                let _e1078 = phi_1622_;
-                                let _e1082 = (_e1078.x - (_e417 * _e1078.z));
-                                let _e1086 = (_e1078.y - (_e420 * _e1078.z));
-                                let _e1088 = triangles.member[(0u + _e1025)].v2_;
-                                let _e1091 = (_e1088.x - _e156.origin.x);
-                                let _e1094 = (_e1088.y - _e156.origin.y);
-                                let _e1097 = (_e1088.z - _e156.origin.z);
-                                if (_e398 == 0u) {
-                                    phi_1654_ = vec3<f32>(_e1094, _e1097, _e1091);
+                                let _e1075 = phi_1622_;
+                                let _e1079 = (_e1075.x - (_e414 * _e1075.z));
+                                let _e1083 = (_e1075.y - (_e417 * _e1075.z));
+                                let _e1085 = triangles.member[(0u + _e1022)].v2_;
+                                let _e1088 = (_e1085.x - _e156.origin.x);
+                                let _e1091 = (_e1085.y - _e156.origin.y);
+                                let _e1094 = (_e1085.z - _e156.origin.z);
+                                if (_e395 == 0u) {
+                                    phi_1654_ = vec3<f32>(_e1091, _e1094, _e1088);
                                 } else {
-                                    if (_e398 == 1u) {
-                                        phi_1653_ = vec3<f32>(_e1097, _e1091, _e1094);
+                                    if (_e395 == 1u) {
+                                        phi_1653_ = vec3<f32>(_e1094, _e1088, _e1091);
                                     } else {
-                                        phi_1653_ = (_e1088 - _e156.origin);
+                                        phi_1653_ = (_e1085 - _e156.origin);
                                     }
-                                    let _e1104 = phi_1653_;
-                                    phi_1654_ = _e1104;
+                                    let _e1101 = phi_1653_;
+                                    phi_1654_ = _e1101;
                                 }
-                                let _e1106 = phi_1654_;
-                                let _e1110 = (_e1106.x - (_e417 * _e1106.z));
-                                let _e1114 = (_e1106.y - (_e420 * _e1106.z));
-                                if (_e1082 < _e1110) {
+                                let _e1103 = phi_1654_;
+                                let _e1107 = (_e1103.x - (_e414 * _e1103.z));
+                                let _e1111 = (_e1103.y - (_e417 * _e1103.z));
+                                if (_e1079 < _e1107) {
                                     phi_1673_ = true;
                                 } else {
-                                    if (_e1082 == _e1110) {
-                                        phi_1672_ = (_e1086 < _e1114);
+                                    if (_e1079 == _e1107) {
+                                        phi_1672_ = (_e1083 < _e1111);
                                     } else {
                                         phi_1672_ = false;
                                     }
-                                    let _e1119 = phi_1672_;
-                                    phi_1673_ = _e1119;
+                                    let _e1116 = phi_1672_;
+                                    phi_1673_ = _e1116;
                                 }
-                                let _e1121 = phi_1673_;
-                                if _e1121 {
-                                    phi_1677_ = _e1114;
-                                    phi_1678_ = _e1110;
-                                    phi_1679_ = _e1086;
-                                    phi_1680_ = _e1082;
+                                let _e1118 = phi_1673_;
+                                if _e1118 {
+                                    phi_1677_ = _e1111;
+                                    phi_1678_ = _e1107;
+                                    phi_1679_ = _e1083;
+                                    phi_1680_ = _e1079;
                                 } else {
-                                    phi_1677_ = _e1086;
-                                    phi_1678_ = _e1082;
-                                    phi_1679_ = _e1114;
-                                    phi_1680_ = _e1110;
+                                    phi_1677_ = _e1083;
+                                    phi_1678_ = _e1079;
+                                    phi_1679_ = _e1111;
+                                    phi_1680_ = _e1107;
                                 }
-                                let _e1123 = phi_1677_;
-                                let _e1125 = phi_1678_;
-                                let _e1127 = phi_1679_;
-                                let _e1129 = phi_1680_;
-                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
-                                if _e1121 {
-                                    phi_1688_ = -(_e1132);
+                                let _e1120 = phi_1677_;
+                                let _e1122 = phi_1678_;
+                                let _e1124 = phi_1679_;
+                                let _e1126 = phi_1680_;
+                                let _e1129 = ((_e1126 * _e1120) - (_e1124 * _e1122));
+                                if _e1118 {
+                                    phi_1688_ = -(_e1129);
                                 } else {
-                                    phi_1688_ = _e1132;
+                                    phi_1688_ = _e1129;
                                 }
-                                let _e1135 = phi_1688_;
-                                if (_e1110 < _e1054) {
+                                let _e1132 = phi_1688_;
+                                if (_e1107 < _e1051) {
                                     phi_1699_ = true;
                                 } else {
-                                    if (_e1110 == _e1054) {
-                                        phi_1698_ = (_e1114 < _e1058);
+                                    if (_e1107 == _e1051) {
+                                        phi_1698_ = (_e1111 < _e1055);
                                     } else {
                                         phi_1698_ = false;
                                     }
-                                    let _e1140 = phi_1698_;
-                                    phi_1699_ = _e1140;
+                                    let _e1137 = phi_1698_;
+                                    phi_1699_ = _e1137;
                                 }
-                                let _e1142 = phi_1699_;
-                                if _e1142 {
-                                    phi_1703_ = _e1058;
-                                    phi_1704_ = _e1054;
-                                    phi_1705_ = _e1114;
-                                    phi_1706_ = _e1110;
+                                let _e1139 = phi_1699_;
+                                if _e1139 {
+                                    phi_1703_ = _e1055;
+                                    phi_1704_ = _e1051;
+                                    phi_1705_ = _e1111;
+                                    phi_1706_ = _e1107;
                                 } else {
-                                    phi_1703_ = _e1114;
-                                    phi_1704_ = _e1110;
-                                    phi_1705_ = _e1058;
-                                    phi_1706_ = _e1054;
+                                    phi_1703_ = _e1111;
+                                    phi_1704_ = _e1107;
+                                    phi_1705_ = _e1055;
+                                    phi_1706_ = _e1051;
                                 }
-                                let _e1144 = phi_1703_;
-                                let _e1146 = phi_1704_;
-                                let _e1148 = phi_1705_;
-                                let _e1150 = phi_1706_;
-                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
-                                if _e1142 {
-                                    phi_1714_ = -(_e1153);
+                                let _e1141 = phi_1703_;
+                                let _e1143 = phi_1704_;
+                                let _e1145 = phi_1705_;
+                                let _e1147 = phi_1706_;
+                                let _e1150 = ((_e1147 * _e1141) - (_e1145 * _e1143));
+                                if _e1139 {
+                                    phi_1714_ = -(_e1150);
                                 } else {
-                                    phi_1714_ = _e1153;
+                                    phi_1714_ = _e1150;
                                 }
-                                let _e1156 = phi_1714_;
-                                if (_e1054 < _e1082) {
+                                let _e1153 = phi_1714_;
+                                if (_e1051 < _e1079) {
                                     phi_1725_ = true;
                                 } else {
-                                    if (_e1054 == _e1082) {
-                                        phi_1724_ = (_e1058 < _e1086);
+                                    if (_e1051 == _e1079) {
+                                        phi_1724_ = (_e1055 < _e1083);
                                     } else {
                                         phi_1724_ = false;
                                     }
-                                    let _e1161 = phi_1724_;
-                                    phi_1725_ = _e1161;
+                                    let _e1158 = phi_1724_;
+                                    phi_1725_ = _e1158;
                                 }
-                                let _e1163 = phi_1725_;
-                                if _e1163 {
-                                    phi_1729_ = _e1086;
-                                    phi_1730_ = _e1082;
-                                    phi_1731_ = _e1058;
-                                    phi_1732_ = _e1054;
+                                let _e1160 = phi_1725_;
+                                if _e1160 {
+                                    phi_1729_ = _e1083;
+                                    phi_1730_ = _e1079;
+                                    phi_1731_ = _e1055;
+                                    phi_1732_ = _e1051;
                                 } else {
-                                    phi_1729_ = _e1058;
-                                    phi_1730_ = _e1054;
-                                    phi_1731_ = _e1086;
-                                    phi_1732_ = _e1082;
+                                    phi_1729_ = _e1055;
+                                    phi_1730_ = _e1051;
+                                    phi_1731_ = _e1083;
+                                    phi_1732_ = _e1079;
                                 }
-                                let _e1165 = phi_1729_;
-                                let _e1167 = phi_1730_;
-                                let _e1169 = phi_1731_;
-                                let _e1171 = phi_1732_;
-                                let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
-                                if _e1163 {
-                                    phi_1740_ = -(_e1174);
+                                let _e1162 = phi_1729_;
+                                let _e1164 = phi_1730_;
+                                let _e1166 = phi_1731_;
+                                let _e1168 = phi_1732_;
+                                let _e1171 = ((_e1168 * _e1162) - (_e1166 * _e1164));
+                                if _e1160 {
+                                    phi_1740_ = -(_e1171);
                                 } else {
-                                    phi_1740_ = _e1174;
+                                    phi_1740_ = _e1171;
                                 }
-                                let _e1177 = phi_1740_;
-                                if (_e1135 >= 0f) {
-                                    if (_e1156 >= 0f) {
-                                        if (_e1177 >= 0f) {
-                                            phi_1755_ = ((_e1135 + _e1156) + _e1177);
+                                let _e1174 = phi_1740_;
+                                if (_e1132 >= 0f) {
+                                    if (_e1153 >= 0f) {
+                                        if (_e1174 >= 0f) {
+                                            phi_1755_ = ((_e1132 + _e1153) + _e1174);
                                             phi_1756_ = false;
                                         } else {
                                             phi_1755_ = f32();
                                             phi_1756_ = true;
                                         }
-                                        let _e1184 = phi_1755_;
-                                        let _e1186 = phi_1756_;
-                                        phi_1757_ = _e1184;
-                                        phi_1758_ = _e1186;
+                                        let _e1181 = phi_1755_;
+                                        let _e1183 = phi_1756_;
+                                        phi_1757_ = _e1181;
+                                        phi_1758_ = _e1183;
                                     } else {
                                         phi_1757_ = f32();
                                         phi_1758_ = true;
                                     }
-                                    let _e1188 = phi_1757_;
-                                    let _e1190 = phi_1758_;
-                                    phi_1759_ = _e1188;
-                                    phi_1760_ = _e1190;
+                                    let _e1185 = phi_1757_;
+                                    let _e1187 = phi_1758_;
+                                    phi_1759_ = _e1185;
+                                    phi_1760_ = _e1187;
                                 } else {
                                     phi_1759_ = f32();
                                     phi_1760_ = true;
                                 }
-                                let _e1192 = phi_1759_;
-                                let _e1194 = phi_1760_;
-                                if _e1194 {
-                                    if (_e1135 <= 0f) {
-                                        if (_e1156 <= 0f) {
-                                            let _e1197 = (_e1177 <= 0f);
-                                            if _e1197 {
+                                let _e1189 = phi_1759_;
+                                let _e1191 = phi_1760_;
+                                if _e1191 {
+                                    if (_e1132 <= 0f) {
+                                        if (_e1153 <= 0f) {
+                                            let _e1194 = (_e1174 <= 0f);
+                                            if _e1194 {
                                             }
-                                            phi_1778_ = ((_e1135 + _e1156) + _e1177);
+                                            phi_1778_ = ((_e1132 + _e1153) + _e1174);
                                             phi_1779_ = false;
-                                            phi_1780_ = _e1197;
+                                            phi_1780_ = _e1194;
                                         } else {
                                             phi_1778_ = f32();
                                             phi_1779_ = true;
                                             phi_1780_ = false;
                                         }
-                                        let _e1201 = phi_1778_;
-                                        let _e1203 = phi_1779_;
-                                        let _e1205 = phi_1780_;
-                                        phi_1781_ = _e1201;
-                                        phi_1782_ = _e1203;
-                                        phi_1783_ = _e1205;
+                                        let _e1198 = phi_1778_;
+                                        let _e1200 = phi_1779_;
+                                        let _e1202 = phi_1780_;
+                                        phi_1781_ = _e1198;
+                                        phi_1782_ = _e1200;
+                                        phi_1783_ = _e1202;
                                     } else {
                                         phi_1781_ = f32();
                                         phi_1782_ = true;
                                         phi_1783_ = false;
                                     }
-                                    let _e1207 = phi_1781_;
-                                    let _e1209 = phi_1782_;
-                                    let _e1211 = phi_1783_;
-                                    if _e1209 {
+                                    let _e1204 = phi_1781_;
+                                    let _e1206 = phi_1782_;
+                                    let _e1208 = phi_1783_;
+                                    if _e1206 {
                                         phi_1787_ = false;
                                     } else {
-                                        phi_1787_ = _e1211;
+                                        phi_1787_ = _e1208;
                                     }
-                                    let _e1213 = phi_1787_;
-                                    phi_1788_ = _e1207;
-                                    phi_1789_ = _e1213;
+                                    let _e1210 = phi_1787_;
+                                    phi_1788_ = _e1204;
+                                    phi_1789_ = _e1210;
                                 } else {
-                                    phi_1788_ = _e1192;
+                                    phi_1788_ = _e1189;
                                     phi_1789_ = true;
                                 }
-                                let _e1215 = phi_1788_;
-                                let _e1217 = phi_1789_;
-                                if _e1217 {
-                                    let _e1218 = (_e1215 == 0f);
-                                    if _e1218 {
+                                let _e1212 = phi_1788_;
+                                let _e1214 = phi_1789_;
+                                if _e1214 {
+                                    let _e1215 = (_e1212 == 0f);
+                                    if _e1215 {
                                         phi_2115_ = lt_bvh_triangle_Intersection();
                                         phi_2116_ = false;
                                     } else {
-                                        let _e1220 = triangles.member[(0u + _e1025)].v0_;
-                                        let _e1223 = (_e1220.x - _e156.origin.x);
-                                        let _e1226 = (_e1220.y - _e156.origin.y);
-                                        let _e1229 = (_e1220.z - _e156.origin.z);
-                                        if (_e398 == 0u) {
-                                            phi_1820_ = vec3<f32>(_e1226, _e1229, _e1223);
+                                        let _e1217 = triangles.member[(0u + _e1022)].v0_;
+                                        let _e1220 = (_e1217.x - _e156.origin.x);
+                                        let _e1223 = (_e1217.y - _e156.origin.y);
+                                        let _e1226 = (_e1217.z - _e156.origin.z);
+                                        if (_e395 == 0u) {
+                                            phi_1820_ = vec3<f32>(_e1223, _e1226, _e1220);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1819_ = vec3<f32>(_e1229, _e1223, _e1226);
+                                            if (_e395 == 1u) {
+                                                phi_1819_ = vec3<f32>(_e1226, _e1220, _e1223);
                                             } else {
-                                                phi_1819_ = (_e1220 - _e156.origin);
+                                                phi_1819_ = (_e1217 - _e156.origin);
                                             }
-                                            let _e1236 = phi_1819_;
-                                            phi_1820_ = _e1236;
+                                            let _e1233 = phi_1819_;
+                                            phi_1820_ = _e1233;
                                         }
-                                        let _e1238 = phi_1820_;
-                                        let _e1240 = triangles.member[(0u + _e1025)].v1_;
-                                        let _e1242 = triangles.member[(0u + _e1025)].v0_;
-                                        let _e1245 = (_e1240.x - _e1242.x);
-                                        let _e1248 = (_e1240.y - _e1242.y);
-                                        let _e1251 = (_e1240.z - _e1242.z);
-                                        if (_e398 == 0u) {
-                                            phi_1846_ = vec3<f32>(_e1248, _e1251, _e1245);
+                                        let _e1235 = phi_1820_;
+                                        let _e1237 = triangles.member[(0u + _e1022)].v1_;
+                                        let _e1239 = triangles.member[(0u + _e1022)].v0_;
+                                        let _e1242 = (_e1237.x - _e1239.x);
+                                        let _e1245 = (_e1237.y - _e1239.y);
+                                        let _e1248 = (_e1237.z - _e1239.z);
+                                        if (_e395 == 0u) {
+                                            phi_1846_ = vec3<f32>(_e1245, _e1248, _e1242);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1845_ = vec3<f32>(_e1251, _e1245, _e1248);
+                                            if (_e395 == 1u) {
+                                                phi_1845_ = vec3<f32>(_e1248, _e1242, _e1245);
                                             } else {
-                                                phi_1845_ = (_e1240 - _e1242);
+                                                phi_1845_ = (_e1237 - _e1239);
                                             }
-                                            let _e1258 = phi_1845_;
-                                            phi_1846_ = _e1258;
+                                            let _e1255 = phi_1845_;
+                                            phi_1846_ = _e1255;
                                         }
-                                        let _e1260 = phi_1846_;
-                                        let _e1262 = triangles.member[(0u + _e1025)].v2_;
-                                        let _e1264 = triangles.member[(0u + _e1025)].v0_;
-                                        let _e1267 = (_e1262.x - _e1264.x);
-                                        let _e1270 = (_e1262.y - _e1264.y);
-                                        let _e1273 = (_e1262.z - _e1264.z);
-                                        if (_e398 == 0u) {
-                                            phi_1872_ = vec3<f32>(_e1270, _e1273, _e1267);
+                                        let _e1257 = phi_1846_;
+                                        let _e1259 = triangles.member[(0u + _e1022)].v2_;
+                                        let _e1261 = triangles.member[(0u + _e1022)].v0_;
+                                        let _e1264 = (_e1259.x - _e1261.x);
+                                        let _e1267 = (_e1259.y - _e1261.y);
+                                        let _e1270 = (_e1259.z - _e1261.z);
+                                        if (_e395 == 0u) {
+                                            phi_1872_ = vec3<f32>(_e1267, _e1270, _e1264);
                                         } else {
-                                            if (_e398 == 1u) {
-                                                phi_1871_ = vec3<f32>(_e1273, _e1267, _e1270);
+                                            if (_e395 == 1u) {
+                                                phi_1871_ = vec3<f32>(_e1270, _e1264, _e1267);
                                             } else {
-                                                phi_1871_ = (_e1262 - _e1264);
+                                                phi_1871_ = (_e1259 - _e1261);
                                             }
-                                            let _e1280 = phi_1871_;
-                                            phi_1872_ = _e1280;
+                                            let _e1277 = phi_1871_;
+                                            phi_1872_ = _e1277;
                                         }
-                                        let _e1282 = phi_1872_;
-                                        let _e1289 = ((_e1260.y * _e1282.z) - (_e1260.z * _e1282.y));
-                                        let _e1296 = ((_e1260.z * _e1282.x) - (_e1260.x * _e1282.z));
-                                        let _e1303 = ((_e1260.x * _e1282.y) - (_e1260.y * _e1282.x));
-                                        let _e1317 = (((1f / _e413.z) * (((_e1289 * _e1238.x) + (_e1296 * _e1238.y)) + (_e1303 * _e1238.z))) / (((_e1289 * _e417) + (_e1296 * _e420)) + _e1303));
-                                        if (_e1317 > _e156.tmin) {
-                                            if (_e1317 < _e156.tmax) {
-                                                let _e1323 = triangles.member[(0u + _e1025)].v0_;
-                                                let _e1325 = triangles.member[(0u + _e1025)].v1_;
-                                                if (_e1323.x < _e1325.x) {
-                                                    phi_1930_ = _e1323.x;
+                                        let _e1279 = phi_1872_;
+                                        let _e1286 = ((_e1257.y * _e1279.z) - (_e1257.z * _e1279.y));
+                                        let _e1293 = ((_e1257.z * _e1279.x) - (_e1257.x * _e1279.z));
+                                        let _e1300 = ((_e1257.x * _e1279.y) - (_e1257.y * _e1279.x));
+                                        let _e1314 = (((1f / _e410.z) * (((_e1286 * _e1235.x) + (_e1293 * _e1235.y)) + (_e1300 * _e1235.z))) / (((_e1286 * _e414) + (_e1293 * _e417)) + _e1300));
+                                        if (_e1314 > _e156.tmin) {
+                                            if (_e1314 < _e156.tmax) {
+                                                let _e1320 = triangles.member[(0u + _e1022)].v0_;
+                                                let _e1322 = triangles.member[(0u + _e1022)].v1_;
+                                                if (_e1320.x < _e1322.x) {
+                                                    phi_1930_ = _e1320.x;
                                                 } else {
-                                                    phi_1930_ = _e1325.x;
+                                                    phi_1930_ = _e1322.x;
                                                 }
-                                                let _e1332 = phi_1930_;
-                                                if (_e1323.y < _e1325.y) {
-                                                    phi_1939_ = _e1323.y;
+                                                let _e1329 = phi_1930_;
+                                                if (_e1320.y < _e1322.y) {
+                                                    phi_1939_ = _e1320.y;
                                                 } else {
-                                                    phi_1939_ = _e1325.y;
+                                                    phi_1939_ = _e1322.y;
                                                 }
-                                                let _e1339 = phi_1939_;
-                                                if (_e1323.z < _e1325.z) {
-                                                    phi_1948_ = _e1323.z;
+                                                let _e1336 = phi_1939_;
+                                                if (_e1320.z < _e1322.z) {
+                                                    phi_1948_ = _e1320.z;
                                                 } else {
-                                                    phi_1948_ = _e1325.z;
+                                                    phi_1948_ = _e1322.z;
                                                 }
-                                                let _e1346 = phi_1948_;
-                                                let _e1348 = triangles.member[(0u + _e1025)].v2_;
-                                                if (_e1332 < _e1348.x) {
-                                                    phi_1957_ = _e1332;
+                                                let _e1343 = phi_1948_;
+                                                let _e1345 = triangles.member[(0u + _e1022)].v2_;
+                                                if (_e1329 < _e1345.x) {
+                                                    phi_1957_ = _e1329;
                                                 } else {
-                                                    phi_1957_ = _e1348.x;
+                                                    phi_1957_ = _e1345.x;
                                                 }
-                                                let _e1353 = phi_1957_;
-                                                if (_e1339 < _e1348.y) {
-                                                    phi_1964_ = _e1339;
+                                                let _e1350 = phi_1957_;
+                                                if (_e1336 < _e1345.y) {
+                                                    phi_1964_ = _e1336;
                                                 } else {
-                                                    phi_1964_ = _e1348.y;
+                                                    phi_1964_ = _e1345.y;
                                                 }
-                                                let _e1358 = phi_1964_;
-                                                if (_e1346 < _e1348.z) {
-                                                    phi_1971_ = _e1346;
+                                                let _e1355 = phi_1964_;
+                                                if (_e1343 < _e1345.z) {
+                                                    phi_1971_ = _e1343;
                                                 } else {
-                                                    phi_1971_ = _e1348.z;
+                                                    phi_1971_ = _e1345.z;
                                                 }
-                                                let _e1363 = phi_1971_;
-                                                let _e1365 = triangles.member[(0u + _e1025)].v0_;
-                                                let _e1367 = triangles.member[(0u + _e1025)].v1_;
-                                                if (_e1365.x > _e1367.x) {
-                                                    phi_1984_ = _e1365.x;
+                                                let _e1360 = phi_1971_;
+                                                let _e1362 = triangles.member[(0u + _e1022)].v0_;
+                                                let _e1364 = triangles.member[(0u + _e1022)].v1_;
+                                                if (_e1362.x > _e1364.x) {
+                                                    phi_1984_ = _e1362.x;
                                                 } else {
-                                                    phi_1984_ = _e1367.x;
+                                                    phi_1984_ = _e1364.x;
                                                 }
-                                                let _e1374 = phi_1984_;
-                                                if (_e1365.y > _e1367.y) {
-                                                    phi_1993_ = _e1365.y;
+                                                let _e1371 = phi_1984_;
+                                                if (_e1362.y > _e1364.y) {
+                                                    phi_1993_ = _e1362.y;
                                                 } else {
-                                                    phi_1993_ = _e1367.y;
+                                                    phi_1993_ = _e1364.y;
                                                 }
-                                                let _e1381 = phi_1993_;
-                                                if (_e1365.z > _e1367.z) {
-                                                    phi_2002_ = _e1365.z;
+                                                let _e1378 = phi_1993_;
+                                                if (_e1362.z > _e1364.z) {
+                                                    phi_2002_ = _e1362.z;
                                                 } else {
-                                                    phi_2002_ = _e1367.z;
+                                                    phi_2002_ = _e1364.z;
                                                 }
-                                                let _e1388 = phi_2002_;
-                                                let _e1390 = triangles.member[(0u + _e1025)].v2_;
-                                                if (_e1374 > _e1390.x) {
-                                                    phi_2011_ = _e1374;
+                                                let _e1385 = phi_2002_;
+                                                let _e1387 = triangles.member[(0u + _e1022)].v2_;
+                                                if (_e1371 > _e1387.x) {
+                                                    phi_2011_ = _e1371;
                                                 } else {
-                                                    phi_2011_ = _e1390.x;
+                                                    phi_2011_ = _e1387.x;
                                                 }
-                                                let _e1395 = phi_2011_;
-                                                if (_e1381 > _e1390.y) {
-                                                    phi_2018_ = _e1381;
+                                                let _e1392 = phi_2011_;
+                                                if (_e1378 > _e1387.y) {
+                                                    phi_2018_ = _e1378;
                                                 } else {
-                                                    phi_2018_ = _e1390.y;
+                                                    phi_2018_ = _e1387.y;
                                                 }
-                                                let _e1400 = phi_2018_;
-                                                if (_e1388 > _e1390.z) {
-                                                    phi_2025_ = _e1388;
+                                                let _e1397 = phi_2018_;
+                                                if (_e1385 > _e1387.z) {
+                                                    phi_2025_ = _e1385;
                                                 } else {
-                                                    phi_2025_ = _e1390.z;
+                                                    phi_2025_ = _e1387.z;
                                                 }
-                                                let _e1405 = phi_2025_;
-                                                let _e1412 = ((_e1353 - _e156.origin.x) * _e310);
-                                                let _e1413 = ((_e1358 - _e156.origin.y) * _e322);
-                                                let _e1414 = ((_e1363 - _e156.origin.z) * _e334);
-                                                let _e1421 = ((_e1395 - _e156.origin.x) * _e310);
-                                                let _e1422 = ((_e1400 - _e156.origin.y) * _e322);
-                                                let _e1423 = ((_e1405 - _e156.origin.z) * _e334);
-                                                if (_e1412 < _e1421) {
-                                                    phi_2048_ = _e1412;
+                                                let _e1402 = phi_2025_;
+                                                let _e1409 = ((_e1350 - _e156.origin.x) * _e309);
+                                                let _e1410 = ((_e1355 - _e156.origin.y) * _e320);
+                                                let _e1411 = ((_e1360 - _e156.origin.z) * _e331);
+                                                let _e1418 = ((_e1392 - _e156.origin.x) * _e309);
+                                                let _e1419 = ((_e1397 - _e156.origin.y) * _e320);
+                                                let _e1420 = ((_e1402 - _e156.origin.z) * _e331);
+                                                if (_e1409 < _e1418) {
+                                                    phi_2048_ = _e1409;
                                                 } else {
-                                                    phi_2048_ = _e1421;
+                                                    phi_2048_ = _e1418;
                                                 }
-                                                let _e1426 = phi_2048_;
-                                                if (_e1413 < _e1422) {
-                                                    phi_2053_ = _e1413;
+                                                let _e1423 = phi_2048_;
+                                                if (_e1410 < _e1419) {
+                                                    phi_2053_ = _e1410;
                                                 } else {
-                                                    phi_2053_ = _e1422;
+                                                    phi_2053_ = _e1419;
                                                 }
-                                                let _e1429 = phi_2053_;
-                                                if (_e1414 < _e1423) {
-                                                    phi_2058_ = _e1414;
+                                                let _e1426 = phi_2053_;
+                                                if (_e1411 < _e1420) {
+                                                    phi_2058_ = _e1411;
                                                 } else {
-                                                    phi_2058_ = _e1423;
+                                                    phi_2058_ = _e1420;
                                                 }
-                                                let _e1432 = phi_2058_;
-                                                if (_e1412 > _e1421) {
-                                                    phi_2066_ = _e1412;
+                                                let _e1429 = phi_2058_;
+                                                if (_e1409 > _e1418) {
+                                                    phi_2066_ = _e1409;
                                                 } else {
-                                                    phi_2066_ = _e1421;
+                                                    phi_2066_ = _e1418;
                                                 }
-                                                let _e1438 = phi_2066_;
-                                                if (_e1413 > _e1422) {
-                                                    phi_2071_ = _e1413;
+                                                let _e1435 = phi_2066_;
+                                                if (_e1410 > _e1419) {
+                                                    phi_2071_ = _e1410;
                                                 } else {
-                                                    phi_2071_ = _e1422;
+                                                    phi_2071_ = _e1419;
                                                 }
-                                                let _e1441 = phi_2071_;
-                                                if (_e1414 > _e1423) {
-                                                    phi_2076_ = _e1414;
+                                                let _e1438 = phi_2071_;
+                                                if (_e1411 > _e1420) {
+                                                    phi_2076_ = _e1411;
                                                 } else {
-                                                    phi_2076_ = _e1423;
+                                                    phi_2076_ = _e1420;
                                                 }
-                                                let _e1444 = phi_2076_;
-                                                let _e1448 = core_intrinsics_maximum_number_nsz_f32_((_e1426 - _e378), (_e1429 - _e379));
-                                                let _e1449 = core_intrinsics_maximum_number_nsz_f32_(_e1448, (_e1432 - _e380));
-                                                let _e1450 = core_intrinsics_minimum_number_nsz_f32_((_e1438 + _e378), (_e1441 + _e379));
-                                                let _e1451 = core_intrinsics_minimum_number_nsz_f32_(_e1450, (_e1444 + _e380));
-                                                if (_e1449 > -300000000000000000000000000000000000000f) {
-                                                    phi_2088_ = _e1449;
+                                                let _e1441 = phi_2076_;
+                                                let _e1445 = core_intrinsics_maximum_number_nsz_f32_((_e1423 - _e375), (_e1426 - _e376));
+                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_(_e1445, (_e1429 - _e377));
+                                                let _e1447 = core_intrinsics_minimum_number_nsz_f32_((_e1435 + _e375), (_e1438 + _e376));
+                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_(_e1447, (_e1441 + _e377));
+                                                if (_e1446 > -300000000000000000000000000000000000000f) {
+                                                    phi_2088_ = _e1446;
                                                 } else {
                                                     phi_2088_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1454 = phi_2088_;
-                                                if (_e1451 < 300000000000000000000000000000000000000f) {
-                                                    phi_2093_ = _e1451;
+                                                let _e1451 = phi_2088_;
+                                                if (_e1448 < 300000000000000000000000000000000000000f) {
+                                                    phi_2093_ = _e1448;
                                                 } else {
                                                     phi_2093_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1457 = phi_2093_;
-                                                if (_e1317 < _e1454) {
-                                                    phi_2098_ = _e1454;
+                                                let _e1454 = phi_2093_;
+                                                if (_e1314 < _e1451) {
+                                                    phi_2098_ = _e1451;
                                                 } else {
-                                                    phi_2098_ = _e1317;
+                                                    phi_2098_ = _e1314;
                                                 }
-                                                let _e1460 = phi_2098_;
-                                                if (_e1460 > _e1457) {
+                                                let _e1457 = phi_2098_;
+                                                if (_e1457 > _e1454) {
+                                                    phi_2103_ = _e1454;
+                                                } else {
                                                     phi_2103_ = _e1457;
-                                                } else {
-                                                    phi_2103_ = _e1460;
                                                 }
-                                                let _e1463 = phi_2103_;
-                                                phi_2108_ = lt_bvh_triangle_Intersection(_e1463, (_e1156 / _e1215), (_e1177 / _e1215), (_e1454 <= _e1457));
+                                                let _e1460 = phi_2103_;
+                                                phi_2108_ = lt_bvh_triangle_Intersection(_e1460, (_e1153 / _e1212), (_e1174 / _e1212), (_e1451 <= _e1454));
                                                 phi_2109_ = false;
                                             } else {
                                                 phi_2108_ = lt_bvh_triangle_Intersection();
                                                 phi_2109_ = true;
                                             }
-                                            let _e1469 = phi_2108_;
-                                            let _e1471 = phi_2109_;
-                                            phi_2110_ = _e1469;
-                                            phi_2111_ = _e1471;
+                                            let _e1466 = phi_2108_;
+                                            let _e1468 = phi_2109_;
+                                            phi_2110_ = _e1466;
+                                            phi_2111_ = _e1468;
                                         } else {
                                             phi_2110_ = lt_bvh_triangle_Intersection();
                                             phi_2111_ = true;
                                         }
-                                        let _e1473 = phi_2110_;
-                                        let _e1475 = phi_2111_;
-                                        if _e1475 {
+                                        let _e1470 = phi_2110_;
+                                        let _e1472 = phi_2111_;
+                                        if _e1472 {
                                         }
-                                        phi_2115_ = _e1473;
-                                        phi_2116_ = _e1475;
+                                        phi_2115_ = _e1470;
+                                        phi_2116_ = _e1472;
                                     }
-                                    let _e1477 = phi_2115_;
-                                    let _e1479 = phi_2116_;
-                                    phi_2117_ = _e1477;
-                                    phi_2118_ = _e1218;
-                                    phi_2119_ = _e1479;
+                                    let _e1474 = phi_2115_;
+                                    let _e1476 = phi_2116_;
+                                    phi_2117_ = _e1474;
+                                    phi_2118_ = _e1215;
+                                    phi_2119_ = _e1476;
                                 } else {
                                     phi_2117_ = lt_bvh_triangle_Intersection();
                                     phi_2118_ = true;
                                     phi_2119_ = false;
                                 }
-                                let _e1481 = phi_2117_;
-                                let _e1483 = phi_2118_;
-                                let _e1485 = phi_2119_;
-                                if _e1483 {
+                                let _e1478 = phi_2117_;
+                                let _e1480 = phi_2118_;
+                                let _e1482 = phi_2119_;
+                                if _e1480 {
                                     phi_2123_ = true;
                                 } else {
-                                    phi_2123_ = _e1485;
+                                    phi_2123_ = _e1482;
                                 }
-                                let _e1487 = phi_2123_;
-                                if _e1487 {
+                                let _e1484 = phi_2123_;
+                                if _e1484 {
                                     phi_2127_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2127_ = _e1481;
+                                    phi_2127_ = _e1478;
                                 }
-                                let _e1489 = phi_2127_;
-                                if _e1489.is_hit {
-                                    if (_e1489.t > _e156.tmin) {
-                                        if (_e1489.t < _e1014.t) {
+                                let _e1486 = phi_2127_;
+                                if _e1486.is_hit {
+                                    if (_e1486.t > _e156.tmin) {
+                                        if (_e1486.t < _e1011.t) {
                                             phi_2176_ = true;
                                         } else {
-                                            if (_e1489.t == _e1014.t) {
-                                                if (_e1014.triangle != 4294967295u) {
-                                                    if (_e1025 < _e1014.triangle) {
+                                            if (_e1486.t == _e1011.t) {
+                                                if (_e1011.triangle != 4294967295u) {
+                                                    if (_e1022 < _e1011.triangle) {
                                                         phi_2167_ = true;
                                                     } else {
-                                                        if (_e1025 == _e1014.triangle) {
-                                                            phi_2166_ = (4294967295u < _e1014.instance);
+                                                        if (_e1022 == _e1011.triangle) {
+                                                            phi_2166_ = (4294967295u < _e1011.instance);
                                                         } else {
                                                             phi_2166_ = false;
                                                         }
-                                                        let _e1508 = phi_2166_;
-                                                        phi_2167_ = _e1508;
+                                                        let _e1505 = phi_2166_;
+                                                        phi_2167_ = _e1505;
                                                     }
-                                                    let _e1510 = phi_2167_;
-                                                    phi_2168_ = _e1510;
+                                                    let _e1507 = phi_2167_;
+                                                    phi_2168_ = _e1507;
                                                     phi_2169_ = false;
                                                 } else {
                                                     phi_2168_ = bool();
                                                     phi_2169_ = true;
                                                 }
-                                                let _e1512 = phi_2168_;
-                                                let _e1514 = phi_2169_;
-                                                phi_2170_ = _e1512;
-                                                phi_2171_ = _e1514;
+                                                let _e1509 = phi_2168_;
+                                                let _e1511 = phi_2169_;
+                                                phi_2170_ = _e1509;
+                                                phi_2171_ = _e1511;
                                             } else {
                                                 phi_2170_ = bool();
                                                 phi_2171_ = true;
                                             }
-                                            let _e1516 = phi_2170_;
-                                            let _e1518 = phi_2171_;
-                                            if _e1518 {
+                                            let _e1513 = phi_2170_;
+                                            let _e1515 = phi_2171_;
+                                            if _e1515 {
                                                 phi_2175_ = false;
                                             } else {
-                                                phi_2175_ = _e1516;
+                                                phi_2175_ = _e1513;
                                             }
-                                            let _e1520 = phi_2175_;
-                                            phi_2176_ = _e1520;
+                                            let _e1517 = phi_2175_;
+                                            phi_2176_ = _e1517;
                                         }
-                                        let _e1522 = phi_2176_;
-                                        if _e1522 {
-                                            let _e1524 = triangles.member[(0u + _e1025)].i0_;
-                                            if ((_e1524 & 2147483648u) == 0u) {
+                                        let _e1519 = phi_2176_;
+                                        if _e1519 {
+                                            let _e1521 = triangles.member[(0u + _e1022)].i0_;
+                                            if ((_e1521 & 2147483648u) == 0u) {
                                                 phi_2387_ = true;
                                             } else {
-                                                if (_e1025 < _e80) {
+                                                if (_e1022 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1533 = triangles.member[(0u + _e1025)].i0_;
-                                                let _e1534 = (_e1533 & 2147483647u);
-                                                let _e1536 = triangles.member[(0u + _e1025)].i1_;
-                                                let _e1538 = triangles.member[(0u + _e1025)].i2_;
-                                                if (_e1534 < _e83) {
+                                                let _e1530 = triangles.member[(0u + _e1022)].i0_;
+                                                let _e1531 = (_e1530 & 2147483647u);
+                                                let _e1533 = triangles.member[(0u + _e1022)].i1_;
+                                                let _e1535 = triangles.member[(0u + _e1022)].i2_;
+                                                if (_e1531 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1542 = vertices.member[(0u + _e1534)];
-                                                if (_e1536 < _e83) {
+                                                let _e1539 = vertices.member[(0u + _e1531)];
+                                                if (_e1533 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1546 = vertices.member[(0u + _e1536)];
-                                                if (_e1538 < _e83) {
+                                                let _e1543 = vertices.member[(0u + _e1533)];
+                                                if (_e1535 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1550 = vertices.member[(0u + _e1538)];
-                                                let _e1551 = array<abi_Vertex, 3>(_e1542, _e1546, _e1550);
-                                                if (_e1551[0].material < _e86) {
+                                                let _e1547 = vertices.member[(0u + _e1535)];
+                                                let _e1548 = array<abi_Vertex, 3>(_e1539, _e1543, _e1547);
+                                                if (_e1548[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1557 = materials.member[(0u + _e1551[0].material)];
-                                                if ((_e1557.flags & 0u) == 0u) {
-                                                    let _e1562 = ((1f - _e1489.u) - _e1489.v);
-                                                    if (_e1557.cutoff <= 0f) {
+                                                let _e1554 = materials.member[(0u + _e1548[0].material)];
+                                                if ((_e1554.flags & 0u) == 0u) {
+                                                    let _e1559 = ((1f - _e1486.u) - _e1486.v);
+                                                    if (_e1554.cutoff <= 0f) {
                                                         phi_2382_ = true;
                                                     } else {
-                                                        let _e1589 = (_e1557.base_color.w * ((((f32((_e1551[0].color >> bitcast<u32>(24i))) * _e1562) + (f32((_e1551[1].color >> bitcast<u32>(24i))) * _e1489.u)) + (f32((_e1551[2].color >> bitcast<u32>(24i))) * _e1489.v)) * (1f / 255f)));
-                                                        if (_e1557.alpha_size == 0u) {
-                                                            phi_2379_ = _e1589;
+                                                        let _e1586 = (_e1554.base_color.w * ((((f32((_e1548[0].color >> bitcast<u32>(24i))) * _e1559) + (f32((_e1548[1].color >> bitcast<u32>(24i))) * _e1486.u)) + (f32((_e1548[2].color >> bitcast<u32>(24i))) * _e1486.v)) * (1f / 255f)));
+                                                        if (_e1554.alpha_size == 0u) {
+                                                            phi_2379_ = _e1586;
                                                         } else {
-                                                            local_1.offset = _e1557.alpha_offset;
-                                                            local_1.size = _e1557.alpha_size;
-                                                            local_1.flags = _e1557.flags;
-                                                            let _e1620 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1551[0].u * _e1562) + (_e1551[1].u * _e1489.u)) + (_e1551[2].u * _e1489.v)), (((_e1551[0].v * _e1562) + (_e1551[1].v * _e1489.u)) + (_e1551[2].v * _e1489.v)));
-                                                            let _e1624 = (_e1620.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1624 < _e92) {
+                                                            local_1.offset = _e1554.alpha_offset;
+                                                            local_1.size = _e1554.alpha_size;
+                                                            local_1.flags = _e1554.flags;
+                                                            let _e1617 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1548[0].u * _e1559) + (_e1548[1].u * _e1486.u)) + (_e1548[2].u * _e1486.v)), (((_e1548[0].v * _e1559) + (_e1548[1].v * _e1486.u)) + (_e1548[2].v * _e1486.v)));
+                                                            let _e1621 = (_e1617.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1621 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1628 = alpha_texels.member[(0u + _e1624)];
-                                                            let _e1644 = (_e1620.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1644 < _e92) {
+                                                            let _e1625 = alpha_texels.member[(0u + _e1621)];
+                                                            let _e1641 = (_e1617.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1641 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1648 = alpha_texels.member[(0u + _e1644)];
-                                                            let _e1665 = (_e1620.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1665 < _e92) {
+                                                            let _e1645 = alpha_texels.member[(0u + _e1641)];
+                                                            let _e1662 = (_e1617.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1662 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1669 = alpha_texels.member[(0u + _e1665)];
-                                                            let _e1686 = (_e1620.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1686 < _e92) {
+                                                            let _e1666 = alpha_texels.member[(0u + _e1662)];
+                                                            let _e1683 = (_e1617.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1683 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1690 = alpha_texels.member[(0u + _e1686)];
-                                                            phi_2379_ = (_e1589 * (((((f32(((_e1628 >> bitcast<u32>((((_e1620.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.x) + ((f32(((_e1648 >> bitcast<u32>((((_e1620.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.y)) + ((f32(((_e1669 >> bitcast<u32>((((_e1620.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.z)) + ((f32(((_e1690 >> bitcast<u32>((((_e1620.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.w)));
+                                                            let _e1687 = alpha_texels.member[(0u + _e1683)];
+                                                            phi_2379_ = (_e1586 * (((((f32(((_e1625 >> bitcast<u32>((((_e1617.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1617.weights.x) + ((f32(((_e1645 >> bitcast<u32>((((_e1617.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1617.weights.y)) + ((f32(((_e1666 >> bitcast<u32>((((_e1617.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1617.weights.z)) + ((f32(((_e1687 >> bitcast<u32>((((_e1617.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1617.weights.w)));
                                                         }
-                                                        let _e1706 = phi_2379_;
-                                                        phi_2382_ = (_e1706 >= _e1557.cutoff);
+                                                        let _e1703 = phi_2379_;
+                                                        phi_2382_ = (_e1703 >= _e1554.cutoff);
                                                     }
-                                                    let _e1710 = phi_2382_;
-                                                    phi_2383_ = _e1710;
+                                                    let _e1707 = phi_2382_;
+                                                    phi_2383_ = _e1707;
                                                 } else {
                                                     phi_2383_ = false;
                                                 }
-                                                let _e1712 = phi_2383_;
-                                                if _e1712 {
+                                                let _e1709 = phi_2383_;
+                                                if _e1709 {
                                                 }
-                                                phi_2387_ = _e1712;
+                                                phi_2387_ = _e1709;
                                             }
-                                            let _e1714 = phi_2387_;
-                                            if _e1714 {
-                                                phi_2395_ = lt_bvh_Hit(_e1489.t, _e1489.u, _e1489.v, _e1025, 4294967295u);
+                                            let _e1711 = phi_2387_;
+                                            if _e1711 {
+                                                phi_2395_ = lt_bvh_Hit(_e1486.t, _e1486.u, _e1486.v, _e1022, 4294967295u);
                                             } else {
-                                                phi_2395_ = _e1014;
+                                                phi_2395_ = _e1011;
                                             }
-                                            let _e1720 = phi_2395_;
-                                            phi_2396_ = _e1720;
+                                            let _e1717 = phi_2395_;
+                                            phi_2396_ = _e1717;
                                         } else {
-                                            phi_2396_ = _e1014;
+                                            phi_2396_ = _e1011;
                                         }
-                                        let _e1722 = phi_2396_;
-                                        phi_2397_ = _e1722;
+                                        let _e1719 = phi_2396_;
+                                        phi_2397_ = _e1719;
                                     } else {
-                                        phi_2397_ = _e1014;
+                                        phi_2397_ = _e1011;
                                     }
-                                    let _e1724 = phi_2397_;
-                                    phi_2398_ = _e1724;
+                                    let _e1721 = phi_2397_;
+                                    phi_2398_ = _e1721;
                                 } else {
-                                    phi_2398_ = _e1014;
+                                    phi_2398_ = _e1011;
                                 }
-                                let _e1726 = phi_2398_;
-                                phi_1541_ = _e1726;
-                                phi_1544_ = (_e1016 & (_e1016 - 1u));
+                                let _e1723 = phi_2398_;
+                                phi_1541_ = _e1723;
+                                phi_1544_ = (_e1013 & (_e1013 - 1u));
                                 phi_2399_ = true;
                             }
-                            let _e1728 = phi_1541_;
-                            let _e1730 = phi_1544_;
-                            let _e1732 = phi_2399_;
+                            let _e1725 = phi_1541_;
+                            let _e1727 = phi_1544_;
+                            let _e1729 = phi_2399_;
                             continue;
                             continuing {
-                                phi_1540_ = _e1728;
-                                phi_1543_ = _e1730;
-                                break if !(_e1732);
+                                phi_1540_ = _e1725;
+                                phi_1543_ = _e1727;
+                                break if !(_e1729);
                             }
                         }
-                        let _e1735 = local_2.group_mask;
-                        if ((_e1735 & 4278190080u) == 0u) {
-                            let _e1739 = local_2.len;
-                            if (_e1739 == 0u) {
+                        let _e1732 = local_2.group_mask;
+                        if ((_e1732 & 4278190080u) == 0u) {
+                            let _e1736 = local_2.len;
+                            if (_e1736 == 0u) {
                                 phi_2438_ = false;
                             } else {
+                                let _e1740 = local_2.len;
+                                local_2.len = (_e1740 - 1u);
                                 let _e1743 = local_2.len;
-                                local_2.len = (_e1743 - 1u);
-                                let _e1746 = local_2.len;
-                                if (_e1746 < 32u) {
+                                if (_e1743 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1751 = local_2.first[(0u + _e1746)];
-                                local_2.group = _e1751;
-                                let _e1754 = local_2.len;
-                                if (_e1754 < 32u) {
+                                let _e1748 = local_2.first[(0u + _e1743)];
+                                local_2.group = _e1748;
+                                let _e1751 = local_2.len;
+                                if (_e1751 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1759 = local_2.mask[(0u + _e1754)];
-                                local_2.group_mask = _e1759;
+                                let _e1756 = local_2.mask[(0u + _e1751)];
+                                local_2.group_mask = _e1756;
                                 phi_2438_ = true;
                             }
-                            let _e1762 = phi_2438_;
-                            phi_2439_ = _e1762;
+                            let _e1759 = phi_2438_;
+                            phi_2439_ = _e1759;
                         } else {
                             phi_2439_ = true;
                         }
-                        let _e1764 = phi_2439_;
-                        if _e1764 {
-                            let _e1766 = local_2.group_mask;
-                            let _e1772 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1766)), 32u, (_e1766 == 0u)));
-                            let _e1776 = local_2.group_mask;
-                            let _e1790 = local_2.group_mask;
-                            local_2.group_mask = (_e1790 & ~((1u << bitcast<u32>((_e1772 & 31u)))));
-                            let _e1793 = local_2.group;
-                            phi_2470_ = (_e1793 + countOneBits(((_e1776 & ~((4294967295u << bitcast<u32>((((_e1772 - 24u) ^ _e433) & 31u))))) & 255u)));
+                        let _e1761 = phi_2439_;
+                        if _e1761 {
+                            let _e1763 = local_2.group_mask;
+                            let _e1769 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1763)), 32u, (_e1763 == 0u)));
+                            let _e1773 = local_2.group_mask;
+                            let _e1787 = local_2.group_mask;
+                            local_2.group_mask = (_e1787 & ~((1u << bitcast<u32>((_e1769 & 31u)))));
+                            let _e1790 = local_2.group;
+                            phi_2470_ = (_e1790 + countOneBits(((_e1773 & ~((4294967295u << bitcast<u32>((((_e1769 - 24u) ^ _e430) & 31u))))) & 255u)));
                         } else {
                             phi_2470_ = 4294967295u;
                         }
-                        let _e1796 = phi_2470_;
-                        let _e2643 = local_6;
-                        phi_1204_ = _e2643;
-                        phi_1207_ = _e1796;
+                        let _e1793 = phi_2470_;
+                        let _e2640 = local_6;
+                        phi_1204_ = _e2640;
+                        phi_1207_ = _e1793;
                     } else {
                         phi_1204_ = lt_bvh_Hit();
                         phi_1207_ = u32();
                     }
-                    let _e1798 = phi_1204_;
-                    let _e1800 = phi_1207_;
+                    let _e1795 = phi_1204_;
+                    let _e1797 = phi_1207_;
                     continue;
                     continuing {
-                        phi_1203_ = _e1798;
-                        phi_1206_ = _e1800;
-                        break if !(_e574);
+                        phi_1203_ = _e1795;
+                        phi_1206_ = _e1797;
+                        break if !(_e571);
                     }
                 }
-                let _e2647 = local_7;
-                phi_2471_ = _e2647;
+                let _e2644 = local_7;
+                phi_2471_ = _e2644;
             }
-            let _e1803 = phi_2471_;
-            phi_2472_ = _e1803;
+            let _e1800 = phi_2471_;
+            phi_2472_ = _e1800;
             phi_2473_ = _e228;
         } else {
             phi_2472_ = lt_bvh_Hit();
             phi_2473_ = true;
         }
-        let _e1805 = phi_2472_;
-        let _e1807 = phi_2473_;
-        if _e1807 {
+        let _e1802 = phi_2472_;
+        let _e1804 = phi_2473_;
+        if _e1804 {
             phi_2477_ = _e158;
         } else {
-            phi_2477_ = _e1805;
+            phi_2477_ = _e1802;
         }
-        let _e1809 = phi_2477_;
-        if (_e1809.triangle != 4294967295u) {
-            let _e1815 = ((1f - _e1809.u) - _e1809.v);
-            if (_e1809.triangle < _e80) {
+        let _e1806 = phi_2477_;
+        if (_e1806.triangle != 4294967295u) {
+            let _e1812 = ((1f - _e1806.u) - _e1806.v);
+            if (_e1806.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1820 = triangles.member[(0u + _e1809.triangle)];
-            let _e1845 = (((_e1820.v0_.x * _e1815) + (_e1820.v1_.x * _e1809.u)) + (_e1820.v2_.x * _e1809.v));
-            let _e1846 = (((_e1820.v0_.y * _e1815) + (_e1820.v1_.y * _e1809.u)) + (_e1820.v2_.y * _e1809.v));
-            let _e1847 = (((_e1820.v0_.z * _e1815) + (_e1820.v1_.z * _e1809.u)) + (_e1820.v2_.z * _e1809.v));
-            let _e1850 = abs(_e1820.v0_.x);
-            let _e1852 = abs(_e1820.v0_.y);
-            let _e1854 = abs(_e1820.v0_.z);
-            let _e1856 = abs(_e1820.v1_.x);
-            let _e1858 = abs(_e1820.v1_.y);
-            let _e1860 = abs(_e1820.v1_.z);
-            if (_e1850 > _e1856) {
-                phi_2541_ = _e1850;
+            let _e1817 = triangles.member[(0u + _e1806.triangle)];
+            let _e1842 = (((_e1817.v0_.x * _e1812) + (_e1817.v1_.x * _e1806.u)) + (_e1817.v2_.x * _e1806.v));
+            let _e1843 = (((_e1817.v0_.y * _e1812) + (_e1817.v1_.y * _e1806.u)) + (_e1817.v2_.y * _e1806.v));
+            let _e1844 = (((_e1817.v0_.z * _e1812) + (_e1817.v1_.z * _e1806.u)) + (_e1817.v2_.z * _e1806.v));
+            let _e1847 = abs(_e1817.v0_.x);
+            let _e1849 = abs(_e1817.v0_.y);
+            let _e1851 = abs(_e1817.v0_.z);
+            let _e1853 = abs(_e1817.v1_.x);
+            let _e1855 = abs(_e1817.v1_.y);
+            let _e1857 = abs(_e1817.v1_.z);
+            if (_e1847 > _e1853) {
+                phi_2541_ = _e1847;
             } else {
-                phi_2541_ = _e1856;
+                phi_2541_ = _e1853;
             }
-            let _e1863 = phi_2541_;
-            if (_e1852 > _e1858) {
-                phi_2546_ = _e1852;
+            let _e1860 = phi_2541_;
+            if (_e1849 > _e1855) {
+                phi_2546_ = _e1849;
             } else {
-                phi_2546_ = _e1858;
+                phi_2546_ = _e1855;
             }
-            let _e1866 = phi_2546_;
-            if (_e1854 > _e1860) {
-                phi_2551_ = _e1854;
+            let _e1863 = phi_2546_;
+            if (_e1851 > _e1857) {
+                phi_2551_ = _e1851;
             } else {
-                phi_2551_ = _e1860;
+                phi_2551_ = _e1857;
             }
-            let _e1869 = phi_2551_;
-            let _e1871 = abs(_e1820.v2_.x);
-            let _e1873 = abs(_e1820.v2_.y);
-            let _e1875 = abs(_e1820.v2_.z);
-            if (_e1863 > _e1871) {
-                phi_2562_ = _e1863;
+            let _e1866 = phi_2551_;
+            let _e1868 = abs(_e1817.v2_.x);
+            let _e1870 = abs(_e1817.v2_.y);
+            let _e1872 = abs(_e1817.v2_.z);
+            if (_e1860 > _e1868) {
+                phi_2562_ = _e1860;
             } else {
-                phi_2562_ = _e1871;
+                phi_2562_ = _e1868;
             }
-            let _e1878 = phi_2562_;
-            if (_e1866 > _e1873) {
-                phi_2567_ = _e1866;
+            let _e1875 = phi_2562_;
+            if (_e1863 > _e1870) {
+                phi_2567_ = _e1863;
             } else {
-                phi_2567_ = _e1873;
+                phi_2567_ = _e1870;
             }
-            let _e1881 = phi_2567_;
-            if (_e1869 > _e1875) {
-                phi_2572_ = _e1869;
+            let _e1878 = phi_2567_;
+            if (_e1866 > _e1872) {
+                phi_2572_ = _e1866;
             } else {
-                phi_2572_ = _e1875;
+                phi_2572_ = _e1872;
             }
-            let _e1884 = phi_2572_;
-            let _e1887 = (_e1820.v1_.x - _e1820.v0_.x);
-            let _e1890 = (_e1820.v1_.y - _e1820.v0_.y);
-            let _e1893 = (_e1820.v1_.z - _e1820.v0_.z);
-            let _e1896 = (_e1820.v2_.x - _e1820.v0_.x);
-            let _e1899 = (_e1820.v2_.y - _e1820.v0_.y);
-            let _e1902 = (_e1820.v2_.z - _e1820.v0_.z);
-            let _e1906 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1890), abs(_e1893));
-            let _e1907 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1887), _e1906);
-            let _e1908 = (_e1887 / _e1907);
-            let _e1909 = (_e1890 / _e1907);
-            let _e1910 = (_e1893 / _e1907);
-            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1899), abs(_e1902));
-            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1896), _e1914);
-            let _e1916 = (_e1896 / _e1915);
-            let _e1917 = (_e1899 / _e1915);
-            let _e1918 = (_e1902 / _e1915);
-            let _e1921 = ((_e1909 * _e1918) - (_e1917 * _e1910));
-            let _e1924 = ((_e1910 * _e1916) - (_e1918 * _e1908));
-            let _e1927 = ((_e1908 * _e1917) - (_e1916 * _e1909));
-            let _e1929 = p.member.eye;
-            let _e1942 = (1f / sqrt((((_e1921 * _e1921) + (_e1924 * _e1924)) + (_e1927 * _e1927))));
-            let _e1943 = (_e1921 * _e1942);
-            let _e1944 = (_e1924 * _e1942);
-            let _e1945 = (_e1927 * _e1942);
-            if ((((_e1943 * (_e1929.x - _e1845)) + (_e1944 * (_e1929.y - _e1846))) + (_e1945 * (_e1929.z - _e1847))) < 0f) {
-                phi_2648_ = vec3<f32>(-(_e1943), -(_e1944), -(_e1945));
+            let _e1881 = phi_2572_;
+            let _e1884 = (_e1817.v1_.x - _e1817.v0_.x);
+            let _e1887 = (_e1817.v1_.y - _e1817.v0_.y);
+            let _e1890 = (_e1817.v1_.z - _e1817.v0_.z);
+            let _e1893 = (_e1817.v2_.x - _e1817.v0_.x);
+            let _e1896 = (_e1817.v2_.y - _e1817.v0_.y);
+            let _e1899 = (_e1817.v2_.z - _e1817.v0_.z);
+            let _e1903 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1887), abs(_e1890));
+            let _e1904 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1884), _e1903);
+            let _e1905 = (_e1884 / _e1904);
+            let _e1906 = (_e1887 / _e1904);
+            let _e1907 = (_e1890 / _e1904);
+            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1896), abs(_e1899));
+            let _e1912 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1893), _e1911);
+            let _e1913 = (_e1893 / _e1912);
+            let _e1914 = (_e1896 / _e1912);
+            let _e1915 = (_e1899 / _e1912);
+            let _e1918 = ((_e1906 * _e1915) - (_e1914 * _e1907));
+            let _e1921 = ((_e1907 * _e1913) - (_e1915 * _e1905));
+            let _e1924 = ((_e1905 * _e1914) - (_e1913 * _e1906));
+            let _e1926 = p.member.eye;
+            let _e1939 = (1f / sqrt((((_e1918 * _e1918) + (_e1921 * _e1921)) + (_e1924 * _e1924))));
+            let _e1940 = (_e1918 * _e1939);
+            let _e1941 = (_e1921 * _e1939);
+            let _e1942 = (_e1924 * _e1939);
+            if ((((_e1940 * (_e1926.x - _e1842)) + (_e1941 * (_e1926.y - _e1843))) + (_e1942 * (_e1926.z - _e1844))) < 0f) {
+                phi_2648_ = vec3<f32>(-(_e1940), -(_e1941), -(_e1942));
             } else {
-                phi_2648_ = vec3<f32>(_e1943, _e1944, _e1945);
+                phi_2648_ = vec3<f32>(_e1940, _e1941, _e1942);
             }
-            let _e1958 = phi_2648_;
-            if (_e1809.triangle < _e80) {
-            } else {
-                return;
-            }
-            let _e1963 = triangles.member[(0u + _e1809.triangle)];
-            let _e1965 = (_e1963.i0_ & 2147483647u);
-            if (_e1965 < _e83) {
+            let _e1955 = phi_2648_;
+            if (_e1806.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1971 = vertices.member[(0u + _e1965)];
-            if (_e1963.i1_ < _e83) {
+            let _e1960 = triangles.member[(0u + _e1806.triangle)];
+            let _e1962 = (_e1960.i0_ & 2147483647u);
+            if (_e1962 < _e83) {
             } else {
                 return;
             }
-            let _e1975 = vertices.member[(0u + _e1963.i1_)];
-            if (_e1963.i2_ < _e83) {
+            let _e1968 = vertices.member[(0u + _e1962)];
+            if (_e1960.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1979 = vertices.member[(0u + _e1963.i2_)];
-            let _e1980 = array<abi_Vertex, 3>(_e1971, _e1975, _e1979);
-            if (_e1980[0].material < _e86) {
+            let _e1972 = vertices.member[(0u + _e1960.i1_)];
+            if (_e1960.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1986 = materials.member[(0u + _e1980[0].material)];
-            let _e2003 = (1f / 255f);
-            let _e2022 = (1f / 255f);
-            let _e2044 = (1f / 255f);
-            if (_e1986.color_size == 0u) {
+            let _e1976 = vertices.member[(0u + _e1960.i2_)];
+            let _e1977 = array<abi_Vertex, 3>(_e1968, _e1972, _e1976);
+            if (_e1977[0].material < _e86) {
+            } else {
+                return;
+            }
+            let _e1983 = materials.member[(0u + _e1977[0].material)];
+            let _e2000 = (1f / 255f);
+            let _e2019 = (1f / 255f);
+            let _e2041 = (1f / 255f);
+            if (_e1983.color_size == 0u) {
                 phi_2891_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1986.color_offset;
-                local.size = _e1986.color_size;
-                local.flags = _e1986.flags;
-                let _e2087 = _lt_shaders_texture_TextureView_quad((&local), (((_e1980[0].u * _e1815) + (_e1980[1].u * _e1809.u)) + (_e1980[2].u * _e1809.v)), (((_e1980[0].v * _e1815) + (_e1980[1].v * _e1809.u)) + (_e1980[2].v * _e1809.v)));
-                if (_e2087.indices[0] < _e95) {
+                local.offset = _e1983.color_offset;
+                local.size = _e1983.color_size;
+                local.flags = _e1983.flags;
+                let _e2084 = _lt_shaders_texture_TextureView_quad((&local), (((_e1977[0].u * _e1812) + (_e1977[1].u * _e1806.u)) + (_e1977[2].u * _e1806.v)), (((_e1977[0].v * _e1812) + (_e1977[1].v * _e1806.u)) + (_e1977[2].v * _e1806.v)));
+                if (_e2084.indices[0] < _e95) {
                 } else {
                     return;
                 }
-                let _e2093 = color_texels.member[(0u + _e2087.indices[0])];
-                let _e2104 = (1f / 255f);
-                if (_e2087.indices[1] < _e95) {
+                let _e2090 = color_texels.member[(0u + _e2084.indices[0])];
+                let _e2101 = (1f / 255f);
+                if (_e2084.indices[1] < _e95) {
                 } else {
                     return;
                 }
-                let _e2118 = color_texels.member[(0u + _e2087.indices[1])];
-                let _e2129 = (1f / 255f);
-                if (_e2087.indices[2] < _e95) {
+                let _e2115 = color_texels.member[(0u + _e2084.indices[1])];
+                let _e2126 = (1f / 255f);
+                if (_e2084.indices[2] < _e95) {
                 } else {
                     return;
                 }
-                let _e2146 = color_texels.member[(0u + _e2087.indices[2])];
-                let _e2157 = (1f / 255f);
-                if (_e2087.indices[3] < _e95) {
+                let _e2143 = color_texels.member[(0u + _e2084.indices[2])];
+                let _e2154 = (1f / 255f);
+                if (_e2084.indices[3] < _e95) {
                 } else {
                     return;
                 }
-                let _e2174 = color_texels.member[(0u + _e2087.indices[3])];
-                let _e2185 = (1f / 255f);
-                let _e2194 = (((((f32((_e2093 & 255u)) * _e2104) * _e2087.weights.x) + ((f32((_e2118 & 255u)) * _e2129) * _e2087.weights.y)) + ((f32((_e2146 & 255u)) * _e2157) * _e2087.weights.z)) + ((f32((_e2174 & 255u)) * _e2185) * _e2087.weights.w));
-                let _e2195 = (((((f32(((_e2093 >> bitcast<u32>(8i)) & 255u)) * _e2104) * _e2087.weights.x) + ((f32(((_e2118 >> bitcast<u32>(8i)) & 255u)) * _e2129) * _e2087.weights.y)) + ((f32(((_e2146 >> bitcast<u32>(8i)) & 255u)) * _e2157) * _e2087.weights.z)) + ((f32(((_e2174 >> bitcast<u32>(8i)) & 255u)) * _e2185) * _e2087.weights.w));
-                let _e2196 = (((((f32(((_e2093 >> bitcast<u32>(16i)) & 255u)) * _e2104) * _e2087.weights.x) + ((f32(((_e2118 >> bitcast<u32>(16i)) & 255u)) * _e2129) * _e2087.weights.y)) + ((f32(((_e2146 >> bitcast<u32>(16i)) & 255u)) * _e2157) * _e2087.weights.z)) + ((f32(((_e2174 >> bitcast<u32>(16i)) & 255u)) * _e2185) * _e2087.weights.w));
-                phi_2891_ = vec3<f32>((_e2194 * _e2194), (_e2195 * _e2195), (_e2196 * _e2196));
+                let _e2171 = color_texels.member[(0u + _e2084.indices[3])];
+                let _e2182 = (1f / 255f);
+                let _e2191 = (((((f32((_e2090 & 255u)) * _e2101) * _e2084.weights.x) + ((f32((_e2115 & 255u)) * _e2126) * _e2084.weights.y)) + ((f32((_e2143 & 255u)) * _e2154) * _e2084.weights.z)) + ((f32((_e2171 & 255u)) * _e2182) * _e2084.weights.w));
+                let _e2192 = (((((f32(((_e2090 >> bitcast<u32>(8i)) & 255u)) * _e2101) * _e2084.weights.x) + ((f32(((_e2115 >> bitcast<u32>(8i)) & 255u)) * _e2126) * _e2084.weights.y)) + ((f32(((_e2143 >> bitcast<u32>(8i)) & 255u)) * _e2154) * _e2084.weights.z)) + ((f32(((_e2171 >> bitcast<u32>(8i)) & 255u)) * _e2182) * _e2084.weights.w));
+                let _e2193 = (((((f32(((_e2090 >> bitcast<u32>(16i)) & 255u)) * _e2101) * _e2084.weights.x) + ((f32(((_e2115 >> bitcast<u32>(16i)) & 255u)) * _e2126) * _e2084.weights.y)) + ((f32(((_e2143 >> bitcast<u32>(16i)) & 255u)) * _e2154) * _e2084.weights.z)) + ((f32(((_e2171 >> bitcast<u32>(16i)) & 255u)) * _e2182) * _e2084.weights.w));
+                phi_2891_ = vec3<f32>((_e2191 * _e2191), (_e2192 * _e2192), (_e2193 * _e2193));
             }
-            let _e2202 = phi_2891_;
-            let _e2204 = ((_e1986.base_color.x * ((((f32((_e1980[0].color & 255u)) * _e2003) * _e1815) + ((f32((_e1980[1].color & 255u)) * _e2022) * _e1809.u)) + ((f32((_e1980[2].color & 255u)) * _e2044) * _e1809.v))) * _e2202.x);
-            let _e2206 = ((_e1986.base_color.y * ((((f32(((_e1980[0].color >> bitcast<u32>(8i)) & 255u)) * _e2003) * _e1815) + ((f32(((_e1980[1].color >> bitcast<u32>(8i)) & 255u)) * _e2022) * _e1809.u)) + ((f32(((_e1980[2].color >> bitcast<u32>(8i)) & 255u)) * _e2044) * _e1809.v))) * _e2202.y);
-            let _e2208 = ((_e1986.base_color.z * ((((f32(((_e1980[0].color >> bitcast<u32>(16i)) & 255u)) * _e2003) * _e1815) + ((f32(((_e1980[1].color >> bitcast<u32>(16i)) & 255u)) * _e2022) * _e1809.u)) + ((f32(((_e1980[2].color >> bitcast<u32>(16i)) & 255u)) * _e2044) * _e1809.v))) * _e2202.z);
-            let _e2209 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1881, _e1884);
-            let _e2210 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1878, _e2209);
-            if ((_e1986.flags & 2u) == 0u) {
+            let _e2199 = phi_2891_;
+            let _e2201 = ((_e1983.base_color.x * ((((f32((_e1977[0].color & 255u)) * _e2000) * _e1812) + ((f32((_e1977[1].color & 255u)) * _e2019) * _e1806.u)) + ((f32((_e1977[2].color & 255u)) * _e2041) * _e1806.v))) * _e2199.x);
+            let _e2203 = ((_e1983.base_color.y * ((((f32(((_e1977[0].color >> bitcast<u32>(8i)) & 255u)) * _e2000) * _e1812) + ((f32(((_e1977[1].color >> bitcast<u32>(8i)) & 255u)) * _e2019) * _e1806.u)) + ((f32(((_e1977[2].color >> bitcast<u32>(8i)) & 255u)) * _e2041) * _e1806.v))) * _e2199.y);
+            let _e2205 = ((_e1983.base_color.z * ((((f32(((_e1977[0].color >> bitcast<u32>(16i)) & 255u)) * _e2000) * _e1812) + ((f32(((_e1977[1].color >> bitcast<u32>(16i)) & 255u)) * _e2019) * _e1806.u)) + ((f32(((_e1977[2].color >> bitcast<u32>(16i)) & 255u)) * _e2041) * _e1806.v))) * _e2199.z);
+            let _e2206 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1878, _e1881);
+            let _e2207 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1875, _e2206);
+            if ((_e1983.flags & 2u) == 0u) {
                 phi_2906_ = 0u;
             } else {
                 phi_2906_ = 1u;
             }
-            let _e2215 = phi_2906_;
-            if (_e1980[0].normal == 2147516416u) {
-                phi_3109_ = _e1958;
+            let _e2212 = phi_2906_;
+            if (_e1977[0].normal == 2147516416u) {
+                phi_3109_ = _e1955;
             } else {
-                let _e2228 = (f32((bitcast<i32>((_e1980[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2234 = (f32((bitcast<i32>(_e1980[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2238 = ((1f - abs(_e2228)) - abs(_e2234));
-                if (_e2238 < 0f) {
-                    phi_2933_ = -(_e2238);
+                let _e2225 = (f32((bitcast<i32>((_e1977[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2231 = (f32((bitcast<i32>(_e1977[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2235 = ((1f - abs(_e2225)) - abs(_e2231));
+                if (_e2235 < 0f) {
+                    phi_2933_ = -(_e2235);
                 } else {
                     phi_2933_ = 0f;
                 }
-                let _e2242 = phi_2933_;
-                if (_e2228 < 0f) {
-                    phi_2940_ = (_e2228 + _e2242);
+                let _e2239 = phi_2933_;
+                if (_e2225 < 0f) {
+                    phi_2940_ = (_e2225 + _e2239);
                 } else {
-                    phi_2940_ = (_e2228 - _e2242);
+                    phi_2940_ = (_e2225 - _e2239);
                 }
-                let _e2247 = phi_2940_;
-                if (_e2234 < 0f) {
-                    phi_2947_ = (_e2234 + _e2242);
+                let _e2244 = phi_2940_;
+                if (_e2231 < 0f) {
+                    phi_2947_ = (_e2231 + _e2239);
                 } else {
-                    phi_2947_ = (_e2234 - _e2242);
+                    phi_2947_ = (_e2231 - _e2239);
                 }
-                let _e2252 = phi_2947_;
-                let _e2259 = (1f / sqrt((((_e2247 * _e2247) + (_e2252 * _e2252)) + (_e2238 * _e2238))));
-                let _e2275 = (f32((bitcast<i32>((_e1980[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2281 = (f32((bitcast<i32>(_e1980[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2285 = ((1f - abs(_e2275)) - abs(_e2281));
-                if (_e2285 < 0f) {
-                    phi_2982_ = -(_e2285);
+                let _e2249 = phi_2947_;
+                let _e2256 = (1f / sqrt((((_e2244 * _e2244) + (_e2249 * _e2249)) + (_e2235 * _e2235))));
+                let _e2272 = (f32((bitcast<i32>((_e1977[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2278 = (f32((bitcast<i32>(_e1977[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2282 = ((1f - abs(_e2272)) - abs(_e2278));
+                if (_e2282 < 0f) {
+                    phi_2982_ = -(_e2282);
                 } else {
                     phi_2982_ = 0f;
                 }
-                let _e2289 = phi_2982_;
-                if (_e2275 < 0f) {
-                    phi_2989_ = (_e2275 + _e2289);
+                let _e2286 = phi_2982_;
+                if (_e2272 < 0f) {
+                    phi_2989_ = (_e2272 + _e2286);
                 } else {
-                    phi_2989_ = (_e2275 - _e2289);
+                    phi_2989_ = (_e2272 - _e2286);
                 }
-                let _e2294 = phi_2989_;
-                if (_e2281 < 0f) {
-                    phi_2996_ = (_e2281 + _e2289);
+                let _e2291 = phi_2989_;
+                if (_e2278 < 0f) {
+                    phi_2996_ = (_e2278 + _e2286);
                 } else {
-                    phi_2996_ = (_e2281 - _e2289);
+                    phi_2996_ = (_e2278 - _e2286);
                 }
-                let _e2299 = phi_2996_;
-                let _e2306 = (1f / sqrt((((_e2294 * _e2294) + (_e2299 * _e2299)) + (_e2285 * _e2285))));
-                let _e2325 = (f32((bitcast<i32>((_e1980[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2331 = (f32((bitcast<i32>(_e1980[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2335 = ((1f - abs(_e2325)) - abs(_e2331));
-                if (_e2335 < 0f) {
-                    phi_3034_ = -(_e2335);
+                let _e2296 = phi_2996_;
+                let _e2303 = (1f / sqrt((((_e2291 * _e2291) + (_e2296 * _e2296)) + (_e2282 * _e2282))));
+                let _e2322 = (f32((bitcast<i32>((_e1977[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2328 = (f32((bitcast<i32>(_e1977[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2332 = ((1f - abs(_e2322)) - abs(_e2328));
+                if (_e2332 < 0f) {
+                    phi_3034_ = -(_e2332);
                 } else {
                     phi_3034_ = 0f;
                 }
-                let _e2339 = phi_3034_;
-                if (_e2325 < 0f) {
-                    phi_3041_ = (_e2325 + _e2339);
+                let _e2336 = phi_3034_;
+                if (_e2322 < 0f) {
+                    phi_3041_ = (_e2322 + _e2336);
                 } else {
-                    phi_3041_ = (_e2325 - _e2339);
+                    phi_3041_ = (_e2322 - _e2336);
                 }
-                let _e2344 = phi_3041_;
-                if (_e2331 < 0f) {
-                    phi_3048_ = (_e2331 + _e2339);
+                let _e2341 = phi_3041_;
+                if (_e2328 < 0f) {
+                    phi_3048_ = (_e2328 + _e2336);
                 } else {
-                    phi_3048_ = (_e2331 - _e2339);
+                    phi_3048_ = (_e2328 - _e2336);
                 }
-                let _e2349 = phi_3048_;
-                let _e2356 = (1f / sqrt((((_e2344 * _e2344) + (_e2349 * _e2349)) + (_e2335 * _e2335))));
-                let _e2367 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2247 * _e2259) * _e1815) + ((_e2294 * _e2306) * _e1809.u)) + ((_e2344 * _e2356) * _e1809.v)), ((((_e2252 * _e2259) * _e1815) + ((_e2299 * _e2306) * _e1809.u)) + ((_e2349 * _e2356) * _e1809.v)), ((((_e2238 * _e2259) * _e1815) + ((_e2285 * _e2306) * _e1809.u)) + ((_e2335 * _e2356) * _e1809.v))));
-                let _e2379 = sqrt((((_e2367.x * _e2367.x) + (_e2367.y * _e2367.y)) + (_e2367.z * _e2367.z)));
-                if (_e2379 > 0f) {
-                    let _e2382 = (_e2367.x / _e2379);
-                    let _e2384 = (_e2367.y / _e2379);
-                    let _e2386 = (_e2367.z / _e2379);
-                    if ((((_e2382 * _e1958.x) + (_e2384 * _e1958.y)) + (_e2386 * _e1958.z)) < 0f) {
-                        phi_3107_ = vec3<f32>(-(_e2382), -(_e2384), -(_e2386));
+                let _e2346 = phi_3048_;
+                let _e2353 = (1f / sqrt((((_e2341 * _e2341) + (_e2346 * _e2346)) + (_e2332 * _e2332))));
+                let _e2364 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2244 * _e2256) * _e1812) + ((_e2291 * _e2303) * _e1806.u)) + ((_e2341 * _e2353) * _e1806.v)), ((((_e2249 * _e2256) * _e1812) + ((_e2296 * _e2303) * _e1806.u)) + ((_e2346 * _e2353) * _e1806.v)), ((((_e2235 * _e2256) * _e1812) + ((_e2282 * _e2303) * _e1806.u)) + ((_e2332 * _e2353) * _e1806.v))));
+                let _e2376 = sqrt((((_e2364.x * _e2364.x) + (_e2364.y * _e2364.y)) + (_e2364.z * _e2364.z)));
+                if (_e2376 > 0f) {
+                    let _e2379 = (_e2364.x / _e2376);
+                    let _e2381 = (_e2364.y / _e2376);
+                    let _e2383 = (_e2364.z / _e2376);
+                    if ((((_e2379 * _e1955.x) + (_e2381 * _e1955.y)) + (_e2383 * _e1955.z)) < 0f) {
+                        phi_3107_ = vec3<f32>(-(_e2379), -(_e2381), -(_e2383));
                     } else {
-                        phi_3107_ = (_e2367 / vec3(_e2379));
+                        phi_3107_ = (_e2364 / vec3(_e2376));
                     }
-                    let _e2403 = phi_3107_;
-                    phi_3108_ = _e2403;
+                    let _e2400 = phi_3107_;
+                    phi_3108_ = _e2400;
                 } else {
-                    phi_3108_ = _e1958;
+                    phi_3108_ = _e1955;
                 }
-                let _e2405 = phi_3108_;
-                phi_3109_ = _e2405;
+                let _e2402 = phi_3108_;
+                phi_3109_ = _e2402;
             }
-            let _e2407 = phi_3109_;
-            if (_e2204 > 0f) {
-                if (_e2204 < 1f) {
-                    phi_3118_ = _e2204;
+            let _e2404 = phi_3109_;
+            if (_e2201 > 0f) {
+                if (_e2201 < 1f) {
+                    phi_3118_ = _e2201;
                 } else {
                     phi_3118_ = 1f;
                 }
-                let _e2411 = phi_3118_;
-                phi_3119_ = _e2411;
+                let _e2408 = phi_3118_;
+                phi_3119_ = _e2408;
             } else {
                 phi_3119_ = 0f;
             }
-            let _e2413 = phi_3119_;
-            if (_e2206 > 0f) {
-                if (_e2206 < 1f) {
-                    phi_3129_ = _e2206;
+            let _e2410 = phi_3119_;
+            if (_e2203 > 0f) {
+                if (_e2203 < 1f) {
+                    phi_3129_ = _e2203;
                 } else {
                     phi_3129_ = 1f;
                 }
-                let _e2418 = phi_3129_;
-                phi_3130_ = _e2418;
+                let _e2415 = phi_3129_;
+                phi_3130_ = _e2415;
             } else {
                 phi_3130_ = 0f;
             }
-            let _e2420 = phi_3130_;
-            if (_e2208 > 0f) {
-                if (_e2208 < 1f) {
-                    phi_3140_ = _e2208;
+            let _e2417 = phi_3130_;
+            if (_e2205 > 0f) {
+                if (_e2205 < 1f) {
+                    phi_3140_ = _e2205;
                 } else {
                     phi_3140_ = 1f;
                 }
-                let _e2425 = phi_3140_;
-                phi_3141_ = _e2425;
+                let _e2422 = phi_3140_;
+                phi_3141_ = _e2422;
             } else {
                 phi_3141_ = 0f;
             }
-            let _e2427 = phi_3141_;
-            let _e2430 = ((sqrt(_e2413) * 255f) + 0.5f);
-            let _e2439 = ((sqrt(_e2420) * 255f) + 0.5f);
-            let _e2451 = ((sqrt(_e2427) * 255f) + 0.5f);
-            phi_3176_ = abi_Sample(vec3<f32>(_e1845, _e1846, _e1847), _e2210, _e1958, _e2215, _e2407, ((select(select(u32(_e2430), 0u, (_e2430 < bitcast<f32>(0u))), 4294967295u, (_e2430 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2439), 0u, (_e2439 < bitcast<f32>(0u))), 4294967295u, (_e2439 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2451), 0u, (_e2451 < bitcast<f32>(0u))), 4294967295u, (_e2451 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2424 = phi_3141_;
+            let _e2427 = ((sqrt(_e2410) * 255f) + 0.5f);
+            let _e2436 = ((sqrt(_e2417) * 255f) + 0.5f);
+            let _e2448 = ((sqrt(_e2424) * 255f) + 0.5f);
+            phi_3176_ = abi_Sample(vec3<f32>(_e1842, _e1843, _e1844), _e2207, _e1955, _e2212, _e2404, ((select(select(u32(_e2427), 0u, (_e2427 < bitcast<f32>(0u))), 4294967295u, (_e2427 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2436), 0u, (_e2436 < bitcast<f32>(0u))), 4294967295u, (_e2436 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2448), 0u, (_e2448 < bitcast<f32>(0u))), 4294967295u, (_e2448 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_3176_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2465 = phi_3176_;
+        let _e2462 = phi_3176_;
         if (_e101.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.shift)] = _e2465;
+        samples.member[(0u + _e101.shift)] = _e2462;
     }
     return;
 }

@@ -985,1447 +985,1447 @@ fn function_() {
                 } else {
                     phi_911_ = abs(_e164.direction.x);
                 }
-                let _e313 = phi_911_;
+                let _e312 = phi_911_;
                 if (_e164.direction.x < 0f) {
-                    phi_918_ = (-1f / _e313);
+                    phi_918_ = (-1f / _e312);
                 } else {
-                    phi_918_ = (1f / _e313);
+                    phi_918_ = (1f / _e312);
                 }
-                let _e318 = phi_918_;
+                let _e317 = phi_918_;
                 if (abs(_e164.direction.y) < _e306) {
                     phi_926_ = _e306;
                 } else {
                     phi_926_ = abs(_e164.direction.y);
                 }
-                let _e325 = phi_926_;
+                let _e323 = phi_926_;
                 if (_e164.direction.y < 0f) {
-                    phi_933_ = (-1f / _e325);
+                    phi_933_ = (-1f / _e323);
                 } else {
-                    phi_933_ = (1f / _e325);
+                    phi_933_ = (1f / _e323);
                 }
-                let _e330 = phi_933_;
+                let _e328 = phi_933_;
                 if (abs(_e164.direction.z) < _e306) {
                     phi_941_ = _e306;
                 } else {
                     phi_941_ = abs(_e164.direction.z);
                 }
-                let _e337 = phi_941_;
+                let _e334 = phi_941_;
                 if (_e164.direction.z < 0f) {
-                    phi_948_ = (-1f / _e337);
+                    phi_948_ = (-1f / _e334);
                 } else {
-                    phi_948_ = (1f / _e337);
+                    phi_948_ = (1f / _e334);
                 }
-                let _e342 = phi_948_;
-                let _e350 = abs((bitcast<f32>(_e242) - _e164.origin.x));
-                let _e351 = abs((bitcast<f32>(_e246) - _e164.origin.y));
-                let _e352 = abs((bitcast<f32>(_e250) - _e164.origin.z));
-                let _e360 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e266 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
-                let _e361 = abs(((bitcast<f32>(_e258) + (bitcast<f32>((((_e266 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
-                let _e362 = abs(((bitcast<f32>(_e262) + (bitcast<f32>((((_e266 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
-                if (_e350 > _e360) {
-                    phi_973_ = _e350;
+                let _e339 = phi_948_;
+                let _e347 = abs((bitcast<f32>(_e242) - _e164.origin.x));
+                let _e348 = abs((bitcast<f32>(_e246) - _e164.origin.y));
+                let _e349 = abs((bitcast<f32>(_e250) - _e164.origin.z));
+                let _e357 = abs(((bitcast<f32>(_e254) + (bitcast<f32>((((_e266 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.x));
+                let _e358 = abs(((bitcast<f32>(_e258) + (bitcast<f32>((((_e266 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.y));
+                let _e359 = abs(((bitcast<f32>(_e262) + (bitcast<f32>((((_e266 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e164.origin.z));
+                if (_e347 > _e357) {
+                    phi_973_ = _e347;
                 } else {
-                    phi_973_ = _e360;
+                    phi_973_ = _e357;
                 }
-                let _e365 = phi_973_;
-                if (_e351 > _e361) {
-                    phi_978_ = _e351;
+                let _e362 = phi_973_;
+                if (_e348 > _e358) {
+                    phi_978_ = _e348;
                 } else {
-                    phi_978_ = _e361;
+                    phi_978_ = _e358;
                 }
-                let _e368 = phi_978_;
-                if (_e352 > _e362) {
-                    phi_983_ = _e352;
+                let _e365 = phi_978_;
+                if (_e349 > _e359) {
+                    phi_983_ = _e349;
                 } else {
-                    phi_983_ = _e362;
+                    phi_983_ = _e359;
                 }
-                let _e371 = phi_983_;
-                let _e372 = core_intrinsics_maximum_number_nsz_f32_(_e365, _e368);
-                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e372, _e371);
-                let _e378 = (_e373 * 0.0000019073486f);
-                let _e379 = (abs(_e318) * _e378);
-                let _e380 = (abs(_e330) * _e378);
-                let _e381 = (abs(_e342) * _e378);
-                let _e385 = (_e373 * 0.0000009536743f);
-                let _e386 = (abs(_e318) * _e385);
-                let _e387 = (abs(_e330) * _e385);
-                let _e388 = (abs(_e342) * _e385);
-                let _e391 = abs(_e164.direction.x);
-                let _e393 = abs(_e164.direction.y);
-                let _e395 = abs(_e164.direction.z);
-                if (_e391 >= _e393) {
-                    if (_e391 >= _e395) {
+                let _e368 = phi_983_;
+                let _e369 = core_intrinsics_maximum_number_nsz_f32_(_e362, _e365);
+                let _e370 = core_intrinsics_maximum_number_nsz_f32_(_e369, _e368);
+                let _e375 = (_e370 * 0.0000019073486f);
+                let _e376 = (abs(_e317) * _e375);
+                let _e377 = (abs(_e328) * _e375);
+                let _e378 = (abs(_e339) * _e375);
+                let _e382 = (_e370 * 0.0000009536743f);
+                let _e383 = (abs(_e317) * _e382);
+                let _e384 = (abs(_e328) * _e382);
+                let _e385 = (abs(_e339) * _e382);
+                let _e388 = abs(_e164.direction.x);
+                let _e390 = abs(_e164.direction.y);
+                let _e392 = abs(_e164.direction.z);
+                if (_e388 >= _e390) {
+                    if (_e388 >= _e392) {
                         phi_1016_ = false;
                     } else {
                         phi_1016_ = true;
                     }
-                    let _e399 = phi_1016_;
-                    phi_1017_ = _e399;
+                    let _e396 = phi_1016_;
+                    phi_1017_ = _e396;
                 } else {
                     phi_1017_ = true;
                 }
-                let _e401 = phi_1017_;
-                if _e401 {
-                    if (_e393 >= _e395) {
+                let _e398 = phi_1017_;
+                if _e398 {
+                    if (_e390 >= _e392) {
                         phi_1025_ = 1u;
                     } else {
                         phi_1025_ = 2u;
                     }
-                    let _e404 = phi_1025_;
-                    phi_1026_ = _e404;
+                    let _e401 = phi_1025_;
+                    phi_1026_ = _e401;
                 } else {
                     phi_1026_ = 0u;
                 }
-                let _e406 = phi_1026_;
-                if (_e406 == 0u) {
+                let _e403 = phi_1026_;
+                if (_e403 == 0u) {
                     phi_1045_ = vec3<f32>(_e164.direction.y, _e164.direction.z, _e164.direction.x);
                 } else {
-                    if (_e406 == 1u) {
+                    if (_e403 == 1u) {
                         phi_1044_ = vec3<f32>(_e164.direction.z, _e164.direction.x, _e164.direction.y);
                     } else {
                         phi_1044_ = _e164.direction;
                     }
-                    let _e419 = phi_1044_;
-                    phi_1045_ = _e419;
+                    let _e416 = phi_1044_;
+                    phi_1045_ = _e416;
                 }
-                let _e421 = phi_1045_;
-                let _e425 = (_e421.x / _e421.z);
-                let _e428 = (_e421.y / _e421.z);
-                if (_e318 < 0f) {
+                let _e418 = phi_1045_;
+                let _e422 = (_e418.x / _e418.z);
+                let _e425 = (_e418.y / _e418.z);
+                if (_e317 < 0f) {
                     phi_1059_ = 0u;
                 } else {
                     phi_1059_ = 1u;
                 }
-                let _e433 = phi_1059_;
-                if (_e330 < 0f) {
+                let _e430 = phi_1059_;
+                if (_e328 < 0f) {
                     phi_1064_ = 0u;
                 } else {
                     phi_1064_ = 2u;
                 }
-                let _e436 = phi_1064_;
-                if (_e342 < 0f) {
+                let _e433 = phi_1064_;
+                if (_e339 < 0f) {
                     phi_1069_ = 0u;
                 } else {
                     phi_1069_ = 4u;
                 }
-                let _e439 = phi_1069_;
-                let _e441 = ((_e433 | _e436) | _e439);
-                let _e442 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e442.first[0], _e442.first[1], _e442.first[2], _e442.first[3], _e442.first[4], _e442.first[5], _e442.first[6], _e442.first[7], _e442.first[8], _e442.first[9], _e442.first[10], _e442.first[11], _e442.first[12], _e442.first[13], _e442.first[14], _e442.first[15], _e442.first[16], _e442.first[17], _e442.first[18], _e442.first[19], _e442.first[20], _e442.first[21], _e442.first[22], _e442.first[23], _e442.first[24], _e442.first[25], _e442.first[26], _e442.first[27], _e442.first[28], _e442.first[29], _e442.first[30], _e442.first[31]), array<u32, 32>(_e442.mask[0], _e442.mask[1], _e442.mask[2], _e442.mask[3], _e442.mask[4], _e442.mask[5], _e442.mask[6], _e442.mask[7], _e442.mask[8], _e442.mask[9], _e442.mask[10], _e442.mask[11], _e442.mask[12], _e442.mask[13], _e442.mask[14], _e442.mask[15], _e442.mask[16], _e442.mask[17], _e442.mask[18], _e442.mask[19], _e442.mask[20], _e442.mask[21], _e442.mask[22], _e442.mask[23], _e442.mask[24], _e442.mask[25], _e442.mask[26], _e442.mask[27], _e442.mask[28], _e442.mask[29], _e442.mask[30], _e442.mask[31]), _e442.len, _e442.group, _e442.group_mask);
-                let _e516 = local_2.group_mask;
-                if ((_e516 & 4278190080u) == 0u) {
-                    let _e520 = local_2.len;
-                    if (_e520 == 0u) {
+                let _e436 = phi_1069_;
+                let _e438 = ((_e430 | _e433) | _e436);
+                let _e439 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e439.first[0], _e439.first[1], _e439.first[2], _e439.first[3], _e439.first[4], _e439.first[5], _e439.first[6], _e439.first[7], _e439.first[8], _e439.first[9], _e439.first[10], _e439.first[11], _e439.first[12], _e439.first[13], _e439.first[14], _e439.first[15], _e439.first[16], _e439.first[17], _e439.first[18], _e439.first[19], _e439.first[20], _e439.first[21], _e439.first[22], _e439.first[23], _e439.first[24], _e439.first[25], _e439.first[26], _e439.first[27], _e439.first[28], _e439.first[29], _e439.first[30], _e439.first[31]), array<u32, 32>(_e439.mask[0], _e439.mask[1], _e439.mask[2], _e439.mask[3], _e439.mask[4], _e439.mask[5], _e439.mask[6], _e439.mask[7], _e439.mask[8], _e439.mask[9], _e439.mask[10], _e439.mask[11], _e439.mask[12], _e439.mask[13], _e439.mask[14], _e439.mask[15], _e439.mask[16], _e439.mask[17], _e439.mask[18], _e439.mask[19], _e439.mask[20], _e439.mask[21], _e439.mask[22], _e439.mask[23], _e439.mask[24], _e439.mask[25], _e439.mask[26], _e439.mask[27], _e439.mask[28], _e439.mask[29], _e439.mask[30], _e439.mask[31]), _e439.len, _e439.group, _e439.group_mask);
+                let _e513 = local_2.group_mask;
+                if ((_e513 & 4278190080u) == 0u) {
+                    let _e517 = local_2.len;
+                    if (_e517 == 0u) {
                         phi_1183_ = false;
                     } else {
+                        let _e521 = local_2.len;
+                        local_2.len = (_e521 - 1u);
                         let _e524 = local_2.len;
-                        local_2.len = (_e524 - 1u);
-                        let _e527 = local_2.len;
-                        if (_e527 < 32u) {
+                        if (_e524 < 32u) {
                         } else {
                             return;
                         }
-                        let _e532 = local_2.first[(0u + _e527)];
-                        local_2.group = _e532;
-                        let _e535 = local_2.len;
-                        if (_e535 < 32u) {
+                        let _e529 = local_2.first[(0u + _e524)];
+                        local_2.group = _e529;
+                        let _e532 = local_2.len;
+                        if (_e532 < 32u) {
                         } else {
                             return;
                         }
-                        let _e540 = local_2.mask[(0u + _e535)];
-                        local_2.group_mask = _e540;
+                        let _e537 = local_2.mask[(0u + _e532)];
+                        local_2.group_mask = _e537;
                         phi_1183_ = true;
                     }
-                    let _e543 = phi_1183_;
-                    phi_1184_ = _e543;
+                    let _e540 = phi_1183_;
+                    phi_1184_ = _e540;
                 } else {
                     phi_1184_ = true;
                 }
-                let _e545 = phi_1184_;
-                if _e545 {
-                    let _e547 = local_2.group_mask;
-                    let _e553 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e547)), 32u, (_e547 == 0u)));
-                    let _e557 = local_2.group_mask;
-                    let _e571 = local_2.group_mask;
-                    local_2.group_mask = (_e571 & ~((1u << bitcast<u32>((_e553 & 31u)))));
-                    let _e574 = local_2.group;
-                    phi_1215_ = (_e574 + countOneBits(((_e557 & ~((4294967295u << bitcast<u32>((((_e553 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e542 = phi_1184_;
+                if _e542 {
+                    let _e544 = local_2.group_mask;
+                    let _e550 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e544)), 32u, (_e544 == 0u)));
+                    let _e554 = local_2.group_mask;
+                    let _e568 = local_2.group_mask;
+                    local_2.group_mask = (_e568 & ~((1u << bitcast<u32>((_e550 & 31u)))));
+                    let _e571 = local_2.group;
+                    phi_1215_ = (_e571 + countOneBits(((_e554 & ~((4294967295u << bitcast<u32>((((_e550 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1215_ = 4294967295u;
                 }
-                let _e577 = phi_1215_;
+                let _e574 = phi_1215_;
                 phi_1217_ = _e166;
-                phi_1220_ = _e577;
+                phi_1220_ = _e574;
                 loop {
-                    let _e579 = phi_1217_;
-                    let _e581 = phi_1220_;
-                    local_7 = _e579;
-                    let _e582 = (_e581 != 4294967295u);
-                    if _e582 {
-                        if (_e581 < _e79) {
+                    let _e576 = phi_1217_;
+                    let _e578 = phi_1220_;
+                    local_7 = _e576;
+                    let _e579 = (_e578 != 4294967295u);
+                    if _e579 {
+                        if (_e578 < _e79) {
                         } else {
                             return;
                         }
-                        let _e590 = nodes.member[(0u + _e581)].frame[3u];
-                        let _e615 = (bitcast<f32>((((_e590 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e318);
-                        let _e616 = (bitcast<f32>((((_e590 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e330);
-                        let _e617 = (bitcast<f32>((((_e590 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e342);
-                        let _e620 = nodes.member[(0u + _e581)].frame[0u];
-                        let _e624 = nodes.member[(0u + _e581)].frame[1u];
-                        let _e628 = nodes.member[(0u + _e581)].frame[2u];
-                        let _e636 = ((bitcast<f32>(_e620) - _e164.origin.x) * _e318);
-                        let _e637 = ((bitcast<f32>(_e624) - _e164.origin.y) * _e330);
-                        let _e638 = ((bitcast<f32>(_e628) - _e164.origin.z) * _e342);
-                        let _e646 = nodes.member[(0u + _e581)].x;
-                        if (_e318 < 0f) {
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.unnamed.word, _e646.w), _e657.unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e646.x, _e663.unnamed_1.shift));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e669.unnamed_1.word, _e646.y));
+                        let _e587 = nodes.member[(0u + _e578)].frame[3u];
+                        let _e612 = (bitcast<f32>((((_e587 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e317);
+                        let _e613 = (bitcast<f32>((((_e587 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
+                        let _e614 = (bitcast<f32>((((_e587 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e339);
+                        let _e617 = nodes.member[(0u + _e578)].frame[0u];
+                        let _e621 = nodes.member[(0u + _e578)].frame[1u];
+                        let _e625 = nodes.member[(0u + _e578)].frame[2u];
+                        let _e633 = ((bitcast<f32>(_e617) - _e164.origin.x) * _e317);
+                        let _e634 = ((bitcast<f32>(_e621) - _e164.origin.y) * _e328);
+                        let _e635 = ((bitcast<f32>(_e625) - _e164.origin.z) * _e339);
+                        let _e643 = nodes.member[(0u + _e578)].x;
+                        if (_e317 < 0f) {
+                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.unnamed.word, _e643.w), _e654.unnamed_1);
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e660.unnamed, lt_mask_LightPlace(_e643.x, _e660.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_mask_LightPlace(_e666.unnamed_1.word, _e643.y));
                         } else {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e646.y), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e646.z, _e691.unnamed_1.shift));
-                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e646.w));
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e643.y), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e643.z, _e688.unnamed_1.shift));
+                            phi_1305_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e643.w));
                         }
-                        let _e705 = phi_1305_;
-                        let _e715 = nodes.member[(0u + _e581)].y;
-                        if (_e330 < 0f) {
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e715.w), _e726.unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e715.x, _e732.unnamed_1.shift));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e715.y));
+                        let _e702 = phi_1305_;
+                        let _e712 = nodes.member[(0u + _e578)].y;
+                        if (_e328 < 0f) {
+                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.unnamed.word, _e712.w), _e723.unnamed_1);
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_mask_LightPlace(_e712.x, _e729.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e735.unnamed_1.word, _e712.y));
                         } else {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e715.y), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e715.z, _e760.unnamed_1.shift));
-                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e715.w));
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e712.y), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e712.z, _e757.unnamed_1.shift));
+                            phi_1332_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e712.w));
                         }
-                        let _e774 = phi_1332_;
-                        let _e784 = nodes.member[(0u + _e581)].z;
-                        if (_e342 < 0f) {
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e784.w), _e795.unnamed_1);
-                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e784.x, _e801.unnamed_1.shift));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e784.y));
+                        let _e771 = phi_1332_;
+                        let _e781 = nodes.member[(0u + _e578)].z;
+                        if (_e339 < 0f) {
+                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.unnamed.word, _e781.w), _e792.unnamed_1);
+                            let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_mask_LightPlace(_e781.x, _e798.unnamed_1.shift));
+                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_mask_LightPlace(_e804.unnamed_1.word, _e781.y));
                         } else {
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e823.unnamed.word, _e784.y), _e823.unnamed_1);
-                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e784.z, _e829.unnamed_1.shift));
-                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_mask_LightPlace(_e835.unnamed_1.word, _e784.w));
+                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e820.unnamed.word, _e781.y), _e820.unnamed_1);
+                            let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_mask_LightPlace(_e781.z, _e826.unnamed_1.shift));
+                            phi_1359_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e832.unnamed_1.word, _e781.w));
                         }
-                        let _e843 = phi_1359_;
+                        let _e840 = phi_1359_;
                         phi_1365_ = 0u;
                         phi_1368_ = 0u;
                         loop {
-                            let _e853 = phi_1365_;
-                            let _e855 = phi_1368_;
-                            local_3 = _e855;
-                            local_4 = _e855;
-                            local_5 = _e855;
-                            let _e856 = (_e853 < 8u);
-                            if _e856 {
-                                let _e858 = (_e853 >> bitcast<u32>(2i));
-                                let _e859 = (_e853 & 3u);
-                                if (_e858 == 0u) {
-                                    phi_1382_ = _e705.unnamed.word;
+                            let _e850 = phi_1365_;
+                            let _e852 = phi_1368_;
+                            local_3 = _e852;
+                            local_4 = _e852;
+                            local_5 = _e852;
+                            let _e853 = (_e850 < 8u);
+                            if _e853 {
+                                let _e855 = (_e850 >> bitcast<u32>(2i));
+                                let _e856 = (_e850 & 3u);
+                                if (_e855 == 0u) {
+                                    phi_1382_ = _e702.unnamed.word;
                                 } else {
-                                    phi_1382_ = _e705.unnamed.shift;
+                                    phi_1382_ = _e702.unnamed.shift;
                                 }
-                                let _e862 = phi_1382_;
-                                if (_e858 == 0u) {
-                                    phi_1392_ = _e774.unnamed.word;
+                                let _e859 = phi_1382_;
+                                if (_e855 == 0u) {
+                                    phi_1392_ = _e771.unnamed.word;
                                 } else {
-                                    phi_1392_ = _e774.unnamed.shift;
+                                    phi_1392_ = _e771.unnamed.shift;
                                 }
-                                let _e871 = phi_1392_;
-                                if (_e858 == 0u) {
-                                    phi_1402_ = _e843.unnamed.word;
+                                let _e868 = phi_1392_;
+                                if (_e855 == 0u) {
+                                    phi_1402_ = _e840.unnamed.word;
                                 } else {
-                                    phi_1402_ = _e843.unnamed.shift;
+                                    phi_1402_ = _e840.unnamed.shift;
                                 }
-                                let _e880 = phi_1402_;
-                                let _e893 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 - _e379)), ((f32(((_e871 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 - _e380)));
-                                let _e894 = core_intrinsics_maximum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 - _e381)));
-                                if (_e858 == 0u) {
-                                    phi_1420_ = _e705.unnamed_1.word;
+                                let _e877 = phi_1402_;
+                                let _e890 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e859 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e376)), ((f32(((_e868 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e613) + (_e634 - _e377)));
+                                let _e891 = core_intrinsics_maximum_number_nsz_f32_(_e890, ((f32(((_e877 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e614) + (_e635 - _e378)));
+                                if (_e855 == 0u) {
+                                    phi_1420_ = _e702.unnamed_1.word;
                                 } else {
-                                    phi_1420_ = _e705.unnamed_1.shift;
+                                    phi_1420_ = _e702.unnamed_1.shift;
                                 }
-                                let _e897 = phi_1420_;
-                                if (_e858 == 0u) {
-                                    phi_1430_ = _e774.unnamed_1.word;
+                                let _e894 = phi_1420_;
+                                if (_e855 == 0u) {
+                                    phi_1430_ = _e771.unnamed_1.word;
                                 } else {
-                                    phi_1430_ = _e774.unnamed_1.shift;
+                                    phi_1430_ = _e771.unnamed_1.shift;
                                 }
-                                let _e906 = phi_1430_;
-                                if (_e858 == 0u) {
-                                    phi_1440_ = _e843.unnamed_1.word;
+                                let _e903 = phi_1430_;
+                                if (_e855 == 0u) {
+                                    phi_1440_ = _e840.unnamed_1.word;
                                 } else {
-                                    phi_1440_ = _e843.unnamed_1.shift;
+                                    phi_1440_ = _e840.unnamed_1.shift;
                                 }
-                                let _e915 = phi_1440_;
-                                let _e928 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 + _e379)), ((f32(((_e906 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 + _e380)));
-                                let _e929 = core_intrinsics_minimum_number_nsz_f32_(_e928, ((f32(((_e915 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 + _e381)));
-                                if (_e894 <= _e929) {
-                                    if (_e894 <= _e579.t) {
-                                        if (_e929 >= _e164.tmin) {
-                                            if (_e858 == 0u) {
-                                                let _e936 = nodes.member[(0u + _e581)].links[2u];
+                                let _e912 = phi_1440_;
+                                let _e925 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e894 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e612) + (_e633 + _e376)), ((f32(((_e903 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e613) + (_e634 + _e377)));
+                                let _e926 = core_intrinsics_minimum_number_nsz_f32_(_e925, ((f32(((_e912 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u)) * _e614) + (_e635 + _e378)));
+                                if (_e891 <= _e926) {
+                                    if (_e891 <= _e576.t) {
+                                        if (_e926 >= _e164.tmin) {
+                                            if (_e855 == 0u) {
+                                                let _e933 = nodes.member[(0u + _e578)].links[2u];
+                                                phi_1476_ = _e933;
+                                            } else {
+                                                let _e936 = nodes.member[(0u + _e578)].links[3u];
                                                 phi_1476_ = _e936;
-                                            } else {
-                                                let _e939 = nodes.member[(0u + _e581)].links[3u];
-                                                phi_1476_ = _e939;
                                             }
-                                            let _e941 = phi_1476_;
-                                            let _e946 = ((_e941 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u);
-                                            let _e947 = (_e946 & 31u);
-                                            if (_e947 >= 24u) {
-                                                phi_1489_ = (24u + ((_e947 - 24u) ^ _e441));
+                                            let _e938 = phi_1476_;
+                                            let _e943 = ((_e938 >> bitcast<u32>(((_e856 * 8u) & 31u))) & 255u);
+                                            let _e944 = (_e943 & 31u);
+                                            if (_e944 >= 24u) {
+                                                phi_1489_ = (24u + ((_e944 - 24u) ^ _e438));
                                             } else {
-                                                phi_1489_ = _e947;
+                                                phi_1489_ = _e944;
                                             }
-                                            let _e953 = phi_1489_;
-                                            phi_1494_ = (_e855 | ((_e946 >> bitcast<u32>(5i)) << bitcast<u32>((_e953 & 31u))));
+                                            let _e950 = phi_1489_;
+                                            phi_1494_ = (_e852 | ((_e943 >> bitcast<u32>(5i)) << bitcast<u32>((_e950 & 31u))));
                                         } else {
-                                            phi_1494_ = _e855;
+                                            phi_1494_ = _e852;
                                         }
-                                        let _e961 = phi_1494_;
-                                        phi_1495_ = _e961;
+                                        let _e958 = phi_1494_;
+                                        phi_1495_ = _e958;
                                     } else {
-                                        phi_1495_ = _e855;
+                                        phi_1495_ = _e852;
                                     }
-                                    let _e963 = phi_1495_;
-                                    phi_1496_ = _e963;
+                                    let _e960 = phi_1495_;
+                                    phi_1496_ = _e960;
                                 } else {
-                                    phi_1496_ = _e855;
+                                    phi_1496_ = _e852;
                                 }
-                                let _e965 = phi_1496_;
-                                phi_1366_ = (_e853 + 1u);
-                                phi_1369_ = _e965;
+                                let _e962 = phi_1496_;
+                                phi_1366_ = (_e850 + 1u);
+                                phi_1369_ = _e962;
                             } else {
                                 phi_1366_ = u32();
                                 phi_1369_ = u32();
                             }
-                            let _e968 = phi_1366_;
-                            let _e970 = phi_1369_;
+                            let _e965 = phi_1366_;
+                            let _e967 = phi_1369_;
                             continue;
                             continuing {
-                                phi_1365_ = _e968;
-                                phi_1368_ = _e970;
-                                break if !(_e856);
+                                phi_1365_ = _e965;
+                                phi_1368_ = _e967;
+                                break if !(_e853);
                             }
                         }
-                        let _e974 = nodes.member[(0u + _e581)].links[0u];
-                        let _e978 = nodes.member[(0u + _e581)].frame[3u];
-                        let _e982 = local_3;
-                        if ((_e982 & 4278190080u) == 0u) {
+                        let _e971 = nodes.member[(0u + _e578)].links[0u];
+                        let _e975 = nodes.member[(0u + _e578)].frame[3u];
+                        let _e979 = local_3;
+                        if ((_e979 & 4278190080u) == 0u) {
                         } else {
-                            let _e986 = local_2.group_mask;
-                            if ((_e986 & 4278190080u) == 0u) {
+                            let _e983 = local_2.group_mask;
+                            if ((_e983 & 4278190080u) == 0u) {
                             } else {
-                                let _e990 = local_2.len;
-                                if (_e990 < 32u) {
-                                    let _e993 = local_2.group;
-                                    let _e995 = local_2.len;
-                                    if (_e995 < 32u) {
+                                let _e987 = local_2.len;
+                                if (_e987 < 32u) {
+                                    let _e990 = local_2.group;
+                                    let _e992 = local_2.len;
+                                    if (_e992 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e995)] = _e993;
-                                    let _e1001 = local_2.group_mask;
-                                    let _e1003 = local_2.len;
-                                    if (_e1003 < 32u) {
+                                    local_2.first[(0u + _e992)] = _e990;
+                                    let _e998 = local_2.group_mask;
+                                    let _e1000 = local_2.len;
+                                    if (_e1000 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e1003)] = _e1001;
-                                    let _e1010 = local_2.len;
-                                    local_2.len = (_e1010 + 1u);
+                                    local_2.mask[(0u + _e1000)] = _e998;
+                                    let _e1007 = local_2.len;
+                                    local_2.len = (_e1007 + 1u);
                                 }
                             }
-                            local_2.group = (0u + _e974);
-                            let _e1014 = local_4;
-                            local_2.group_mask = ((_e1014 & 4278190080u) | (_e978 >> bitcast<u32>(24i)));
+                            local_2.group = (0u + _e971);
+                            let _e1011 = local_4;
+                            local_2.group_mask = ((_e1011 & 4278190080u) | (_e975 >> bitcast<u32>(24i)));
                         }
-                        let _e1019 = local_5;
-                        phi_1554_ = _e579;
-                        phi_1557_ = (_e1019 & 16777215u);
+                        let _e1016 = local_5;
+                        phi_1554_ = _e576;
+                        phi_1557_ = (_e1016 & 16777215u);
                         loop {
-                            let _e1022 = phi_1554_;
-                            let _e1024 = phi_1557_;
-                            local_6 = _e1022;
-                            if (_e1024 == 0u) {
+                            let _e1019 = phi_1554_;
+                            let _e1021 = phi_1557_;
+                            local_6 = _e1019;
+                            if (_e1021 == 0u) {
                                 phi_1555_ = lt_bvh_Hit();
                                 phi_1558_ = u32();
                                 phi_2413_ = false;
                             } else {
-                                let _e1028 = nodes.member[(0u + _e581)].links[1u];
-                                let _e1033 = ((0u + _e1028) + select(firstTrailingBit(_e1024), 32u, (_e1024 == 0u)));
-                                if (_e1033 < _e82) {
+                                let _e1025 = nodes.member[(0u + _e578)].links[1u];
+                                let _e1030 = ((0u + _e1025) + select(firstTrailingBit(_e1021), 32u, (_e1021 == 0u)));
+                                if (_e1030 < _e82) {
                                 } else {
                                     return;
                                 }
-                                let _e1040 = triangles.member[(0u + _e1033)].v0_;
-                                let _e1043 = (_e1040.x - _e164.origin.x);
-                                let _e1046 = (_e1040.y - _e164.origin.y);
-                                let _e1049 = (_e1040.z - _e164.origin.z);
-                                if (_e406 == 0u) {
-                                    phi_1604_ = vec3<f32>(_e1046, _e1049, _e1043);
+                                let _e1037 = triangles.member[(0u + _e1030)].v0_;
+                                let _e1040 = (_e1037.x - _e164.origin.x);
+                                let _e1043 = (_e1037.y - _e164.origin.y);
+                                let _e1046 = (_e1037.z - _e164.origin.z);
+                                if (_e403 == 0u) {
+                                    phi_1604_ = vec3<f32>(_e1043, _e1046, _e1040);
                                 } else {
-                                    if (_e406 == 1u) {
-                                        phi_1603_ = vec3<f32>(_e1049, _e1043, _e1046);
+                                    if (_e403 == 1u) {
+                                        phi_1603_ = vec3<f32>(_e1046, _e1040, _e1043);
                                     } else {
-                                        phi_1603_ = (_e1040 - _e164.origin);
+                                        phi_1603_ = (_e1037 - _e164.origin);
                                     }
-                                    let _e1056 = phi_1603_;
-                                    phi_1604_ = _e1056;
+                                    let _e1053 = phi_1603_;
+                                    phi_1604_ = _e1053;
                                 }
-                                let _e1058 = phi_1604_;
-                                let _e1062 = (_e1058.x - (_e425 * _e1058.z));
-                                let _e1066 = (_e1058.y - (_e428 * _e1058.z));
-                                let _e1068 = triangles.member[(0u + _e1033)].v1_;
-                                let _e1071 = (_e1068.x - _e164.origin.x);
-                                let _e1074 = (_e1068.y - _e164.origin.y);
-                                let _e1077 = (_e1068.z - _e164.origin.z);
-                                if (_e406 == 0u) {
-                                    phi_1636_ = vec3<f32>(_e1074, _e1077, _e1071);
+                                let _e1055 = phi_1604_;
+                                let _e1059 = (_e1055.x - (_e422 * _e1055.z));
+                                let _e1063 = (_e1055.y - (_e425 * _e1055.z));
+                                let _e1065 = triangles.member[(0u + _e1030)].v1_;
+                                let _e1068 = (_e1065.x - _e164.origin.x);
+                                let _e1071 = (_e1065.y - _e164.origin.y);
+                                let _e1074 = (_e1065.z - _e164.origin.z);
+                                if (_e403 == 0u) {
+                                    phi_1636_ = vec3<f32>(_e1071, _e1074, _e1068);
                                 } else {
-                                    if (_e406 == 1u) {
-                                        phi_1635_ = vec3<f32>(_e1077, _e1071, _e1074);
+                                    if (_e403 == 1u) {
+                                        phi_1635_ = vec3<f32>(_e1074, _e1068, _e1071);
                                     } else {
-                                        phi_1635_ = (_e1068 - _e164.origin);
+                                        phi_1635_ = (_e1065 - _e164.origin);
                                     }
-                                    let _e1084 = phi_1635_;
-                                    phi_1636_ = _e1084;
+                                    let _e1081 = phi_1635_;
+                                    phi_1636_ = _e1081;
                                 }
-                                let _e1086 = phi_1636_;
-                                let _e1090 = (_e1086.x - (_e425 * _e1086.z));
-                                let _e1094 = (_e1086.y - (_e428 * _e1086.z));
-                                let _e1096 = triangles.member[(0u + _e1033)].v2_;
-                                let _e1099 = (_e1096.x - _e164.origin.x);
-                                let _e1102 = (_e1096.y - _e164.origin.y);
-                                let _e1105 = (_e1096.z - _e164.origin.z);
-                                if (_e406 == 0u) {
-                                    phi_1668_ = vec3<f32>(_e1102, _e1105, _e1099);
+                                let _e1083 = phi_1636_;
+                                let _e1087 = (_e1083.x - (_e422 * _e1083.z));
+                                let _e1091 = (_e1083.y - (_e425 * _e1083.z));
+                                let _e1093 = triangles.member[(0u + _e1030)].v2_;
+                                let _e1096 = (_e1093.x - _e164.origin.x);
+                                let _e1099 = (_e1093.y - _e164.origin.y);
+                                let _e1102 = (_e1093.z - _e164.origin.z);
+                                if (_e403 == 0u) {
+                                    phi_1668_ = vec3<f32>(_e1099, _e1102, _e1096);
                                 } else {
-                                    if (_e406 == 1u) {
-                                        phi_1667_ = vec3<f32>(_e1105, _e1099, _e1102);
+                                    if (_e403 == 1u) {
+                                        phi_1667_ = vec3<f32>(_e1102, _e1096, _e1099);
                                     } else {
-                                        phi_1667_ = (_e1096 - _e164.origin);
+                                        phi_1667_ = (_e1093 - _e164.origin);
                                     }
-                                    let _e1112 = phi_1667_;
-                                    phi_1668_ = _e1112;
+                                    let _e1109 = phi_1667_;
+                                    phi_1668_ = _e1109;
                                 }
-                                let _e1114 = phi_1668_;
-                                let _e1118 = (_e1114.x - (_e425 * _e1114.z));
-                                let _e1122 = (_e1114.y - (_e428 * _e1114.z));
-                                if (_e1090 < _e1118) {
+                                let _e1111 = phi_1668_;
+                                let _e1115 = (_e1111.x - (_e422 * _e1111.z));
+                                let _e1119 = (_e1111.y - (_e425 * _e1111.z));
+                                if (_e1087 < _e1115) {
                                     phi_1687_ = true;
                                 } else {
-                                    if (_e1090 == _e1118) {
-                                        phi_1686_ = (_e1094 < _e1122);
+                                    if (_e1087 == _e1115) {
+                                        phi_1686_ = (_e1091 < _e1119);
                                     } else {
                                         phi_1686_ = false;
                                     }
-                                    let _e1127 = phi_1686_;
-                                    phi_1687_ = _e1127;
+                                    let _e1124 = phi_1686_;
+                                    phi_1687_ = _e1124;
                                 }
-                                let _e1129 = phi_1687_;
-                                if _e1129 {
-                                    phi_1691_ = _e1122;
-                                    phi_1692_ = _e1118;
-                                    phi_1693_ = _e1094;
-                                    phi_1694_ = _e1090;
+                                let _e1126 = phi_1687_;
+                                if _e1126 {
+                                    phi_1691_ = _e1119;
+                                    phi_1692_ = _e1115;
+                                    phi_1693_ = _e1091;
+                                    phi_1694_ = _e1087;
                                 } else {
-                                    phi_1691_ = _e1094;
-                                    phi_1692_ = _e1090;
-                                    phi_1693_ = _e1122;
-                                    phi_1694_ = _e1118;
+                                    phi_1691_ = _e1091;
+                                    phi_1692_ = _e1087;
+                                    phi_1693_ = _e1119;
+                                    phi_1694_ = _e1115;
                                 }
-                                let _e1131 = phi_1691_;
-                                let _e1133 = phi_1692_;
-                                let _e1135 = phi_1693_;
-                                let _e1137 = phi_1694_;
-                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
-                                if _e1129 {
-                                    phi_1702_ = -(_e1140);
+                                let _e1128 = phi_1691_;
+                                let _e1130 = phi_1692_;
+                                let _e1132 = phi_1693_;
+                                let _e1134 = phi_1694_;
+                                let _e1137 = ((_e1134 * _e1128) - (_e1132 * _e1130));
+                                if _e1126 {
+                                    phi_1702_ = -(_e1137);
                                 } else {
-                                    phi_1702_ = _e1140;
+                                    phi_1702_ = _e1137;
                                 }
-                                let _e1143 = phi_1702_;
-                                if (_e1118 < _e1062) {
+                                let _e1140 = phi_1702_;
+                                if (_e1115 < _e1059) {
                                     phi_1713_ = true;
                                 } else {
-                                    if (_e1118 == _e1062) {
-                                        phi_1712_ = (_e1122 < _e1066);
+                                    if (_e1115 == _e1059) {
+                                        phi_1712_ = (_e1119 < _e1063);
                                     } else {
                                         phi_1712_ = false;
                                     }
-                                    let _e1148 = phi_1712_;
-                                    phi_1713_ = _e1148;
+                                    let _e1145 = phi_1712_;
+                                    phi_1713_ = _e1145;
                                 }
-                                let _e1150 = phi_1713_;
-                                if _e1150 {
-                                    phi_1717_ = _e1066;
-                                    phi_1718_ = _e1062;
-                                    phi_1719_ = _e1122;
-                                    phi_1720_ = _e1118;
+                                let _e1147 = phi_1713_;
+                                if _e1147 {
+                                    phi_1717_ = _e1063;
+                                    phi_1718_ = _e1059;
+                                    phi_1719_ = _e1119;
+                                    phi_1720_ = _e1115;
                                 } else {
-                                    phi_1717_ = _e1122;
-                                    phi_1718_ = _e1118;
-                                    phi_1719_ = _e1066;
-                                    phi_1720_ = _e1062;
+                                    phi_1717_ = _e1119;
+                                    phi_1718_ = _e1115;
+                                    phi_1719_ = _e1063;
+                                    phi_1720_ = _e1059;
                                 }
-                                let _e1152 = phi_1717_;
-                                let _e1154 = phi_1718_;
-                                let _e1156 = phi_1719_;
-                                let _e1158 = phi_1720_;
-                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
-                                if _e1150 {
-                                    phi_1728_ = -(_e1161);
+                                let _e1149 = phi_1717_;
+                                let _e1151 = phi_1718_;
+                                let _e1153 = phi_1719_;
+                                let _e1155 = phi_1720_;
+                                let _e1158 = ((_e1155 * _e1149) - (_e1153 * _e1151));
+                                if _e1147 {
+                                    phi_1728_ = -(_e1158);
                                 } else {
-                                    phi_1728_ = _e1161;
+                                    phi_1728_ = _e1158;
                                 }
-                                let _e1164 = phi_1728_;
-                                if (_e1062 < _e1090) {
+                                let _e1161 = phi_1728_;
+                                if (_e1059 < _e1087) {
                                     phi_1739_ = true;
                                 } else {
-                                    if (_e1062 == _e1090) {
-                                        phi_1738_ = (_e1066 < _e1094);
+                                    if (_e1059 == _e1087) {
+                                        phi_1738_ = (_e1063 < _e1091);
                                     } else {
                                         phi_1738_ = false;
                                     }
-                                    let _e1169 = phi_1738_;
-                                    phi_1739_ = _e1169;
+                                    let _e1166 = phi_1738_;
+                                    phi_1739_ = _e1166;
                                 }
-                                let _e1171 = phi_1739_;
-                                if _e1171 {
-                                    phi_1743_ = _e1094;
-                                    phi_1744_ = _e1090;
-                                    phi_1745_ = _e1066;
-                                    phi_1746_ = _e1062;
+                                let _e1168 = phi_1739_;
+                                if _e1168 {
+                                    phi_1743_ = _e1091;
+                                    phi_1744_ = _e1087;
+                                    phi_1745_ = _e1063;
+                                    phi_1746_ = _e1059;
                                 } else {
-                                    phi_1743_ = _e1066;
-                                    phi_1744_ = _e1062;
-                                    phi_1745_ = _e1094;
-                                    phi_1746_ = _e1090;
+                                    phi_1743_ = _e1063;
+                                    phi_1744_ = _e1059;
+                                    phi_1745_ = _e1091;
+                                    phi_1746_ = _e1087;
                                 }
-                                let _e1173 = phi_1743_;
-                                let _e1175 = phi_1744_;
-                                let _e1177 = phi_1745_;
-                                let _e1179 = phi_1746_;
-                                let _e1182 = ((_e1179 * _e1173) - (_e1177 * _e1175));
-                                if _e1171 {
-                                    phi_1754_ = -(_e1182);
+                                let _e1170 = phi_1743_;
+                                let _e1172 = phi_1744_;
+                                let _e1174 = phi_1745_;
+                                let _e1176 = phi_1746_;
+                                let _e1179 = ((_e1176 * _e1170) - (_e1174 * _e1172));
+                                if _e1168 {
+                                    phi_1754_ = -(_e1179);
                                 } else {
-                                    phi_1754_ = _e1182;
+                                    phi_1754_ = _e1179;
                                 }
-                                let _e1185 = phi_1754_;
-                                if (_e1143 >= 0f) {
-                                    if (_e1164 >= 0f) {
-                                        if (_e1185 >= 0f) {
-                                            phi_1769_ = ((_e1143 + _e1164) + _e1185);
+                                let _e1182 = phi_1754_;
+                                if (_e1140 >= 0f) {
+                                    if (_e1161 >= 0f) {
+                                        if (_e1182 >= 0f) {
+                                            phi_1769_ = ((_e1140 + _e1161) + _e1182);
                                             phi_1770_ = false;
                                         } else {
                                             phi_1769_ = f32();
                                             phi_1770_ = true;
                                         }
-                                        let _e1192 = phi_1769_;
-                                        let _e1194 = phi_1770_;
-                                        phi_1771_ = _e1192;
-                                        phi_1772_ = _e1194;
+                                        let _e1189 = phi_1769_;
+                                        let _e1191 = phi_1770_;
+                                        phi_1771_ = _e1189;
+                                        phi_1772_ = _e1191;
                                     } else {
                                         phi_1771_ = f32();
                                         phi_1772_ = true;
                                     }
-                                    let _e1196 = phi_1771_;
-                                    let _e1198 = phi_1772_;
-                                    phi_1773_ = _e1196;
-                                    phi_1774_ = _e1198;
+                                    let _e1193 = phi_1771_;
+                                    let _e1195 = phi_1772_;
+                                    phi_1773_ = _e1193;
+                                    phi_1774_ = _e1195;
                                 } else {
                                     phi_1773_ = f32();
                                     phi_1774_ = true;
                                 }
-                                let _e1200 = phi_1773_;
-                                let _e1202 = phi_1774_;
-                                if _e1202 {
-                                    if (_e1143 <= 0f) {
-                                        if (_e1164 <= 0f) {
-                                            let _e1205 = (_e1185 <= 0f);
-                                            if _e1205 {
+                                let _e1197 = phi_1773_;
+                                let _e1199 = phi_1774_;
+                                if _e1199 {
+                                    if (_e1140 <= 0f) {
+                                        if (_e1161 <= 0f) {
+                                            let _e1202 = (_e1182 <= 0f);
+                                            if _e1202 {
                                             }
-                                            phi_1792_ = ((_e1143 + _e1164) + _e1185);
+                                            phi_1792_ = ((_e1140 + _e1161) + _e1182);
                                             phi_1793_ = false;
-                                            phi_1794_ = _e1205;
+                                            phi_1794_ = _e1202;
                                         } else {
                                             phi_1792_ = f32();
                                             phi_1793_ = true;
                                             phi_1794_ = false;
                                         }
-                                        let _e1209 = phi_1792_;
-                                        let _e1211 = phi_1793_;
-                                        let _e1213 = phi_1794_;
-                                        phi_1795_ = _e1209;
-                                        phi_1796_ = _e1211;
-                                        phi_1797_ = _e1213;
+                                        let _e1206 = phi_1792_;
+                                        let _e1208 = phi_1793_;
+                                        let _e1210 = phi_1794_;
+                                        phi_1795_ = _e1206;
+                                        phi_1796_ = _e1208;
+                                        phi_1797_ = _e1210;
                                     } else {
                                         phi_1795_ = f32();
                                         phi_1796_ = true;
                                         phi_1797_ = false;
                                     }
-                                    let _e1215 = phi_1795_;
-                                    let _e1217 = phi_1796_;
-                                    let _e1219 = phi_1797_;
-                                    if _e1217 {
+                                    let _e1212 = phi_1795_;
+                                    let _e1214 = phi_1796_;
+                                    let _e1216 = phi_1797_;
+                                    if _e1214 {
                                         phi_1801_ = false;
                                     } else {
-                                        phi_1801_ = _e1219;
+                                        phi_1801_ = _e1216;
                                     }
-                                    let _e1221 = phi_1801_;
-                                    phi_1802_ = _e1215;
-                                    phi_1803_ = _e1221;
+                                    let _e1218 = phi_1801_;
+                                    phi_1802_ = _e1212;
+                                    phi_1803_ = _e1218;
                                 } else {
-                                    phi_1802_ = _e1200;
+                                    phi_1802_ = _e1197;
                                     phi_1803_ = true;
                                 }
-                                let _e1223 = phi_1802_;
-                                let _e1225 = phi_1803_;
-                                if _e1225 {
-                                    let _e1226 = (_e1223 == 0f);
-                                    if _e1226 {
+                                let _e1220 = phi_1802_;
+                                let _e1222 = phi_1803_;
+                                if _e1222 {
+                                    let _e1223 = (_e1220 == 0f);
+                                    if _e1223 {
                                         phi_2129_ = lt_bvh_triangle_Intersection();
                                         phi_2130_ = false;
                                     } else {
-                                        let _e1228 = triangles.member[(0u + _e1033)].v0_;
-                                        let _e1231 = (_e1228.x - _e164.origin.x);
-                                        let _e1234 = (_e1228.y - _e164.origin.y);
-                                        let _e1237 = (_e1228.z - _e164.origin.z);
-                                        if (_e406 == 0u) {
-                                            phi_1834_ = vec3<f32>(_e1234, _e1237, _e1231);
+                                        let _e1225 = triangles.member[(0u + _e1030)].v0_;
+                                        let _e1228 = (_e1225.x - _e164.origin.x);
+                                        let _e1231 = (_e1225.y - _e164.origin.y);
+                                        let _e1234 = (_e1225.z - _e164.origin.z);
+                                        if (_e403 == 0u) {
+                                            phi_1834_ = vec3<f32>(_e1231, _e1234, _e1228);
                                         } else {
-                                            if (_e406 == 1u) {
-                                                phi_1833_ = vec3<f32>(_e1237, _e1231, _e1234);
+                                            if (_e403 == 1u) {
+                                                phi_1833_ = vec3<f32>(_e1234, _e1228, _e1231);
                                             } else {
-                                                phi_1833_ = (_e1228 - _e164.origin);
+                                                phi_1833_ = (_e1225 - _e164.origin);
                                             }
-                                            let _e1244 = phi_1833_;
-                                            phi_1834_ = _e1244;
+                                            let _e1241 = phi_1833_;
+                                            phi_1834_ = _e1241;
                                         }
-                                        let _e1246 = phi_1834_;
-                                        let _e1248 = triangles.member[(0u + _e1033)].v1_;
-                                        let _e1250 = triangles.member[(0u + _e1033)].v0_;
-                                        let _e1253 = (_e1248.x - _e1250.x);
-                                        let _e1256 = (_e1248.y - _e1250.y);
-                                        let _e1259 = (_e1248.z - _e1250.z);
-                                        if (_e406 == 0u) {
-                                            phi_1860_ = vec3<f32>(_e1256, _e1259, _e1253);
+                                        let _e1243 = phi_1834_;
+                                        let _e1245 = triangles.member[(0u + _e1030)].v1_;
+                                        let _e1247 = triangles.member[(0u + _e1030)].v0_;
+                                        let _e1250 = (_e1245.x - _e1247.x);
+                                        let _e1253 = (_e1245.y - _e1247.y);
+                                        let _e1256 = (_e1245.z - _e1247.z);
+                                        if (_e403 == 0u) {
+                                            phi_1860_ = vec3<f32>(_e1253, _e1256, _e1250);
                                         } else {
-                                            if (_e406 == 1u) {
-                                                phi_1859_ = vec3<f32>(_e1259, _e1253, _e1256);
+                                            if (_e403 == 1u) {
+                                                phi_1859_ = vec3<f32>(_e1256, _e1250, _e1253);
                                             } else {
-                                                phi_1859_ = (_e1248 - _e1250);
+                                                phi_1859_ = (_e1245 - _e1247);
                                             }
-                                            let _e1266 = phi_1859_;
-                                            phi_1860_ = _e1266;
+                                            let _e1263 = phi_1859_;
+                                            phi_1860_ = _e1263;
                                         }
-                                        let _e1268 = phi_1860_;
-                                        let _e1270 = triangles.member[(0u + _e1033)].v2_;
-                                        let _e1272 = triangles.member[(0u + _e1033)].v0_;
-                                        let _e1275 = (_e1270.x - _e1272.x);
-                                        let _e1278 = (_e1270.y - _e1272.y);
-                                        let _e1281 = (_e1270.z - _e1272.z);
-                                        if (_e406 == 0u) {
-                                            phi_1886_ = vec3<f32>(_e1278, _e1281, _e1275);
+                                        let _e1265 = phi_1860_;
+                                        let _e1267 = triangles.member[(0u + _e1030)].v2_;
+                                        let _e1269 = triangles.member[(0u + _e1030)].v0_;
+                                        let _e1272 = (_e1267.x - _e1269.x);
+                                        let _e1275 = (_e1267.y - _e1269.y);
+                                        let _e1278 = (_e1267.z - _e1269.z);
+                                        if (_e403 == 0u) {
+                                            phi_1886_ = vec3<f32>(_e1275, _e1278, _e1272);
                                         } else {
-                                            if (_e406 == 1u) {
-                                                phi_1885_ = vec3<f32>(_e1281, _e1275, _e1278);
+                                            if (_e403 == 1u) {
+                                                phi_1885_ = vec3<f32>(_e1278, _e1272, _e1275);
                                             } else {
-                                                phi_1885_ = (_e1270 - _e1272);
+                                                phi_1885_ = (_e1267 - _e1269);
                                             }
-                                            let _e1288 = phi_1885_;
-                                            phi_1886_ = _e1288;
+                                            let _e1285 = phi_1885_;
+                                            phi_1886_ = _e1285;
                                         }
-                                        let _e1290 = phi_1886_;
-                                        let _e1297 = ((_e1268.y * _e1290.z) - (_e1268.z * _e1290.y));
-                                        let _e1304 = ((_e1268.z * _e1290.x) - (_e1268.x * _e1290.z));
-                                        let _e1311 = ((_e1268.x * _e1290.y) - (_e1268.y * _e1290.x));
-                                        let _e1325 = (((1f / _e421.z) * (((_e1297 * _e1246.x) + (_e1304 * _e1246.y)) + (_e1311 * _e1246.z))) / (((_e1297 * _e425) + (_e1304 * _e428)) + _e1311));
-                                        if (_e1325 > _e164.tmin) {
-                                            if (_e1325 < _e164.tmax) {
-                                                let _e1331 = triangles.member[(0u + _e1033)].v0_;
-                                                let _e1333 = triangles.member[(0u + _e1033)].v1_;
-                                                if (_e1331.x < _e1333.x) {
-                                                    phi_1944_ = _e1331.x;
+                                        let _e1287 = phi_1886_;
+                                        let _e1294 = ((_e1265.y * _e1287.z) - (_e1265.z * _e1287.y));
+                                        let _e1301 = ((_e1265.z * _e1287.x) - (_e1265.x * _e1287.z));
+                                        let _e1308 = ((_e1265.x * _e1287.y) - (_e1265.y * _e1287.x));
+                                        let _e1322 = (((1f / _e418.z) * (((_e1294 * _e1243.x) + (_e1301 * _e1243.y)) + (_e1308 * _e1243.z))) / (((_e1294 * _e422) + (_e1301 * _e425)) + _e1308));
+                                        if (_e1322 > _e164.tmin) {
+                                            if (_e1322 < _e164.tmax) {
+                                                let _e1328 = triangles.member[(0u + _e1030)].v0_;
+                                                let _e1330 = triangles.member[(0u + _e1030)].v1_;
+                                                if (_e1328.x < _e1330.x) {
+                                                    phi_1944_ = _e1328.x;
                                                 } else {
-                                                    phi_1944_ = _e1333.x;
+                                                    phi_1944_ = _e1330.x;
                                                 }
-                                                let _e1340 = phi_1944_;
-                                                if (_e1331.y < _e1333.y) {
-                                                    phi_1953_ = _e1331.y;
+                                                let _e1337 = phi_1944_;
+                                                if (_e1328.y < _e1330.y) {
+                                                    phi_1953_ = _e1328.y;
                                                 } else {
-                                                    phi_1953_ = _e1333.y;
+                                                    phi_1953_ = _e1330.y;
                                                 }
-                                                let _e1347 = phi_1953_;
-                                                if (_e1331.z < _e1333.z) {
-                                                    phi_1962_ = _e1331.z;
+                                                let _e1344 = phi_1953_;
+                                                if (_e1328.z < _e1330.z) {
+                                                    phi_1962_ = _e1328.z;
                                                 } else {
-                                                    phi_1962_ = _e1333.z;
+                                                    phi_1962_ = _e1330.z;
                                                 }
-                                                let _e1354 = phi_1962_;
-                                                let _e1356 = triangles.member[(0u + _e1033)].v2_;
-                                                if (_e1340 < _e1356.x) {
-                                                    phi_1971_ = _e1340;
+                                                let _e1351 = phi_1962_;
+                                                let _e1353 = triangles.member[(0u + _e1030)].v2_;
+                                                if (_e1337 < _e1353.x) {
+                                                    phi_1971_ = _e1337;
                                                 } else {
-                                                    phi_1971_ = _e1356.x;
+                                                    phi_1971_ = _e1353.x;
                                                 }
-                                                let _e1361 = phi_1971_;
-                                                if (_e1347 < _e1356.y) {
-                                                    phi_1978_ = _e1347;
+                                                let _e1358 = phi_1971_;
+                                                if (_e1344 < _e1353.y) {
+                                                    phi_1978_ = _e1344;
                                                 } else {
-                                                    phi_1978_ = _e1356.y;
+                                                    phi_1978_ = _e1353.y;
                                                 }
-                                                let _e1366 = phi_1978_;
-                                                if (_e1354 < _e1356.z) {
-                                                    phi_1985_ = _e1354;
+                                                let _e1363 = phi_1978_;
+                                                if (_e1351 < _e1353.z) {
+                                                    phi_1985_ = _e1351;
                                                 } else {
-                                                    phi_1985_ = _e1356.z;
+                                                    phi_1985_ = _e1353.z;
                                                 }
-                                                let _e1371 = phi_1985_;
-                                                let _e1373 = triangles.member[(0u + _e1033)].v0_;
-                                                let _e1375 = triangles.member[(0u + _e1033)].v1_;
-                                                if (_e1373.x > _e1375.x) {
-                                                    phi_1998_ = _e1373.x;
+                                                let _e1368 = phi_1985_;
+                                                let _e1370 = triangles.member[(0u + _e1030)].v0_;
+                                                let _e1372 = triangles.member[(0u + _e1030)].v1_;
+                                                if (_e1370.x > _e1372.x) {
+                                                    phi_1998_ = _e1370.x;
                                                 } else {
-                                                    phi_1998_ = _e1375.x;
+                                                    phi_1998_ = _e1372.x;
                                                 }
-                                                let _e1382 = phi_1998_;
-                                                if (_e1373.y > _e1375.y) {
-                                                    phi_2007_ = _e1373.y;
+                                                let _e1379 = phi_1998_;
+                                                if (_e1370.y > _e1372.y) {
+                                                    phi_2007_ = _e1370.y;
                                                 } else {
-                                                    phi_2007_ = _e1375.y;
+                                                    phi_2007_ = _e1372.y;
                                                 }
-                                                let _e1389 = phi_2007_;
-                                                if (_e1373.z > _e1375.z) {
-                                                    phi_2016_ = _e1373.z;
+                                                let _e1386 = phi_2007_;
+                                                if (_e1370.z > _e1372.z) {
+                                                    phi_2016_ = _e1370.z;
                                                 } else {
-                                                    phi_2016_ = _e1375.z;
+                                                    phi_2016_ = _e1372.z;
                                                 }
-                                                let _e1396 = phi_2016_;
-                                                let _e1398 = triangles.member[(0u + _e1033)].v2_;
-                                                if (_e1382 > _e1398.x) {
-                                                    phi_2025_ = _e1382;
+                                                let _e1393 = phi_2016_;
+                                                let _e1395 = triangles.member[(0u + _e1030)].v2_;
+                                                if (_e1379 > _e1395.x) {
+                                                    phi_2025_ = _e1379;
                                                 } else {
-                                                    phi_2025_ = _e1398.x;
+                                                    phi_2025_ = _e1395.x;
                                                 }
-                                                let _e1403 = phi_2025_;
-                                                if (_e1389 > _e1398.y) {
-                                                    phi_2032_ = _e1389;
+                                                let _e1400 = phi_2025_;
+                                                if (_e1386 > _e1395.y) {
+                                                    phi_2032_ = _e1386;
                                                 } else {
-                                                    phi_2032_ = _e1398.y;
+                                                    phi_2032_ = _e1395.y;
                                                 }
-                                                let _e1408 = phi_2032_;
-                                                if (_e1396 > _e1398.z) {
-                                                    phi_2039_ = _e1396;
+                                                let _e1405 = phi_2032_;
+                                                if (_e1393 > _e1395.z) {
+                                                    phi_2039_ = _e1393;
                                                 } else {
-                                                    phi_2039_ = _e1398.z;
+                                                    phi_2039_ = _e1395.z;
                                                 }
-                                                let _e1413 = phi_2039_;
-                                                let _e1420 = ((_e1361 - _e164.origin.x) * _e318);
-                                                let _e1421 = ((_e1366 - _e164.origin.y) * _e330);
-                                                let _e1422 = ((_e1371 - _e164.origin.z) * _e342);
-                                                let _e1429 = ((_e1403 - _e164.origin.x) * _e318);
-                                                let _e1430 = ((_e1408 - _e164.origin.y) * _e330);
-                                                let _e1431 = ((_e1413 - _e164.origin.z) * _e342);
-                                                if (_e1420 < _e1429) {
-                                                    phi_2062_ = _e1420;
+                                                let _e1410 = phi_2039_;
+                                                let _e1417 = ((_e1358 - _e164.origin.x) * _e317);
+                                                let _e1418 = ((_e1363 - _e164.origin.y) * _e328);
+                                                let _e1419 = ((_e1368 - _e164.origin.z) * _e339);
+                                                let _e1426 = ((_e1400 - _e164.origin.x) * _e317);
+                                                let _e1427 = ((_e1405 - _e164.origin.y) * _e328);
+                                                let _e1428 = ((_e1410 - _e164.origin.z) * _e339);
+                                                if (_e1417 < _e1426) {
+                                                    phi_2062_ = _e1417;
                                                 } else {
-                                                    phi_2062_ = _e1429;
+                                                    phi_2062_ = _e1426;
                                                 }
-                                                let _e1434 = phi_2062_;
-                                                if (_e1421 < _e1430) {
-                                                    phi_2067_ = _e1421;
+                                                let _e1431 = phi_2062_;
+                                                if (_e1418 < _e1427) {
+                                                    phi_2067_ = _e1418;
                                                 } else {
-                                                    phi_2067_ = _e1430;
+                                                    phi_2067_ = _e1427;
                                                 }
-                                                let _e1437 = phi_2067_;
-                                                if (_e1422 < _e1431) {
-                                                    phi_2072_ = _e1422;
+                                                let _e1434 = phi_2067_;
+                                                if (_e1419 < _e1428) {
+                                                    phi_2072_ = _e1419;
                                                 } else {
-                                                    phi_2072_ = _e1431;
+                                                    phi_2072_ = _e1428;
                                                 }
-                                                let _e1440 = phi_2072_;
-                                                if (_e1420 > _e1429) {
-                                                    phi_2080_ = _e1420;
+                                                let _e1437 = phi_2072_;
+                                                if (_e1417 > _e1426) {
+                                                    phi_2080_ = _e1417;
                                                 } else {
-                                                    phi_2080_ = _e1429;
+                                                    phi_2080_ = _e1426;
                                                 }
-                                                let _e1446 = phi_2080_;
-                                                if (_e1421 > _e1430) {
-                                                    phi_2085_ = _e1421;
+                                                let _e1443 = phi_2080_;
+                                                if (_e1418 > _e1427) {
+                                                    phi_2085_ = _e1418;
                                                 } else {
-                                                    phi_2085_ = _e1430;
+                                                    phi_2085_ = _e1427;
                                                 }
-                                                let _e1449 = phi_2085_;
-                                                if (_e1422 > _e1431) {
-                                                    phi_2090_ = _e1422;
+                                                let _e1446 = phi_2085_;
+                                                if (_e1419 > _e1428) {
+                                                    phi_2090_ = _e1419;
                                                 } else {
-                                                    phi_2090_ = _e1431;
+                                                    phi_2090_ = _e1428;
                                                 }
-                                                let _e1452 = phi_2090_;
-                                                let _e1456 = core_intrinsics_maximum_number_nsz_f32_((_e1434 - _e386), (_e1437 - _e387));
-                                                let _e1457 = core_intrinsics_maximum_number_nsz_f32_(_e1456, (_e1440 - _e388));
-                                                let _e1458 = core_intrinsics_minimum_number_nsz_f32_((_e1446 + _e386), (_e1449 + _e387));
-                                                let _e1459 = core_intrinsics_minimum_number_nsz_f32_(_e1458, (_e1452 + _e388));
-                                                if (_e1457 > -300000000000000000000000000000000000000f) {
-                                                    phi_2102_ = _e1457;
+                                                let _e1449 = phi_2090_;
+                                                let _e1453 = core_intrinsics_maximum_number_nsz_f32_((_e1431 - _e383), (_e1434 - _e384));
+                                                let _e1454 = core_intrinsics_maximum_number_nsz_f32_(_e1453, (_e1437 - _e385));
+                                                let _e1455 = core_intrinsics_minimum_number_nsz_f32_((_e1443 + _e383), (_e1446 + _e384));
+                                                let _e1456 = core_intrinsics_minimum_number_nsz_f32_(_e1455, (_e1449 + _e385));
+                                                if (_e1454 > -300000000000000000000000000000000000000f) {
+                                                    phi_2102_ = _e1454;
                                                 } else {
                                                     phi_2102_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1462 = phi_2102_;
-                                                if (_e1459 < 300000000000000000000000000000000000000f) {
-                                                    phi_2107_ = _e1459;
+                                                let _e1459 = phi_2102_;
+                                                if (_e1456 < 300000000000000000000000000000000000000f) {
+                                                    phi_2107_ = _e1456;
                                                 } else {
                                                     phi_2107_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1465 = phi_2107_;
-                                                if (_e1325 < _e1462) {
-                                                    phi_2112_ = _e1462;
+                                                let _e1462 = phi_2107_;
+                                                if (_e1322 < _e1459) {
+                                                    phi_2112_ = _e1459;
                                                 } else {
-                                                    phi_2112_ = _e1325;
+                                                    phi_2112_ = _e1322;
                                                 }
-                                                let _e1468 = phi_2112_;
-                                                if (_e1468 > _e1465) {
+                                                let _e1465 = phi_2112_;
+                                                if (_e1465 > _e1462) {
+                                                    phi_2117_ = _e1462;
+                                                } else {
                                                     phi_2117_ = _e1465;
-                                                } else {
-                                                    phi_2117_ = _e1468;
                                                 }
-                                                let _e1471 = phi_2117_;
-                                                phi_2122_ = lt_bvh_triangle_Intersection(_e1471, (_e1164 / _e1223), (_e1185 / _e1223), (_e1462 <= _e1465));
+                                                let _e1468 = phi_2117_;
+                                                phi_2122_ = lt_bvh_triangle_Intersection(_e1468, (_e1161 / _e1220), (_e1182 / _e1220), (_e1459 <= _e1462));
                                                 phi_2123_ = false;
                                             } else {
                                                 phi_2122_ = lt_bvh_triangle_Intersection();
                                                 phi_2123_ = true;
                                             }
-                                            let _e1477 = phi_2122_;
-                                            let _e1479 = phi_2123_;
-                                            phi_2124_ = _e1477;
-                                            phi_2125_ = _e1479;
+                                            let _e1474 = phi_2122_;
+                                            let _e1476 = phi_2123_;
+                                            phi_2124_ = _e1474;
+                                            phi_2125_ = _e1476;
                                         } else {
                                             phi_2124_ = lt_bvh_triangle_Intersection();
                                             phi_2125_ = true;
                                         }
-                                        let _e1481 = phi_2124_;
-                                        let _e1483 = phi_2125_;
-                                        if _e1483 {
+                                        let _e1478 = phi_2124_;
+                                        let _e1480 = phi_2125_;
+                                        if _e1480 {
                                         }
-                                        phi_2129_ = _e1481;
-                                        phi_2130_ = _e1483;
+                                        phi_2129_ = _e1478;
+                                        phi_2130_ = _e1480;
                                     }
-                                    let _e1485 = phi_2129_;
-                                    let _e1487 = phi_2130_;
-                                    phi_2131_ = _e1485;
-                                    phi_2132_ = _e1226;
-                                    phi_2133_ = _e1487;
+                                    let _e1482 = phi_2129_;
+                                    let _e1484 = phi_2130_;
+                                    phi_2131_ = _e1482;
+                                    phi_2132_ = _e1223;
+                                    phi_2133_ = _e1484;
                                 } else {
                                     phi_2131_ = lt_bvh_triangle_Intersection();
                                     phi_2132_ = true;
                                     phi_2133_ = false;
                                 }
-                                let _e1489 = phi_2131_;
-                                let _e1491 = phi_2132_;
-                                let _e1493 = phi_2133_;
-                                if _e1491 {
+                                let _e1486 = phi_2131_;
+                                let _e1488 = phi_2132_;
+                                let _e1490 = phi_2133_;
+                                if _e1488 {
                                     phi_2137_ = true;
                                 } else {
-                                    phi_2137_ = _e1493;
+                                    phi_2137_ = _e1490;
                                 }
-                                let _e1495 = phi_2137_;
-                                if _e1495 {
+                                let _e1492 = phi_2137_;
+                                if _e1492 {
                                     phi_2141_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2141_ = _e1489;
+                                    phi_2141_ = _e1486;
                                 }
-                                let _e1497 = phi_2141_;
-                                if _e1497.is_hit {
-                                    if (_e1497.t > _e164.tmin) {
-                                        if (_e1497.t < _e1022.t) {
+                                let _e1494 = phi_2141_;
+                                if _e1494.is_hit {
+                                    if (_e1494.t > _e164.tmin) {
+                                        if (_e1494.t < _e1019.t) {
                                             phi_2190_ = true;
                                         } else {
-                                            if (_e1497.t == _e1022.t) {
-                                                if (_e1022.triangle != 4294967295u) {
-                                                    if (_e1033 < _e1022.triangle) {
+                                            if (_e1494.t == _e1019.t) {
+                                                if (_e1019.triangle != 4294967295u) {
+                                                    if (_e1030 < _e1019.triangle) {
                                                         phi_2181_ = true;
                                                     } else {
-                                                        if (_e1033 == _e1022.triangle) {
-                                                            phi_2180_ = (4294967295u < _e1022.instance);
+                                                        if (_e1030 == _e1019.triangle) {
+                                                            phi_2180_ = (4294967295u < _e1019.instance);
                                                         } else {
                                                             phi_2180_ = false;
                                                         }
-                                                        let _e1516 = phi_2180_;
-                                                        phi_2181_ = _e1516;
+                                                        let _e1513 = phi_2180_;
+                                                        phi_2181_ = _e1513;
                                                     }
-                                                    let _e1518 = phi_2181_;
-                                                    phi_2182_ = _e1518;
+                                                    let _e1515 = phi_2181_;
+                                                    phi_2182_ = _e1515;
                                                     phi_2183_ = false;
                                                 } else {
                                                     phi_2182_ = bool();
                                                     phi_2183_ = true;
                                                 }
-                                                let _e1520 = phi_2182_;
-                                                let _e1522 = phi_2183_;
-                                                phi_2184_ = _e1520;
-                                                phi_2185_ = _e1522;
+                                                let _e1517 = phi_2182_;
+                                                let _e1519 = phi_2183_;
+                                                phi_2184_ = _e1517;
+                                                phi_2185_ = _e1519;
                                             } else {
                                                 phi_2184_ = bool();
                                                 phi_2185_ = true;
                                             }
-                                            let _e1524 = phi_2184_;
-                                            let _e1526 = phi_2185_;
-                                            if _e1526 {
+                                            let _e1521 = phi_2184_;
+                                            let _e1523 = phi_2185_;
+                                            if _e1523 {
                                                 phi_2189_ = false;
                                             } else {
-                                                phi_2189_ = _e1524;
+                                                phi_2189_ = _e1521;
                                             }
-                                            let _e1528 = phi_2189_;
-                                            phi_2190_ = _e1528;
+                                            let _e1525 = phi_2189_;
+                                            phi_2190_ = _e1525;
                                         }
-                                        let _e1530 = phi_2190_;
-                                        if _e1530 {
-                                            let _e1532 = triangles.member[(0u + _e1033)].i0_;
-                                            if ((_e1532 & 2147483648u) == 0u) {
+                                        let _e1527 = phi_2190_;
+                                        if _e1527 {
+                                            let _e1529 = triangles.member[(0u + _e1030)].i0_;
+                                            if ((_e1529 & 2147483648u) == 0u) {
                                                 phi_2401_ = true;
                                             } else {
-                                                if (_e1033 < _e82) {
+                                                if (_e1030 < _e82) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1541 = triangles.member[(0u + _e1033)].i0_;
-                                                let _e1542 = (_e1541 & 2147483647u);
-                                                let _e1544 = triangles.member[(0u + _e1033)].i1_;
-                                                let _e1546 = triangles.member[(0u + _e1033)].i2_;
-                                                if (_e1542 < _e85) {
+                                                let _e1538 = triangles.member[(0u + _e1030)].i0_;
+                                                let _e1539 = (_e1538 & 2147483647u);
+                                                let _e1541 = triangles.member[(0u + _e1030)].i1_;
+                                                let _e1543 = triangles.member[(0u + _e1030)].i2_;
+                                                if (_e1539 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1550 = vertices.member[(0u + _e1542)];
-                                                if (_e1544 < _e85) {
+                                                let _e1547 = vertices.member[(0u + _e1539)];
+                                                if (_e1541 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1554 = vertices.member[(0u + _e1544)];
-                                                if (_e1546 < _e85) {
+                                                let _e1551 = vertices.member[(0u + _e1541)];
+                                                if (_e1543 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1558 = vertices.member[(0u + _e1546)];
-                                                let _e1559 = array<abi_Vertex, 3>(_e1550, _e1554, _e1558);
-                                                if (_e1559[0].material < _e88) {
+                                                let _e1555 = vertices.member[(0u + _e1543)];
+                                                let _e1556 = array<abi_Vertex, 3>(_e1547, _e1551, _e1555);
+                                                if (_e1556[0].material < _e88) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1565 = materials.member[(0u + _e1559[0].material)];
-                                                if ((_e1565.flags & 0u) == 0u) {
-                                                    let _e1570 = ((1f - _e1497.u) - _e1497.v);
-                                                    if (_e1565.cutoff <= 0f) {
+                                                let _e1562 = materials.member[(0u + _e1556[0].material)];
+                                                if ((_e1562.flags & 0u) == 0u) {
+                                                    let _e1567 = ((1f - _e1494.u) - _e1494.v);
+                                                    if (_e1562.cutoff <= 0f) {
                                                         phi_2396_ = true;
                                                     } else {
-                                                        let _e1597 = (_e1565.base_color.w * ((((f32((_e1559[0].color >> bitcast<u32>(24i))) * _e1570) + (f32((_e1559[1].color >> bitcast<u32>(24i))) * _e1497.u)) + (f32((_e1559[2].color >> bitcast<u32>(24i))) * _e1497.v)) * (1f / 255f)));
-                                                        if (_e1565.alpha_size == 0u) {
-                                                            phi_2393_ = _e1597;
+                                                        let _e1594 = (_e1562.base_color.w * ((((f32((_e1556[0].color >> bitcast<u32>(24i))) * _e1567) + (f32((_e1556[1].color >> bitcast<u32>(24i))) * _e1494.u)) + (f32((_e1556[2].color >> bitcast<u32>(24i))) * _e1494.v)) * (1f / 255f)));
+                                                        if (_e1562.alpha_size == 0u) {
+                                                            phi_2393_ = _e1594;
                                                         } else {
-                                                            local_1.offset = _e1565.alpha_offset;
-                                                            local_1.size = _e1565.alpha_size;
-                                                            local_1.flags = _e1565.flags;
-                                                            let _e1628 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1559[0].u * _e1570) + (_e1559[1].u * _e1497.u)) + (_e1559[2].u * _e1497.v)), (((_e1559[0].v * _e1570) + (_e1559[1].v * _e1497.u)) + (_e1559[2].v * _e1497.v)));
-                                                            let _e1632 = (_e1628.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1632 < _e94) {
+                                                            local_1.offset = _e1562.alpha_offset;
+                                                            local_1.size = _e1562.alpha_size;
+                                                            local_1.flags = _e1562.flags;
+                                                            let _e1625 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1556[0].u * _e1567) + (_e1556[1].u * _e1494.u)) + (_e1556[2].u * _e1494.v)), (((_e1556[0].v * _e1567) + (_e1556[1].v * _e1494.u)) + (_e1556[2].v * _e1494.v)));
+                                                            let _e1629 = (_e1625.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1629 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1636 = alpha_texels.member[(0u + _e1632)];
-                                                            let _e1652 = (_e1628.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1652 < _e94) {
+                                                            let _e1633 = alpha_texels.member[(0u + _e1629)];
+                                                            let _e1649 = (_e1625.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1649 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1656 = alpha_texels.member[(0u + _e1652)];
-                                                            let _e1673 = (_e1628.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1673 < _e94) {
+                                                            let _e1653 = alpha_texels.member[(0u + _e1649)];
+                                                            let _e1670 = (_e1625.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1670 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1677 = alpha_texels.member[(0u + _e1673)];
-                                                            let _e1694 = (_e1628.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1694 < _e94) {
+                                                            let _e1674 = alpha_texels.member[(0u + _e1670)];
+                                                            let _e1691 = (_e1625.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1691 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1698 = alpha_texels.member[(0u + _e1694)];
-                                                            phi_2393_ = (_e1597 * (((((f32(((_e1636 >> bitcast<u32>((((_e1628.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.x) + ((f32(((_e1656 >> bitcast<u32>((((_e1628.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.y)) + ((f32(((_e1677 >> bitcast<u32>((((_e1628.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.z)) + ((f32(((_e1698 >> bitcast<u32>((((_e1628.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.w)));
+                                                            let _e1695 = alpha_texels.member[(0u + _e1691)];
+                                                            phi_2393_ = (_e1594 * (((((f32(((_e1633 >> bitcast<u32>((((_e1625.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1625.weights.x) + ((f32(((_e1653 >> bitcast<u32>((((_e1625.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1625.weights.y)) + ((f32(((_e1674 >> bitcast<u32>((((_e1625.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1625.weights.z)) + ((f32(((_e1695 >> bitcast<u32>((((_e1625.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1625.weights.w)));
                                                         }
-                                                        let _e1714 = phi_2393_;
-                                                        phi_2396_ = (_e1714 >= _e1565.cutoff);
+                                                        let _e1711 = phi_2393_;
+                                                        phi_2396_ = (_e1711 >= _e1562.cutoff);
                                                     }
-                                                    let _e1718 = phi_2396_;
-                                                    phi_2397_ = _e1718;
+                                                    let _e1715 = phi_2396_;
+                                                    phi_2397_ = _e1715;
                                                 } else {
                                                     phi_2397_ = false;
                                                 }
-                                                let _e1720 = phi_2397_;
-                                                if _e1720 {
+                                                let _e1717 = phi_2397_;
+                                                if _e1717 {
                                                 }
-                                                phi_2401_ = _e1720;
+                                                phi_2401_ = _e1717;
                                             }
-                                            let _e1722 = phi_2401_;
-                                            if _e1722 {
-                                                phi_2409_ = lt_bvh_Hit(_e1497.t, _e1497.u, _e1497.v, _e1033, 4294967295u);
+                                            let _e1719 = phi_2401_;
+                                            if _e1719 {
+                                                phi_2409_ = lt_bvh_Hit(_e1494.t, _e1494.u, _e1494.v, _e1030, 4294967295u);
                                             } else {
-                                                phi_2409_ = _e1022;
+                                                phi_2409_ = _e1019;
                                             }
-                                            let _e1728 = phi_2409_;
-                                            phi_2410_ = _e1728;
+                                            let _e1725 = phi_2409_;
+                                            phi_2410_ = _e1725;
                                         } else {
-                                            phi_2410_ = _e1022;
+                                            phi_2410_ = _e1019;
                                         }
-                                        let _e1730 = phi_2410_;
-                                        phi_2411_ = _e1730;
+                                        let _e1727 = phi_2410_;
+                                        phi_2411_ = _e1727;
                                     } else {
-                                        phi_2411_ = _e1022;
+                                        phi_2411_ = _e1019;
                                     }
-                                    let _e1732 = phi_2411_;
-                                    phi_2412_ = _e1732;
+                                    let _e1729 = phi_2411_;
+                                    phi_2412_ = _e1729;
                                 } else {
-                                    phi_2412_ = _e1022;
+                                    phi_2412_ = _e1019;
                                 }
-                                let _e1734 = phi_2412_;
-                                phi_1555_ = _e1734;
-                                phi_1558_ = (_e1024 & (_e1024 - 1u));
+                                let _e1731 = phi_2412_;
+                                phi_1555_ = _e1731;
+                                phi_1558_ = (_e1021 & (_e1021 - 1u));
                                 phi_2413_ = true;
                             }
-                            let _e1736 = phi_1555_;
-                            let _e1738 = phi_1558_;
-                            let _e1740 = phi_2413_;
+                            let _e1733 = phi_1555_;
+                            let _e1735 = phi_1558_;
+                            let _e1737 = phi_2413_;
                             continue;
                             continuing {
-                                phi_1554_ = _e1736;
-                                phi_1557_ = _e1738;
-                                break if !(_e1740);
+                                phi_1554_ = _e1733;
+                                phi_1557_ = _e1735;
+                                break if !(_e1737);
                             }
                         }
-                        let _e1743 = local_2.group_mask;
-                        if ((_e1743 & 4278190080u) == 0u) {
-                            let _e1747 = local_2.len;
-                            if (_e1747 == 0u) {
+                        let _e1740 = local_2.group_mask;
+                        if ((_e1740 & 4278190080u) == 0u) {
+                            let _e1744 = local_2.len;
+                            if (_e1744 == 0u) {
                                 phi_2452_ = false;
                             } else {
+                                let _e1748 = local_2.len;
+                                local_2.len = (_e1748 - 1u);
                                 let _e1751 = local_2.len;
-                                local_2.len = (_e1751 - 1u);
-                                let _e1754 = local_2.len;
-                                if (_e1754 < 32u) {
+                                if (_e1751 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1759 = local_2.first[(0u + _e1754)];
-                                local_2.group = _e1759;
-                                let _e1762 = local_2.len;
-                                if (_e1762 < 32u) {
+                                let _e1756 = local_2.first[(0u + _e1751)];
+                                local_2.group = _e1756;
+                                let _e1759 = local_2.len;
+                                if (_e1759 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1767 = local_2.mask[(0u + _e1762)];
-                                local_2.group_mask = _e1767;
+                                let _e1764 = local_2.mask[(0u + _e1759)];
+                                local_2.group_mask = _e1764;
                                 phi_2452_ = true;
                             }
-                            let _e1770 = phi_2452_;
-                            phi_2453_ = _e1770;
+                            let _e1767 = phi_2452_;
+                            phi_2453_ = _e1767;
                         } else {
                             phi_2453_ = true;
                         }
-                        let _e1772 = phi_2453_;
-                        if _e1772 {
-                            let _e1774 = local_2.group_mask;
-                            let _e1780 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1774)), 32u, (_e1774 == 0u)));
-                            let _e1784 = local_2.group_mask;
-                            let _e1798 = local_2.group_mask;
-                            local_2.group_mask = (_e1798 & ~((1u << bitcast<u32>((_e1780 & 31u)))));
-                            let _e1801 = local_2.group;
-                            phi_2484_ = (_e1801 + countOneBits(((_e1784 & ~((4294967295u << bitcast<u32>((((_e1780 - 24u) ^ _e441) & 31u))))) & 255u)));
+                        let _e1769 = phi_2453_;
+                        if _e1769 {
+                            let _e1771 = local_2.group_mask;
+                            let _e1777 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1771)), 32u, (_e1771 == 0u)));
+                            let _e1781 = local_2.group_mask;
+                            let _e1795 = local_2.group_mask;
+                            local_2.group_mask = (_e1795 & ~((1u << bitcast<u32>((_e1777 & 31u)))));
+                            let _e1798 = local_2.group;
+                            phi_2484_ = (_e1798 + countOneBits(((_e1781 & ~((4294967295u << bitcast<u32>((((_e1777 - 24u) ^ _e438) & 31u))))) & 255u)));
                         } else {
                             phi_2484_ = 4294967295u;
                         }
-                        let _e1804 = phi_2484_;
-                        let _e2727 = local_6;
-                        phi_1218_ = _e2727;
-                        phi_1221_ = _e1804;
+                        let _e1801 = phi_2484_;
+                        let _e2724 = local_6;
+                        phi_1218_ = _e2724;
+                        phi_1221_ = _e1801;
                     } else {
                         phi_1218_ = lt_bvh_Hit();
                         phi_1221_ = u32();
                     }
-                    let _e1806 = phi_1218_;
-                    let _e1808 = phi_1221_;
+                    let _e1803 = phi_1218_;
+                    let _e1805 = phi_1221_;
                     continue;
                     continuing {
-                        phi_1217_ = _e1806;
-                        phi_1220_ = _e1808;
-                        break if !(_e582);
+                        phi_1217_ = _e1803;
+                        phi_1220_ = _e1805;
+                        break if !(_e579);
                     }
                 }
-                let _e2731 = local_7;
-                phi_2485_ = _e2731;
+                let _e2728 = local_7;
+                phi_2485_ = _e2728;
             }
-            let _e1811 = phi_2485_;
-            phi_2486_ = _e1811;
+            let _e1808 = phi_2485_;
+            phi_2486_ = _e1808;
             phi_2487_ = _e236;
         } else {
             phi_2486_ = lt_bvh_Hit();
             phi_2487_ = true;
         }
-        let _e1813 = phi_2486_;
-        let _e1815 = phi_2487_;
-        if _e1815 {
+        let _e1810 = phi_2486_;
+        let _e1812 = phi_2487_;
+        if _e1812 {
             phi_2491_ = _e166;
         } else {
-            phi_2491_ = _e1813;
+            phi_2491_ = _e1810;
         }
-        let _e1817 = phi_2491_;
-        if (_e1817.triangle != 4294967295u) {
-            let _e1823 = ((1f - _e1817.u) - _e1817.v);
-            if (_e1817.triangle < _e82) {
+        let _e1814 = phi_2491_;
+        if (_e1814.triangle != 4294967295u) {
+            let _e1820 = ((1f - _e1814.u) - _e1814.v);
+            if (_e1814.triangle < _e82) {
             } else {
                 return;
             }
-            let _e1828 = triangles.member[(0u + _e1817.triangle)];
-            let _e1853 = (((_e1828.v0_.x * _e1823) + (_e1828.v1_.x * _e1817.u)) + (_e1828.v2_.x * _e1817.v));
-            let _e1854 = (((_e1828.v0_.y * _e1823) + (_e1828.v1_.y * _e1817.u)) + (_e1828.v2_.y * _e1817.v));
-            let _e1855 = (((_e1828.v0_.z * _e1823) + (_e1828.v1_.z * _e1817.u)) + (_e1828.v2_.z * _e1817.v));
-            let _e1858 = abs(_e1828.v0_.x);
-            let _e1860 = abs(_e1828.v0_.y);
-            let _e1862 = abs(_e1828.v0_.z);
-            let _e1864 = abs(_e1828.v1_.x);
-            let _e1866 = abs(_e1828.v1_.y);
-            let _e1868 = abs(_e1828.v1_.z);
-            if (_e1858 > _e1864) {
-                phi_2555_ = _e1858;
+            let _e1825 = triangles.member[(0u + _e1814.triangle)];
+            let _e1850 = (((_e1825.v0_.x * _e1820) + (_e1825.v1_.x * _e1814.u)) + (_e1825.v2_.x * _e1814.v));
+            let _e1851 = (((_e1825.v0_.y * _e1820) + (_e1825.v1_.y * _e1814.u)) + (_e1825.v2_.y * _e1814.v));
+            let _e1852 = (((_e1825.v0_.z * _e1820) + (_e1825.v1_.z * _e1814.u)) + (_e1825.v2_.z * _e1814.v));
+            let _e1855 = abs(_e1825.v0_.x);
+            let _e1857 = abs(_e1825.v0_.y);
+            let _e1859 = abs(_e1825.v0_.z);
+            let _e1861 = abs(_e1825.v1_.x);
+            let _e1863 = abs(_e1825.v1_.y);
+            let _e1865 = abs(_e1825.v1_.z);
+            if (_e1855 > _e1861) {
+                phi_2555_ = _e1855;
             } else {
-                phi_2555_ = _e1864;
+                phi_2555_ = _e1861;
             }
-            let _e1871 = phi_2555_;
-            if (_e1860 > _e1866) {
-                phi_2560_ = _e1860;
+            let _e1868 = phi_2555_;
+            if (_e1857 > _e1863) {
+                phi_2560_ = _e1857;
             } else {
-                phi_2560_ = _e1866;
+                phi_2560_ = _e1863;
             }
-            let _e1874 = phi_2560_;
-            if (_e1862 > _e1868) {
-                phi_2565_ = _e1862;
+            let _e1871 = phi_2560_;
+            if (_e1859 > _e1865) {
+                phi_2565_ = _e1859;
             } else {
-                phi_2565_ = _e1868;
+                phi_2565_ = _e1865;
             }
-            let _e1877 = phi_2565_;
-            let _e1879 = abs(_e1828.v2_.x);
-            let _e1881 = abs(_e1828.v2_.y);
-            let _e1883 = abs(_e1828.v2_.z);
-            if (_e1871 > _e1879) {
-                phi_2576_ = _e1871;
+            let _e1874 = phi_2565_;
+            let _e1876 = abs(_e1825.v2_.x);
+            let _e1878 = abs(_e1825.v2_.y);
+            let _e1880 = abs(_e1825.v2_.z);
+            if (_e1868 > _e1876) {
+                phi_2576_ = _e1868;
             } else {
-                phi_2576_ = _e1879;
+                phi_2576_ = _e1876;
             }
-            let _e1886 = phi_2576_;
-            if (_e1874 > _e1881) {
-                phi_2581_ = _e1874;
+            let _e1883 = phi_2576_;
+            if (_e1871 > _e1878) {
+                phi_2581_ = _e1871;
             } else {
-                phi_2581_ = _e1881;
+                phi_2581_ = _e1878;
             }
-            let _e1889 = phi_2581_;
-            if (_e1877 > _e1883) {
-                phi_2586_ = _e1877;
+            let _e1886 = phi_2581_;
+            if (_e1874 > _e1880) {
+                phi_2586_ = _e1874;
             } else {
-                phi_2586_ = _e1883;
+                phi_2586_ = _e1880;
             }
-            let _e1892 = phi_2586_;
-            let _e1895 = (_e1828.v1_.x - _e1828.v0_.x);
-            let _e1898 = (_e1828.v1_.y - _e1828.v0_.y);
-            let _e1901 = (_e1828.v1_.z - _e1828.v0_.z);
-            let _e1904 = (_e1828.v2_.x - _e1828.v0_.x);
-            let _e1907 = (_e1828.v2_.y - _e1828.v0_.y);
-            let _e1910 = (_e1828.v2_.z - _e1828.v0_.z);
-            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1898), abs(_e1901));
-            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), _e1914);
-            let _e1916 = (_e1895 / _e1915);
-            let _e1917 = (_e1898 / _e1915);
-            let _e1918 = (_e1901 / _e1915);
-            let _e1922 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1907), abs(_e1910));
-            let _e1923 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1904), _e1922);
-            let _e1924 = (_e1904 / _e1923);
-            let _e1925 = (_e1907 / _e1923);
-            let _e1926 = (_e1910 / _e1923);
-            let _e1929 = ((_e1917 * _e1926) - (_e1925 * _e1918));
-            let _e1932 = ((_e1918 * _e1924) - (_e1926 * _e1916));
-            let _e1935 = ((_e1916 * _e1925) - (_e1924 * _e1917));
-            let _e1937 = p.member.eye;
-            let _e1950 = (1f / sqrt((((_e1929 * _e1929) + (_e1932 * _e1932)) + (_e1935 * _e1935))));
-            let _e1951 = (_e1929 * _e1950);
-            let _e1952 = (_e1932 * _e1950);
-            let _e1953 = (_e1935 * _e1950);
-            if ((((_e1951 * (_e1937.x - _e1853)) + (_e1952 * (_e1937.y - _e1854))) + (_e1953 * (_e1937.z - _e1855))) < 0f) {
-                phi_2662_ = vec3<f32>(-(_e1951), -(_e1952), -(_e1953));
+            let _e1889 = phi_2586_;
+            let _e1892 = (_e1825.v1_.x - _e1825.v0_.x);
+            let _e1895 = (_e1825.v1_.y - _e1825.v0_.y);
+            let _e1898 = (_e1825.v1_.z - _e1825.v0_.z);
+            let _e1901 = (_e1825.v2_.x - _e1825.v0_.x);
+            let _e1904 = (_e1825.v2_.y - _e1825.v0_.y);
+            let _e1907 = (_e1825.v2_.z - _e1825.v0_.z);
+            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), abs(_e1898));
+            let _e1912 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1892), _e1911);
+            let _e1913 = (_e1892 / _e1912);
+            let _e1914 = (_e1895 / _e1912);
+            let _e1915 = (_e1898 / _e1912);
+            let _e1919 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1904), abs(_e1907));
+            let _e1920 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1901), _e1919);
+            let _e1921 = (_e1901 / _e1920);
+            let _e1922 = (_e1904 / _e1920);
+            let _e1923 = (_e1907 / _e1920);
+            let _e1926 = ((_e1914 * _e1923) - (_e1922 * _e1915));
+            let _e1929 = ((_e1915 * _e1921) - (_e1923 * _e1913));
+            let _e1932 = ((_e1913 * _e1922) - (_e1921 * _e1914));
+            let _e1934 = p.member.eye;
+            let _e1947 = (1f / sqrt((((_e1926 * _e1926) + (_e1929 * _e1929)) + (_e1932 * _e1932))));
+            let _e1948 = (_e1926 * _e1947);
+            let _e1949 = (_e1929 * _e1947);
+            let _e1950 = (_e1932 * _e1947);
+            if ((((_e1948 * (_e1934.x - _e1850)) + (_e1949 * (_e1934.y - _e1851))) + (_e1950 * (_e1934.z - _e1852))) < 0f) {
+                phi_2662_ = vec3<f32>(-(_e1948), -(_e1949), -(_e1950));
             } else {
-                phi_2662_ = vec3<f32>(_e1951, _e1952, _e1953);
+                phi_2662_ = vec3<f32>(_e1948, _e1949, _e1950);
             }
-            let _e1966 = phi_2662_;
-            if (_e1817.triangle < _e82) {
-            } else {
-                return;
-            }
-            let _e1971 = triangles.member[(0u + _e1817.triangle)];
-            let _e1973 = (_e1971.i0_ & 2147483647u);
-            if (_e1973 < _e85) {
+            let _e1963 = phi_2662_;
+            if (_e1814.triangle < _e82) {
             } else {
                 return;
             }
-            let _e1979 = vertices.member[(0u + _e1973)];
-            if (_e1971.i1_ < _e85) {
+            let _e1968 = triangles.member[(0u + _e1814.triangle)];
+            let _e1970 = (_e1968.i0_ & 2147483647u);
+            if (_e1970 < _e85) {
             } else {
                 return;
             }
-            let _e1983 = vertices.member[(0u + _e1971.i1_)];
-            if (_e1971.i2_ < _e85) {
+            let _e1976 = vertices.member[(0u + _e1970)];
+            if (_e1968.i1_ < _e85) {
             } else {
                 return;
             }
-            let _e1987 = vertices.member[(0u + _e1971.i2_)];
-            let _e1988 = array<abi_Vertex, 3>(_e1979, _e1983, _e1987);
-            if (_e1988[0].material < _e88) {
+            let _e1980 = vertices.member[(0u + _e1968.i1_)];
+            if (_e1968.i2_ < _e85) {
             } else {
                 return;
             }
-            let _e1994 = materials.member[(0u + _e1988[0].material)];
-            let _e2011 = (1f / 255f);
-            let _e2030 = (1f / 255f);
-            let _e2052 = (1f / 255f);
-            if (_e1994.color_size == 0u) {
+            let _e1984 = vertices.member[(0u + _e1968.i2_)];
+            let _e1985 = array<abi_Vertex, 3>(_e1976, _e1980, _e1984);
+            if (_e1985[0].material < _e88) {
+            } else {
+                return;
+            }
+            let _e1991 = materials.member[(0u + _e1985[0].material)];
+            let _e2008 = (1f / 255f);
+            let _e2027 = (1f / 255f);
+            let _e2049 = (1f / 255f);
+            if (_e1991.color_size == 0u) {
                 phi_2905_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1994.color_offset;
-                local.size = _e1994.color_size;
-                local.flags = _e1994.flags;
-                let _e2095 = _lt_shaders_texture_TextureView_quad((&local), (((_e1988[0].u * _e1823) + (_e1988[1].u * _e1817.u)) + (_e1988[2].u * _e1817.v)), (((_e1988[0].v * _e1823) + (_e1988[1].v * _e1817.u)) + (_e1988[2].v * _e1817.v)));
-                if (_e2095.indices[0] < _e97) {
+                local.offset = _e1991.color_offset;
+                local.size = _e1991.color_size;
+                local.flags = _e1991.flags;
+                let _e2092 = _lt_shaders_texture_TextureView_quad((&local), (((_e1985[0].u * _e1820) + (_e1985[1].u * _e1814.u)) + (_e1985[2].u * _e1814.v)), (((_e1985[0].v * _e1820) + (_e1985[1].v * _e1814.u)) + (_e1985[2].v * _e1814.v)));
+                if (_e2092.indices[0] < _e97) {
                 } else {
                     return;
                 }
-                let _e2101 = color_texels.member[(0u + _e2095.indices[0])];
-                let _e2112 = (1f / 255f);
-                if (_e2095.indices[1] < _e97) {
+                let _e2098 = color_texels.member[(0u + _e2092.indices[0])];
+                let _e2109 = (1f / 255f);
+                if (_e2092.indices[1] < _e97) {
                 } else {
                     return;
                 }
-                let _e2126 = color_texels.member[(0u + _e2095.indices[1])];
-                let _e2137 = (1f / 255f);
-                if (_e2095.indices[2] < _e97) {
+                let _e2123 = color_texels.member[(0u + _e2092.indices[1])];
+                let _e2134 = (1f / 255f);
+                if (_e2092.indices[2] < _e97) {
                 } else {
                     return;
                 }
-                let _e2154 = color_texels.member[(0u + _e2095.indices[2])];
-                let _e2165 = (1f / 255f);
-                if (_e2095.indices[3] < _e97) {
+                let _e2151 = color_texels.member[(0u + _e2092.indices[2])];
+                let _e2162 = (1f / 255f);
+                if (_e2092.indices[3] < _e97) {
                 } else {
                     return;
                 }
-                let _e2182 = color_texels.member[(0u + _e2095.indices[3])];
-                let _e2193 = (1f / 255f);
-                let _e2202 = (((((f32((_e2101 & 255u)) * _e2112) * _e2095.weights.x) + ((f32((_e2126 & 255u)) * _e2137) * _e2095.weights.y)) + ((f32((_e2154 & 255u)) * _e2165) * _e2095.weights.z)) + ((f32((_e2182 & 255u)) * _e2193) * _e2095.weights.w));
-                let _e2203 = (((((f32(((_e2101 >> bitcast<u32>(8i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(8i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(8i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(8i)) & 255u)) * _e2193) * _e2095.weights.w));
-                let _e2204 = (((((f32(((_e2101 >> bitcast<u32>(16i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(16i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(16i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(16i)) & 255u)) * _e2193) * _e2095.weights.w));
-                phi_2905_ = vec3<f32>((_e2202 * _e2202), (_e2203 * _e2203), (_e2204 * _e2204));
+                let _e2179 = color_texels.member[(0u + _e2092.indices[3])];
+                let _e2190 = (1f / 255f);
+                let _e2199 = (((((f32((_e2098 & 255u)) * _e2109) * _e2092.weights.x) + ((f32((_e2123 & 255u)) * _e2134) * _e2092.weights.y)) + ((f32((_e2151 & 255u)) * _e2162) * _e2092.weights.z)) + ((f32((_e2179 & 255u)) * _e2190) * _e2092.weights.w));
+                let _e2200 = (((((f32(((_e2098 >> bitcast<u32>(8i)) & 255u)) * _e2109) * _e2092.weights.x) + ((f32(((_e2123 >> bitcast<u32>(8i)) & 255u)) * _e2134) * _e2092.weights.y)) + ((f32(((_e2151 >> bitcast<u32>(8i)) & 255u)) * _e2162) * _e2092.weights.z)) + ((f32(((_e2179 >> bitcast<u32>(8i)) & 255u)) * _e2190) * _e2092.weights.w));
+                let _e2201 = (((((f32(((_e2098 >> bitcast<u32>(16i)) & 255u)) * _e2109) * _e2092.weights.x) + ((f32(((_e2123 >> bitcast<u32>(16i)) & 255u)) * _e2134) * _e2092.weights.y)) + ((f32(((_e2151 >> bitcast<u32>(16i)) & 255u)) * _e2162) * _e2092.weights.z)) + ((f32(((_e2179 >> bitcast<u32>(16i)) & 255u)) * _e2190) * _e2092.weights.w));
+                phi_2905_ = vec3<f32>((_e2199 * _e2199), (_e2200 * _e2200), (_e2201 * _e2201));
             }
-            let _e2210 = phi_2905_;
-            let _e2212 = ((_e1994.base_color.x * ((((f32((_e1988[0].color & 255u)) * _e2011) * _e1823) + ((f32((_e1988[1].color & 255u)) * _e2030) * _e1817.u)) + ((f32((_e1988[2].color & 255u)) * _e2052) * _e1817.v))) * _e2210.x);
-            let _e2214 = ((_e1994.base_color.y * ((((f32(((_e1988[0].color >> bitcast<u32>(8i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(8i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(8i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.y);
-            let _e2216 = ((_e1994.base_color.z * ((((f32(((_e1988[0].color >> bitcast<u32>(16i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(16i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(16i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.z);
-            let _e2217 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1889, _e1892);
-            let _e2218 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1886, _e2217);
-            if ((_e1994.flags & 2u) == 0u) {
+            let _e2207 = phi_2905_;
+            let _e2209 = ((_e1991.base_color.x * ((((f32((_e1985[0].color & 255u)) * _e2008) * _e1820) + ((f32((_e1985[1].color & 255u)) * _e2027) * _e1814.u)) + ((f32((_e1985[2].color & 255u)) * _e2049) * _e1814.v))) * _e2207.x);
+            let _e2211 = ((_e1991.base_color.y * ((((f32(((_e1985[0].color >> bitcast<u32>(8i)) & 255u)) * _e2008) * _e1820) + ((f32(((_e1985[1].color >> bitcast<u32>(8i)) & 255u)) * _e2027) * _e1814.u)) + ((f32(((_e1985[2].color >> bitcast<u32>(8i)) & 255u)) * _e2049) * _e1814.v))) * _e2207.y);
+            let _e2213 = ((_e1991.base_color.z * ((((f32(((_e1985[0].color >> bitcast<u32>(16i)) & 255u)) * _e2008) * _e1820) + ((f32(((_e1985[1].color >> bitcast<u32>(16i)) & 255u)) * _e2027) * _e1814.u)) + ((f32(((_e1985[2].color >> bitcast<u32>(16i)) & 255u)) * _e2049) * _e1814.v))) * _e2207.z);
+            let _e2214 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1886, _e1889);
+            let _e2215 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1883, _e2214);
+            if ((_e1991.flags & 2u) == 0u) {
                 phi_2920_ = 0u;
             } else {
                 phi_2920_ = 1u;
             }
-            let _e2223 = phi_2920_;
-            if (_e1988[0].normal == 2147516416u) {
-                phi_3123_ = _e1966;
+            let _e2220 = phi_2920_;
+            if (_e1985[0].normal == 2147516416u) {
+                phi_3123_ = _e1963;
             } else {
-                let _e2236 = (f32((bitcast<i32>((_e1988[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2242 = (f32((bitcast<i32>(_e1988[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2246 = ((1f - abs(_e2236)) - abs(_e2242));
-                if (_e2246 < 0f) {
-                    phi_2947_ = -(_e2246);
+                let _e2233 = (f32((bitcast<i32>((_e1985[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2239 = (f32((bitcast<i32>(_e1985[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2243 = ((1f - abs(_e2233)) - abs(_e2239));
+                if (_e2243 < 0f) {
+                    phi_2947_ = -(_e2243);
                 } else {
                     phi_2947_ = 0f;
                 }
-                let _e2250 = phi_2947_;
-                if (_e2236 < 0f) {
-                    phi_2954_ = (_e2236 + _e2250);
+                let _e2247 = phi_2947_;
+                if (_e2233 < 0f) {
+                    phi_2954_ = (_e2233 + _e2247);
                 } else {
-                    phi_2954_ = (_e2236 - _e2250);
+                    phi_2954_ = (_e2233 - _e2247);
                 }
-                let _e2255 = phi_2954_;
-                if (_e2242 < 0f) {
-                    phi_2961_ = (_e2242 + _e2250);
+                let _e2252 = phi_2954_;
+                if (_e2239 < 0f) {
+                    phi_2961_ = (_e2239 + _e2247);
                 } else {
-                    phi_2961_ = (_e2242 - _e2250);
+                    phi_2961_ = (_e2239 - _e2247);
                 }
-                let _e2260 = phi_2961_;
-                let _e2267 = (1f / sqrt((((_e2255 * _e2255) + (_e2260 * _e2260)) + (_e2246 * _e2246))));
-                let _e2283 = (f32((bitcast<i32>((_e1988[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2289 = (f32((bitcast<i32>(_e1988[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2293 = ((1f - abs(_e2283)) - abs(_e2289));
-                if (_e2293 < 0f) {
-                    phi_2996_ = -(_e2293);
+                let _e2257 = phi_2961_;
+                let _e2264 = (1f / sqrt((((_e2252 * _e2252) + (_e2257 * _e2257)) + (_e2243 * _e2243))));
+                let _e2280 = (f32((bitcast<i32>((_e1985[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2286 = (f32((bitcast<i32>(_e1985[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2290 = ((1f - abs(_e2280)) - abs(_e2286));
+                if (_e2290 < 0f) {
+                    phi_2996_ = -(_e2290);
                 } else {
                     phi_2996_ = 0f;
                 }
-                let _e2297 = phi_2996_;
-                if (_e2283 < 0f) {
-                    phi_3003_ = (_e2283 + _e2297);
+                let _e2294 = phi_2996_;
+                if (_e2280 < 0f) {
+                    phi_3003_ = (_e2280 + _e2294);
                 } else {
-                    phi_3003_ = (_e2283 - _e2297);
+                    phi_3003_ = (_e2280 - _e2294);
                 }
-                let _e2302 = phi_3003_;
-                if (_e2289 < 0f) {
-                    phi_3010_ = (_e2289 + _e2297);
+                let _e2299 = phi_3003_;
+                if (_e2286 < 0f) {
+                    phi_3010_ = (_e2286 + _e2294);
                 } else {
-                    phi_3010_ = (_e2289 - _e2297);
+                    phi_3010_ = (_e2286 - _e2294);
                 }
-                let _e2307 = phi_3010_;
-                let _e2314 = (1f / sqrt((((_e2302 * _e2302) + (_e2307 * _e2307)) + (_e2293 * _e2293))));
-                let _e2333 = (f32((bitcast<i32>((_e1988[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2339 = (f32((bitcast<i32>(_e1988[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2343 = ((1f - abs(_e2333)) - abs(_e2339));
-                if (_e2343 < 0f) {
-                    phi_3048_ = -(_e2343);
+                let _e2304 = phi_3010_;
+                let _e2311 = (1f / sqrt((((_e2299 * _e2299) + (_e2304 * _e2304)) + (_e2290 * _e2290))));
+                let _e2330 = (f32((bitcast<i32>((_e1985[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2336 = (f32((bitcast<i32>(_e1985[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2340 = ((1f - abs(_e2330)) - abs(_e2336));
+                if (_e2340 < 0f) {
+                    phi_3048_ = -(_e2340);
                 } else {
                     phi_3048_ = 0f;
                 }
-                let _e2347 = phi_3048_;
-                if (_e2333 < 0f) {
-                    phi_3055_ = (_e2333 + _e2347);
+                let _e2344 = phi_3048_;
+                if (_e2330 < 0f) {
+                    phi_3055_ = (_e2330 + _e2344);
                 } else {
-                    phi_3055_ = (_e2333 - _e2347);
+                    phi_3055_ = (_e2330 - _e2344);
                 }
-                let _e2352 = phi_3055_;
-                if (_e2339 < 0f) {
-                    phi_3062_ = (_e2339 + _e2347);
+                let _e2349 = phi_3055_;
+                if (_e2336 < 0f) {
+                    phi_3062_ = (_e2336 + _e2344);
                 } else {
-                    phi_3062_ = (_e2339 - _e2347);
+                    phi_3062_ = (_e2336 - _e2344);
                 }
-                let _e2357 = phi_3062_;
-                let _e2364 = (1f / sqrt((((_e2352 * _e2352) + (_e2357 * _e2357)) + (_e2343 * _e2343))));
-                let _e2375 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2255 * _e2267) * _e1823) + ((_e2302 * _e2314) * _e1817.u)) + ((_e2352 * _e2364) * _e1817.v)), ((((_e2260 * _e2267) * _e1823) + ((_e2307 * _e2314) * _e1817.u)) + ((_e2357 * _e2364) * _e1817.v)), ((((_e2246 * _e2267) * _e1823) + ((_e2293 * _e2314) * _e1817.u)) + ((_e2343 * _e2364) * _e1817.v))));
-                let _e2387 = sqrt((((_e2375.x * _e2375.x) + (_e2375.y * _e2375.y)) + (_e2375.z * _e2375.z)));
-                if (_e2387 > 0f) {
-                    let _e2390 = (_e2375.x / _e2387);
-                    let _e2392 = (_e2375.y / _e2387);
-                    let _e2394 = (_e2375.z / _e2387);
-                    if ((((_e2390 * _e1966.x) + (_e2392 * _e1966.y)) + (_e2394 * _e1966.z)) < 0f) {
-                        phi_3121_ = vec3<f32>(-(_e2390), -(_e2392), -(_e2394));
+                let _e2354 = phi_3062_;
+                let _e2361 = (1f / sqrt((((_e2349 * _e2349) + (_e2354 * _e2354)) + (_e2340 * _e2340))));
+                let _e2372 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2252 * _e2264) * _e1820) + ((_e2299 * _e2311) * _e1814.u)) + ((_e2349 * _e2361) * _e1814.v)), ((((_e2257 * _e2264) * _e1820) + ((_e2304 * _e2311) * _e1814.u)) + ((_e2354 * _e2361) * _e1814.v)), ((((_e2243 * _e2264) * _e1820) + ((_e2290 * _e2311) * _e1814.u)) + ((_e2340 * _e2361) * _e1814.v))));
+                let _e2384 = sqrt((((_e2372.x * _e2372.x) + (_e2372.y * _e2372.y)) + (_e2372.z * _e2372.z)));
+                if (_e2384 > 0f) {
+                    let _e2387 = (_e2372.x / _e2384);
+                    let _e2389 = (_e2372.y / _e2384);
+                    let _e2391 = (_e2372.z / _e2384);
+                    if ((((_e2387 * _e1963.x) + (_e2389 * _e1963.y)) + (_e2391 * _e1963.z)) < 0f) {
+                        phi_3121_ = vec3<f32>(-(_e2387), -(_e2389), -(_e2391));
                     } else {
-                        phi_3121_ = (_e2375 / vec3(_e2387));
+                        phi_3121_ = (_e2372 / vec3(_e2384));
                     }
-                    let _e2411 = phi_3121_;
-                    phi_3122_ = _e2411;
+                    let _e2408 = phi_3121_;
+                    phi_3122_ = _e2408;
                 } else {
-                    phi_3122_ = _e1966;
+                    phi_3122_ = _e1963;
                 }
-                let _e2413 = phi_3122_;
-                phi_3123_ = _e2413;
+                let _e2410 = phi_3122_;
+                phi_3123_ = _e2410;
             }
-            let _e2415 = phi_3123_;
-            if (_e2212 > 0f) {
-                if (_e2212 < 1f) {
-                    phi_3132_ = _e2212;
+            let _e2412 = phi_3123_;
+            if (_e2209 > 0f) {
+                if (_e2209 < 1f) {
+                    phi_3132_ = _e2209;
                 } else {
                     phi_3132_ = 1f;
                 }
-                let _e2419 = phi_3132_;
-                phi_3133_ = _e2419;
+                let _e2416 = phi_3132_;
+                phi_3133_ = _e2416;
             } else {
                 phi_3133_ = 0f;
             }
-            let _e2421 = phi_3133_;
-            if (_e2214 > 0f) {
-                if (_e2214 < 1f) {
-                    phi_3143_ = _e2214;
+            let _e2418 = phi_3133_;
+            if (_e2211 > 0f) {
+                if (_e2211 < 1f) {
+                    phi_3143_ = _e2211;
                 } else {
                     phi_3143_ = 1f;
                 }
-                let _e2426 = phi_3143_;
-                phi_3144_ = _e2426;
+                let _e2423 = phi_3143_;
+                phi_3144_ = _e2423;
             } else {
                 phi_3144_ = 0f;
             }
-            let _e2428 = phi_3144_;
-            if (_e2216 > 0f) {
-                if (_e2216 < 1f) {
-                    phi_3154_ = _e2216;
+            let _e2425 = phi_3144_;
+            if (_e2213 > 0f) {
+                if (_e2213 < 1f) {
+                    phi_3154_ = _e2213;
                 } else {
                     phi_3154_ = 1f;
                 }
-                let _e2433 = phi_3154_;
-                phi_3155_ = _e2433;
+                let _e2430 = phi_3154_;
+                phi_3155_ = _e2430;
             } else {
                 phi_3155_ = 0f;
             }
-            let _e2435 = phi_3155_;
-            let _e2438 = ((sqrt(_e2421) * 255f) + 0.5f);
-            let _e2447 = ((sqrt(_e2428) * 255f) + 0.5f);
-            let _e2459 = ((sqrt(_e2435) * 255f) + 0.5f);
-            phi_3190_ = abi_Sample(vec3<f32>(_e1853, _e1854, _e1855), _e2218, _e1966, _e2223, _e2415, ((select(select(u32(_e2438), 0u, (_e2438 < bitcast<f32>(0u))), 4294967295u, (_e2438 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2447), 0u, (_e2447 < bitcast<f32>(0u))), 4294967295u, (_e2447 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2459), 0u, (_e2459 < bitcast<f32>(0u))), 4294967295u, (_e2459 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2432 = phi_3155_;
+            let _e2435 = ((sqrt(_e2418) * 255f) + 0.5f);
+            let _e2444 = ((sqrt(_e2425) * 255f) + 0.5f);
+            let _e2456 = ((sqrt(_e2432) * 255f) + 0.5f);
+            phi_3190_ = abi_Sample(vec3<f32>(_e1850, _e1851, _e1852), _e2215, _e1963, _e2220, _e2412, ((select(select(u32(_e2435), 0u, (_e2435 < bitcast<f32>(0u))), 4294967295u, (_e2435 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2444), 0u, (_e2444 < bitcast<f32>(0u))), 4294967295u, (_e2444 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2456), 0u, (_e2456 < bitcast<f32>(0u))), 4294967295u, (_e2456 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_3190_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2473 = phi_3190_;
+        let _e2470 = phi_3190_;
         if (_e109.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e109.shift)] = _e2473;
-        if (_e1817.triangle != 4294967295u) {
-            let _e2482 = ((1f - _e1817.u) - _e1817.v);
-            if (_e1817.triangle < _e82) {
+        samples.member[(0u + _e109.shift)] = _e2470;
+        if (_e1814.triangle != 4294967295u) {
+            let _e2479 = ((1f - _e1814.u) - _e1814.v);
+            if (_e1814.triangle < _e82) {
             } else {
                 return;
             }
-            let _e2487 = triangles.member[(0u + _e1817.triangle)];
-            let _e2489 = (_e2487.i0_ & 2147483647u);
-            if (_e2489 < _e100) {
+            let _e2484 = triangles.member[(0u + _e1814.triangle)];
+            let _e2486 = (_e2484.i0_ & 2147483647u);
+            if (_e2486 < _e100) {
             } else {
                 return;
             }
-            let _e2495 = before.member[(0u + _e2489)];
-            if (_e2487.i1_ < _e100) {
+            let _e2492 = before.member[(0u + _e2486)];
+            if (_e2484.i1_ < _e100) {
             } else {
                 return;
             }
-            let _e2499 = before.member[(0u + _e2487.i1_)];
-            if (_e2487.i2_ < _e100) {
+            let _e2496 = before.member[(0u + _e2484.i1_)];
+            if (_e2484.i2_ < _e100) {
             } else {
                 return;
             }
-            let _e2503 = before.member[(0u + _e2487.i2_)];
-            let _e2508 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2495.x, _e2495.y, _e2495.z));
-            let _e2519 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2499.x, _e2499.y, _e2499.z));
-            let _e2533 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2503.x, _e2503.y, _e2503.z));
-            phi_3281_ = vec3<f32>((((_e2508.x * _e2482) + (_e2519.x * _e1817.u)) + (_e2533.x * _e1817.v)), (((_e2508.y * _e2482) + (_e2519.y * _e1817.u)) + (_e2533.y * _e1817.v)), (((_e2508.z * _e2482) + (_e2519.z * _e1817.u)) + (_e2533.z * _e1817.v)));
+            let _e2500 = before.member[(0u + _e2484.i2_)];
+            let _e2505 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2492.x, _e2492.y, _e2492.z));
+            let _e2516 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2496.x, _e2496.y, _e2496.z));
+            let _e2530 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2500.x, _e2500.y, _e2500.z));
+            phi_3281_ = vec3<f32>((((_e2505.x * _e2479) + (_e2516.x * _e1814.u)) + (_e2530.x * _e1814.v)), (((_e2505.y * _e2479) + (_e2516.y * _e1814.u)) + (_e2530.y * _e1814.v)), (((_e2505.z * _e2479) + (_e2516.z * _e1814.u)) + (_e2530.z * _e1814.v)));
         } else {
             phi_3281_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2545 = phi_3281_;
+        let _e2542 = phi_3281_;
         if (_e109.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.shift)] = vec4<f32>(_e2545.x, _e2545.y, _e2545.z, 1f);
+        past.member[(0u + _e109.shift)] = vec4<f32>(_e2542.x, _e2542.y, _e2542.z, 1f);
     }
     return;
 }

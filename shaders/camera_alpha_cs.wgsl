@@ -970,1375 +970,1375 @@ fn function_() {
                 } else {
                     phi_880_ = abs(_e151.direction.x);
                 }
-                let _e300 = phi_880_;
+                let _e299 = phi_880_;
                 if (_e151.direction.x < 0f) {
-                    phi_887_ = (-1f / _e300);
+                    phi_887_ = (-1f / _e299);
                 } else {
-                    phi_887_ = (1f / _e300);
+                    phi_887_ = (1f / _e299);
                 }
-                let _e305 = phi_887_;
+                let _e304 = phi_887_;
                 if (abs(_e151.direction.y) < _e293) {
                     phi_895_ = _e293;
                 } else {
                     phi_895_ = abs(_e151.direction.y);
                 }
-                let _e312 = phi_895_;
+                let _e310 = phi_895_;
                 if (_e151.direction.y < 0f) {
-                    phi_902_ = (-1f / _e312);
+                    phi_902_ = (-1f / _e310);
                 } else {
-                    phi_902_ = (1f / _e312);
+                    phi_902_ = (1f / _e310);
                 }
-                let _e317 = phi_902_;
+                let _e315 = phi_902_;
                 if (abs(_e151.direction.z) < _e293) {
                     phi_910_ = _e293;
                 } else {
                     phi_910_ = abs(_e151.direction.z);
                 }
-                let _e324 = phi_910_;
+                let _e321 = phi_910_;
                 if (_e151.direction.z < 0f) {
-                    phi_917_ = (-1f / _e324);
+                    phi_917_ = (-1f / _e321);
                 } else {
-                    phi_917_ = (1f / _e324);
+                    phi_917_ = (1f / _e321);
                 }
-                let _e329 = phi_917_;
-                let _e337 = abs((bitcast<f32>(_e229) - _e151.origin.x));
-                let _e338 = abs((bitcast<f32>(_e233) - _e151.origin.y));
-                let _e339 = abs((bitcast<f32>(_e237) - _e151.origin.z));
-                let _e347 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e253 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.x));
-                let _e348 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e253 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
-                let _e349 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e253 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
-                if (_e337 > _e347) {
-                    phi_942_ = _e337;
+                let _e326 = phi_917_;
+                let _e334 = abs((bitcast<f32>(_e229) - _e151.origin.x));
+                let _e335 = abs((bitcast<f32>(_e233) - _e151.origin.y));
+                let _e336 = abs((bitcast<f32>(_e237) - _e151.origin.z));
+                let _e344 = abs(((bitcast<f32>(_e241) + (bitcast<f32>((((_e253 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.x));
+                let _e345 = abs(((bitcast<f32>(_e245) + (bitcast<f32>((((_e253 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.y));
+                let _e346 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e253 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151.origin.z));
+                if (_e334 > _e344) {
+                    phi_942_ = _e334;
                 } else {
-                    phi_942_ = _e347;
+                    phi_942_ = _e344;
                 }
-                let _e352 = phi_942_;
-                if (_e338 > _e348) {
-                    phi_947_ = _e338;
+                let _e349 = phi_942_;
+                if (_e335 > _e345) {
+                    phi_947_ = _e335;
                 } else {
-                    phi_947_ = _e348;
+                    phi_947_ = _e345;
                 }
-                let _e355 = phi_947_;
-                if (_e339 > _e349) {
-                    phi_952_ = _e339;
+                let _e352 = phi_947_;
+                if (_e336 > _e346) {
+                    phi_952_ = _e336;
                 } else {
-                    phi_952_ = _e349;
+                    phi_952_ = _e346;
                 }
-                let _e358 = phi_952_;
-                let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e352, _e355);
-                let _e360 = core_intrinsics_maximum_number_nsz_f32_(_e359, _e358);
-                let _e365 = (_e360 * 0.0000019073486f);
-                let _e366 = (abs(_e305) * _e365);
-                let _e367 = (abs(_e317) * _e365);
-                let _e368 = (abs(_e329) * _e365);
-                let _e372 = (_e360 * 0.0000009536743f);
-                let _e373 = (abs(_e305) * _e372);
-                let _e374 = (abs(_e317) * _e372);
-                let _e375 = (abs(_e329) * _e372);
-                let _e378 = abs(_e151.direction.x);
-                let _e380 = abs(_e151.direction.y);
-                let _e382 = abs(_e151.direction.z);
-                if (_e378 >= _e380) {
-                    if (_e378 >= _e382) {
+                let _e355 = phi_952_;
+                let _e356 = core_intrinsics_maximum_number_nsz_f32_(_e349, _e352);
+                let _e357 = core_intrinsics_maximum_number_nsz_f32_(_e356, _e355);
+                let _e362 = (_e357 * 0.0000019073486f);
+                let _e363 = (abs(_e304) * _e362);
+                let _e364 = (abs(_e315) * _e362);
+                let _e365 = (abs(_e326) * _e362);
+                let _e369 = (_e357 * 0.0000009536743f);
+                let _e370 = (abs(_e304) * _e369);
+                let _e371 = (abs(_e315) * _e369);
+                let _e372 = (abs(_e326) * _e369);
+                let _e375 = abs(_e151.direction.x);
+                let _e377 = abs(_e151.direction.y);
+                let _e379 = abs(_e151.direction.z);
+                if (_e375 >= _e377) {
+                    if (_e375 >= _e379) {
                         phi_985_ = false;
                     } else {
                         phi_985_ = true;
                     }
-                    let _e386 = phi_985_;
-                    phi_986_ = _e386;
+                    let _e383 = phi_985_;
+                    phi_986_ = _e383;
                 } else {
                     phi_986_ = true;
                 }
-                let _e388 = phi_986_;
-                if _e388 {
-                    if (_e380 >= _e382) {
+                let _e385 = phi_986_;
+                if _e385 {
+                    if (_e377 >= _e379) {
                         phi_994_ = 1u;
                     } else {
                         phi_994_ = 2u;
                     }
-                    let _e391 = phi_994_;
-                    phi_995_ = _e391;
+                    let _e388 = phi_994_;
+                    phi_995_ = _e388;
                 } else {
                     phi_995_ = 0u;
                 }
-                let _e393 = phi_995_;
-                if (_e393 == 0u) {
+                let _e390 = phi_995_;
+                if (_e390 == 0u) {
                     phi_1014_ = vec3<f32>(_e151.direction.y, _e151.direction.z, _e151.direction.x);
                 } else {
-                    if (_e393 == 1u) {
+                    if (_e390 == 1u) {
                         phi_1013_ = vec3<f32>(_e151.direction.z, _e151.direction.x, _e151.direction.y);
                     } else {
                         phi_1013_ = _e151.direction;
                     }
-                    let _e406 = phi_1013_;
-                    phi_1014_ = _e406;
+                    let _e403 = phi_1013_;
+                    phi_1014_ = _e403;
                 }
-                let _e408 = phi_1014_;
-                let _e412 = (_e408.x / _e408.z);
-                let _e415 = (_e408.y / _e408.z);
-                if (_e305 < 0f) {
+                let _e405 = phi_1014_;
+                let _e409 = (_e405.x / _e405.z);
+                let _e412 = (_e405.y / _e405.z);
+                if (_e304 < 0f) {
                     phi_1028_ = 0u;
                 } else {
                     phi_1028_ = 1u;
                 }
-                let _e420 = phi_1028_;
-                if (_e317 < 0f) {
+                let _e417 = phi_1028_;
+                if (_e315 < 0f) {
                     phi_1033_ = 0u;
                 } else {
                     phi_1033_ = 2u;
                 }
-                let _e423 = phi_1033_;
-                if (_e329 < 0f) {
+                let _e420 = phi_1033_;
+                if (_e326 < 0f) {
                     phi_1038_ = 0u;
                 } else {
                     phi_1038_ = 4u;
                 }
-                let _e426 = phi_1038_;
-                let _e428 = ((_e420 | _e423) | _e426);
-                let _e429 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e429.first[0], _e429.first[1], _e429.first[2], _e429.first[3], _e429.first[4], _e429.first[5], _e429.first[6], _e429.first[7], _e429.first[8], _e429.first[9], _e429.first[10], _e429.first[11], _e429.first[12], _e429.first[13], _e429.first[14], _e429.first[15], _e429.first[16], _e429.first[17], _e429.first[18], _e429.first[19], _e429.first[20], _e429.first[21], _e429.first[22], _e429.first[23], _e429.first[24], _e429.first[25], _e429.first[26], _e429.first[27], _e429.first[28], _e429.first[29], _e429.first[30], _e429.first[31]), array<u32, 32>(_e429.mask[0], _e429.mask[1], _e429.mask[2], _e429.mask[3], _e429.mask[4], _e429.mask[5], _e429.mask[6], _e429.mask[7], _e429.mask[8], _e429.mask[9], _e429.mask[10], _e429.mask[11], _e429.mask[12], _e429.mask[13], _e429.mask[14], _e429.mask[15], _e429.mask[16], _e429.mask[17], _e429.mask[18], _e429.mask[19], _e429.mask[20], _e429.mask[21], _e429.mask[22], _e429.mask[23], _e429.mask[24], _e429.mask[25], _e429.mask[26], _e429.mask[27], _e429.mask[28], _e429.mask[29], _e429.mask[30], _e429.mask[31]), _e429.len, _e429.group, _e429.group_mask);
-                let _e503 = local_1.group_mask;
-                if ((_e503 & 4278190080u) == 0u) {
-                    let _e507 = local_1.len;
-                    if (_e507 == 0u) {
+                let _e423 = phi_1038_;
+                let _e425 = ((_e417 | _e420) | _e423);
+                let _e426 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e426.first[0], _e426.first[1], _e426.first[2], _e426.first[3], _e426.first[4], _e426.first[5], _e426.first[6], _e426.first[7], _e426.first[8], _e426.first[9], _e426.first[10], _e426.first[11], _e426.first[12], _e426.first[13], _e426.first[14], _e426.first[15], _e426.first[16], _e426.first[17], _e426.first[18], _e426.first[19], _e426.first[20], _e426.first[21], _e426.first[22], _e426.first[23], _e426.first[24], _e426.first[25], _e426.first[26], _e426.first[27], _e426.first[28], _e426.first[29], _e426.first[30], _e426.first[31]), array<u32, 32>(_e426.mask[0], _e426.mask[1], _e426.mask[2], _e426.mask[3], _e426.mask[4], _e426.mask[5], _e426.mask[6], _e426.mask[7], _e426.mask[8], _e426.mask[9], _e426.mask[10], _e426.mask[11], _e426.mask[12], _e426.mask[13], _e426.mask[14], _e426.mask[15], _e426.mask[16], _e426.mask[17], _e426.mask[18], _e426.mask[19], _e426.mask[20], _e426.mask[21], _e426.mask[22], _e426.mask[23], _e426.mask[24], _e426.mask[25], _e426.mask[26], _e426.mask[27], _e426.mask[28], _e426.mask[29], _e426.mask[30], _e426.mask[31]), _e426.len, _e426.group, _e426.group_mask);
+                let _e500 = local_1.group_mask;
+                if ((_e500 & 4278190080u) == 0u) {
+                    let _e504 = local_1.len;
+                    if (_e504 == 0u) {
                         phi_1152_ = false;
                     } else {
+                        let _e508 = local_1.len;
+                        local_1.len = (_e508 - 1u);
                         let _e511 = local_1.len;
-                        local_1.len = (_e511 - 1u);
-                        let _e514 = local_1.len;
-                        if (_e514 < 32u) {
+                        if (_e511 < 32u) {
                         } else {
                             return;
                         }
-                        let _e519 = local_1.first[(0u + _e514)];
-                        local_1.group = _e519;
-                        let _e522 = local_1.len;
-                        if (_e522 < 32u) {
+                        let _e516 = local_1.first[(0u + _e511)];
+                        local_1.group = _e516;
+                        let _e519 = local_1.len;
+                        if (_e519 < 32u) {
                         } else {
                             return;
                         }
-                        let _e527 = local_1.mask[(0u + _e522)];
-                        local_1.group_mask = _e527;
+                        let _e524 = local_1.mask[(0u + _e519)];
+                        local_1.group_mask = _e524;
                         phi_1152_ = true;
                     }
-                    let _e530 = phi_1152_;
-                    phi_1153_ = _e530;
+                    let _e527 = phi_1152_;
+                    phi_1153_ = _e527;
                 } else {
                     phi_1153_ = true;
                 }
-                let _e532 = phi_1153_;
-                if _e532 {
-                    let _e534 = local_1.group_mask;
-                    let _e540 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e534)), 32u, (_e534 == 0u)));
-                    let _e544 = local_1.group_mask;
-                    let _e558 = local_1.group_mask;
-                    local_1.group_mask = (_e558 & ~((1u << bitcast<u32>((_e540 & 31u)))));
-                    let _e561 = local_1.group;
-                    phi_1184_ = (_e561 + countOneBits(((_e544 & ~((4294967295u << bitcast<u32>((((_e540 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e529 = phi_1153_;
+                if _e529 {
+                    let _e531 = local_1.group_mask;
+                    let _e537 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e531)), 32u, (_e531 == 0u)));
+                    let _e541 = local_1.group_mask;
+                    let _e555 = local_1.group_mask;
+                    local_1.group_mask = (_e555 & ~((1u << bitcast<u32>((_e537 & 31u)))));
+                    let _e558 = local_1.group;
+                    phi_1184_ = (_e558 + countOneBits(((_e541 & ~((4294967295u << bitcast<u32>((((_e537 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1184_ = 4294967295u;
                 }
-                let _e564 = phi_1184_;
+                let _e561 = phi_1184_;
                 phi_1186_ = _e153;
-                phi_1189_ = _e564;
+                phi_1189_ = _e561;
                 loop {
-                    let _e566 = phi_1186_;
-                    let _e568 = phi_1189_;
-                    local_6 = _e566;
-                    let _e569 = (_e568 != 4294967295u);
-                    if _e569 {
-                        if (_e568 < _e75) {
+                    let _e563 = phi_1186_;
+                    let _e565 = phi_1189_;
+                    local_6 = _e563;
+                    let _e566 = (_e565 != 4294967295u);
+                    if _e566 {
+                        if (_e565 < _e75) {
                         } else {
                             return;
                         }
-                        let _e577 = nodes.member[(0u + _e568)].frame[3u];
-                        let _e602 = (bitcast<f32>((((_e577 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e305);
-                        let _e603 = (bitcast<f32>((((_e577 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e317);
-                        let _e604 = (bitcast<f32>((((_e577 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e329);
-                        let _e607 = nodes.member[(0u + _e568)].frame[0u];
-                        let _e611 = nodes.member[(0u + _e568)].frame[1u];
-                        let _e615 = nodes.member[(0u + _e568)].frame[2u];
-                        let _e623 = ((bitcast<f32>(_e607) - _e151.origin.x) * _e305);
-                        let _e624 = ((bitcast<f32>(_e611) - _e151.origin.y) * _e317);
-                        let _e625 = ((bitcast<f32>(_e615) - _e151.origin.z) * _e329);
-                        let _e633 = nodes.member[(0u + _e568)].x;
-                        if (_e305 < 0f) {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e644.unnamed.word, _e633.w), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e633.x, _e650.unnamed_1.shift));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e656.unnamed_1.word, _e633.y));
+                        let _e574 = nodes.member[(0u + _e565)].frame[3u];
+                        let _e599 = (bitcast<f32>((((_e574 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e600 = (bitcast<f32>((((_e574 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e315);
+                        let _e601 = (bitcast<f32>((((_e574 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e326);
+                        let _e604 = nodes.member[(0u + _e565)].frame[0u];
+                        let _e608 = nodes.member[(0u + _e565)].frame[1u];
+                        let _e612 = nodes.member[(0u + _e565)].frame[2u];
+                        let _e620 = ((bitcast<f32>(_e604) - _e151.origin.x) * _e304);
+                        let _e621 = ((bitcast<f32>(_e608) - _e151.origin.y) * _e315);
+                        let _e622 = ((bitcast<f32>(_e612) - _e151.origin.z) * _e326);
+                        let _e630 = nodes.member[(0u + _e565)].x;
+                        if (_e304 < 0f) {
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e630.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e630.w), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e630.x, _e647.unnamed_1.shift));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e630.y));
                         } else {
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e672.unnamed.word, _e633.y), _e672.unnamed_1);
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_mask_LightPlace(_e633.z, _e678.unnamed_1.shift));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e684.unnamed_1.word, _e633.w));
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e630.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e669.unnamed.word, _e630.y), _e669.unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_mask_LightPlace(_e630.z, _e675.unnamed_1.shift));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e681.unnamed_1.word, _e630.w));
                         }
-                        let _e692 = phi_1274_;
-                        let _e702 = nodes.member[(0u + _e568)].y;
-                        if (_e317 < 0f) {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e713.unnamed.word, _e702.w), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e702.x, _e719.unnamed_1.shift));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e725.unnamed_1.word, _e702.y));
+                        let _e689 = phi_1274_;
+                        let _e699 = nodes.member[(0u + _e565)].y;
+                        if (_e315 < 0f) {
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e699.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e699.w), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e699.x, _e716.unnamed_1.shift));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e699.y));
                         } else {
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e741.unnamed.word, _e702.y), _e741.unnamed_1);
-                            let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_mask_LightPlace(_e702.z, _e747.unnamed_1.shift));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e753.unnamed, lt_mask_LightPlace(_e753.unnamed_1.word, _e702.w));
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e699.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e738.unnamed.word, _e699.y), _e738.unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_mask_LightPlace(_e699.z, _e744.unnamed_1.shift));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e750.unnamed_1.word, _e699.w));
                         }
-                        let _e761 = phi_1301_;
-                        let _e771 = nodes.member[(0u + _e568)].z;
-                        if (_e329 < 0f) {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e782.unnamed.word, _e771.w), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e771.x, _e788.unnamed_1.shift));
-                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e794.unnamed_1.word, _e771.y));
+                        let _e758 = phi_1301_;
+                        let _e768 = nodes.member[(0u + _e565)].z;
+                        if (_e326 < 0f) {
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e768.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e768.w), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e768.x, _e785.unnamed_1.shift));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e768.y));
                         } else {
-                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e816 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e810.unnamed.word, _e771.y), _e810.unnamed_1);
-                            let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e816.unnamed, lt_mask_LightPlace(_e771.z, _e816.unnamed_1.shift));
-                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e822.unnamed, lt_mask_LightPlace(_e822.unnamed_1.word, _e771.w));
+                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e768.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e807.unnamed.word, _e768.y), _e807.unnamed_1);
+                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e813.unnamed, lt_mask_LightPlace(_e768.z, _e813.unnamed_1.shift));
+                            phi_1328_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e819.unnamed_1.word, _e768.w));
                         }
-                        let _e830 = phi_1328_;
+                        let _e827 = phi_1328_;
                         phi_1334_ = 0u;
                         phi_1337_ = 0u;
                         loop {
-                            let _e840 = phi_1334_;
-                            let _e842 = phi_1337_;
-                            local_2 = _e842;
-                            local_3 = _e842;
-                            local_4 = _e842;
-                            let _e843 = (_e840 < 8u);
-                            if _e843 {
-                                let _e845 = (_e840 >> bitcast<u32>(2i));
-                                let _e846 = (_e840 & 3u);
-                                if (_e845 == 0u) {
-                                    phi_1351_ = _e692.unnamed.word;
+                            let _e837 = phi_1334_;
+                            let _e839 = phi_1337_;
+                            local_2 = _e839;
+                            local_3 = _e839;
+                            local_4 = _e839;
+                            let _e840 = (_e837 < 8u);
+                            if _e840 {
+                                let _e842 = (_e837 >> bitcast<u32>(2i));
+                                let _e843 = (_e837 & 3u);
+                                if (_e842 == 0u) {
+                                    phi_1351_ = _e689.unnamed.word;
                                 } else {
-                                    phi_1351_ = _e692.unnamed.shift;
+                                    phi_1351_ = _e689.unnamed.shift;
                                 }
-                                let _e849 = phi_1351_;
-                                if (_e845 == 0u) {
-                                    phi_1361_ = _e761.unnamed.word;
+                                let _e846 = phi_1351_;
+                                if (_e842 == 0u) {
+                                    phi_1361_ = _e758.unnamed.word;
                                 } else {
-                                    phi_1361_ = _e761.unnamed.shift;
+                                    phi_1361_ = _e758.unnamed.shift;
                                 }
-                                let _e858 = phi_1361_;
-                                if (_e845 == 0u) {
-                                    phi_1371_ = _e830.unnamed.word;
+                                let _e855 = phi_1361_;
+                                if (_e842 == 0u) {
+                                    phi_1371_ = _e827.unnamed.word;
                                 } else {
-                                    phi_1371_ = _e830.unnamed.shift;
+                                    phi_1371_ = _e827.unnamed.shift;
                                 }
-                                let _e867 = phi_1371_;
-                                let _e880 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e849 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)), ((f32(((_e858 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
-                                let _e881 = core_intrinsics_maximum_number_nsz_f32_(_e880, ((f32(((_e867 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 - _e368)));
-                                if (_e845 == 0u) {
-                                    phi_1389_ = _e692.unnamed_1.word;
+                                let _e864 = phi_1371_;
+                                let _e877 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e846 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)), ((f32(((_e855 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e364)));
+                                let _e878 = core_intrinsics_maximum_number_nsz_f32_(_e877, ((f32(((_e864 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e365)));
+                                if (_e842 == 0u) {
+                                    phi_1389_ = _e689.unnamed_1.word;
                                 } else {
-                                    phi_1389_ = _e692.unnamed_1.shift;
+                                    phi_1389_ = _e689.unnamed_1.shift;
                                 }
-                                let _e884 = phi_1389_;
-                                if (_e845 == 0u) {
-                                    phi_1399_ = _e761.unnamed_1.word;
+                                let _e881 = phi_1389_;
+                                if (_e842 == 0u) {
+                                    phi_1399_ = _e758.unnamed_1.word;
                                 } else {
-                                    phi_1399_ = _e761.unnamed_1.shift;
+                                    phi_1399_ = _e758.unnamed_1.shift;
                                 }
-                                let _e893 = phi_1399_;
-                                if (_e845 == 0u) {
-                                    phi_1409_ = _e830.unnamed_1.word;
+                                let _e890 = phi_1399_;
+                                if (_e842 == 0u) {
+                                    phi_1409_ = _e827.unnamed_1.word;
                                 } else {
-                                    phi_1409_ = _e830.unnamed_1.shift;
+                                    phi_1409_ = _e827.unnamed_1.shift;
                                 }
-                                let _e902 = phi_1409_;
-                                let _e915 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e884 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)), ((f32(((_e893 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
-                                let _e916 = core_intrinsics_minimum_number_nsz_f32_(_e915, ((f32(((_e902 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u)) * _e604) + (_e625 + _e368)));
-                                if (_e881 <= _e916) {
-                                    if (_e881 <= _e566.t) {
-                                        if (_e916 >= _e151.tmin) {
-                                            if (_e845 == 0u) {
-                                                let _e923 = nodes.member[(0u + _e568)].links[2u];
+                                let _e899 = phi_1409_;
+                                let _e912 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e881 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)), ((f32(((_e890 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e600) + (_e621 + _e364)));
+                                let _e913 = core_intrinsics_minimum_number_nsz_f32_(_e912, ((f32(((_e899 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e365)));
+                                if (_e878 <= _e913) {
+                                    if (_e878 <= _e563.t) {
+                                        if (_e913 >= _e151.tmin) {
+                                            if (_e842 == 0u) {
+                                                let _e920 = nodes.member[(0u + _e565)].links[2u];
+                                                phi_1445_ = _e920;
+                                            } else {
+                                                let _e923 = nodes.member[(0u + _e565)].links[3u];
                                                 phi_1445_ = _e923;
-                                            } else {
-                                                let _e926 = nodes.member[(0u + _e568)].links[3u];
-                                                phi_1445_ = _e926;
                                             }
-                                            let _e928 = phi_1445_;
-                                            let _e933 = ((_e928 >> bitcast<u32>(((_e846 * 8u) & 31u))) & 255u);
-                                            let _e934 = (_e933 & 31u);
-                                            if (_e934 >= 24u) {
-                                                phi_1458_ = (24u + ((_e934 - 24u) ^ _e428));
+                                            let _e925 = phi_1445_;
+                                            let _e930 = ((_e925 >> bitcast<u32>(((_e843 * 8u) & 31u))) & 255u);
+                                            let _e931 = (_e930 & 31u);
+                                            if (_e931 >= 24u) {
+                                                phi_1458_ = (24u + ((_e931 - 24u) ^ _e425));
                                             } else {
-                                                phi_1458_ = _e934;
+                                                phi_1458_ = _e931;
                                             }
-                                            let _e940 = phi_1458_;
-                                            phi_1463_ = (_e842 | ((_e933 >> bitcast<u32>(5i)) << bitcast<u32>((_e940 & 31u))));
+                                            let _e937 = phi_1458_;
+                                            phi_1463_ = (_e839 | ((_e930 >> bitcast<u32>(5i)) << bitcast<u32>((_e937 & 31u))));
                                         } else {
-                                            phi_1463_ = _e842;
+                                            phi_1463_ = _e839;
                                         }
-                                        let _e948 = phi_1463_;
-                                        phi_1464_ = _e948;
+                                        let _e945 = phi_1463_;
+                                        phi_1464_ = _e945;
                                     } else {
-                                        phi_1464_ = _e842;
+                                        phi_1464_ = _e839;
                                     }
-                                    let _e950 = phi_1464_;
-                                    phi_1465_ = _e950;
+                                    let _e947 = phi_1464_;
+                                    phi_1465_ = _e947;
                                 } else {
-                                    phi_1465_ = _e842;
+                                    phi_1465_ = _e839;
                                 }
-                                let _e952 = phi_1465_;
-                                phi_1335_ = (_e840 + 1u);
-                                phi_1338_ = _e952;
+                                let _e949 = phi_1465_;
+                                phi_1335_ = (_e837 + 1u);
+                                phi_1338_ = _e949;
                             } else {
                                 phi_1335_ = u32();
                                 phi_1338_ = u32();
                             }
-                            let _e955 = phi_1335_;
-                            let _e957 = phi_1338_;
+                            let _e952 = phi_1335_;
+                            let _e954 = phi_1338_;
                             continue;
                             continuing {
-                                phi_1334_ = _e955;
-                                phi_1337_ = _e957;
-                                break if !(_e843);
+                                phi_1334_ = _e952;
+                                phi_1337_ = _e954;
+                                break if !(_e840);
                             }
                         }
-                        let _e961 = nodes.member[(0u + _e568)].links[0u];
-                        let _e965 = nodes.member[(0u + _e568)].frame[3u];
-                        let _e969 = local_2;
-                        if ((_e969 & 4278190080u) == 0u) {
+                        let _e958 = nodes.member[(0u + _e565)].links[0u];
+                        let _e962 = nodes.member[(0u + _e565)].frame[3u];
+                        let _e966 = local_2;
+                        if ((_e966 & 4278190080u) == 0u) {
                         } else {
-                            let _e973 = local_1.group_mask;
-                            if ((_e973 & 4278190080u) == 0u) {
+                            let _e970 = local_1.group_mask;
+                            if ((_e970 & 4278190080u) == 0u) {
                             } else {
-                                let _e977 = local_1.len;
-                                if (_e977 < 32u) {
-                                    let _e980 = local_1.group;
-                                    let _e982 = local_1.len;
-                                    if (_e982 < 32u) {
+                                let _e974 = local_1.len;
+                                if (_e974 < 32u) {
+                                    let _e977 = local_1.group;
+                                    let _e979 = local_1.len;
+                                    if (_e979 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e982)] = _e980;
-                                    let _e988 = local_1.group_mask;
-                                    let _e990 = local_1.len;
-                                    if (_e990 < 32u) {
+                                    local_1.first[(0u + _e979)] = _e977;
+                                    let _e985 = local_1.group_mask;
+                                    let _e987 = local_1.len;
+                                    if (_e987 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e990)] = _e988;
-                                    let _e997 = local_1.len;
-                                    local_1.len = (_e997 + 1u);
+                                    local_1.mask[(0u + _e987)] = _e985;
+                                    let _e994 = local_1.len;
+                                    local_1.len = (_e994 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e961);
-                            let _e1001 = local_3;
-                            local_1.group_mask = ((_e1001 & 4278190080u) | (_e965 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e958);
+                            let _e998 = local_3;
+                            local_1.group_mask = ((_e998 & 4278190080u) | (_e962 >> bitcast<u32>(24i)));
                         }
-                        let _e1006 = local_4;
-                        phi_1523_ = _e566;
-                        phi_1526_ = (_e1006 & 16777215u);
+                        let _e1003 = local_4;
+                        phi_1523_ = _e563;
+                        phi_1526_ = (_e1003 & 16777215u);
                         loop {
-                            let _e1009 = phi_1523_;
-                            let _e1011 = phi_1526_;
-                            local_5 = _e1009;
-                            if (_e1011 == 0u) {
+                            let _e1006 = phi_1523_;
+                            let _e1008 = phi_1526_;
+                            local_5 = _e1006;
+                            if (_e1008 == 0u) {
                                 phi_1524_ = lt_bvh_Hit();
                                 phi_1527_ = u32();
                                 phi_2382_ = false;
                             } else {
-                                let _e1015 = nodes.member[(0u + _e568)].links[1u];
-                                let _e1020 = ((0u + _e1015) + select(firstTrailingBit(_e1011), 32u, (_e1011 == 0u)));
-                                if (_e1020 < _e78) {
+                                let _e1012 = nodes.member[(0u + _e565)].links[1u];
+                                let _e1017 = ((0u + _e1012) + select(firstTrailingBit(_e1008), 32u, (_e1008 == 0u)));
+                                if (_e1017 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e1027 = triangles.member[(0u + _e1020)].v0_;
-                                let _e1030 = (_e1027.x - _e151.origin.x);
-                                let _e1033 = (_e1027.y - _e151.origin.y);
-                                let _e1036 = (_e1027.z - _e151.origin.z);
-                                if (_e393 == 0u) {
-                                    phi_1573_ = vec3<f32>(_e1033, _e1036, _e1030);
+                                let _e1024 = triangles.member[(0u + _e1017)].v0_;
+                                let _e1027 = (_e1024.x - _e151.origin.x);
+                                let _e1030 = (_e1024.y - _e151.origin.y);
+                                let _e1033 = (_e1024.z - _e151.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1573_ = vec3<f32>(_e1030, _e1033, _e1027);
                                 } else {
-                                    if (_e393 == 1u) {
-                                        phi_1572_ = vec3<f32>(_e1036, _e1030, _e1033);
+                                    if (_e390 == 1u) {
+                                        phi_1572_ = vec3<f32>(_e1033, _e1027, _e1030);
                                     } else {
-                                        phi_1572_ = (_e1027 - _e151.origin);
+                                        phi_1572_ = (_e1024 - _e151.origin);
                                     }
-                                    let _e1043 = phi_1572_;
-                                    phi_1573_ = _e1043;
+                                    let _e1040 = phi_1572_;
+                                    phi_1573_ = _e1040;
                                 }
-                                let _e1045 = phi_1573_;
-                                let _e1049 = (_e1045.x - (_e412 * _e1045.z));
-                                let _e1053 = (_e1045.y - (_e415 * _e1045.z));
-                                let _e1055 = triangles.member[(0u + _e1020)].v1_;
-                                let _e1058 = (_e1055.x - _e151.origin.x);
-                                let _e1061 = (_e1055.y - _e151.origin.y);
-                                let _e1064 = (_e1055.z - _e151.origin.z);
-                                if (_e393 == 0u) {
-                                    phi_1605_ = vec3<f32>(_e1061, _e1064, _e1058);
+                                let _e1042 = phi_1573_;
+                                let _e1046 = (_e1042.x - (_e409 * _e1042.z));
+                                let _e1050 = (_e1042.y - (_e412 * _e1042.z));
+                                let _e1052 = triangles.member[(0u + _e1017)].v1_;
+                                let _e1055 = (_e1052.x - _e151.origin.x);
+                                let _e1058 = (_e1052.y - _e151.origin.y);
+                                let _e1061 = (_e1052.z - _e151.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1605_ = vec3<f32>(_e1058, _e1061, _e1055);
                                 } else {
-                                    if (_e393 == 1u) {
-                                        phi_1604_ = vec3<f32>(_e1064, _e1058, _e1061);
+                                    if (_e390 == 1u) {
+                                        phi_1604_ = vec3<f32>(_e1061, _e1055, _e1058);
                                     } else {
-                                        phi_1604_ = (_e1055 - _e151.origin);
+                                        phi_1604_ = (_e1052 - _e151.origin);
                                     }
-                                    let _e1071 = phi_1604_;
-                                    phi_1605_ = _e1071;
+                                    let _e1068 = phi_1604_;
+                                    phi_1605_ = _e1068;
                                 }
-                                let _e1073 = phi_1605_;
-                                let _e1077 = (_e1073.x - (_e412 * _e1073.z));
-                                let _e1081 = (_e1073.y - (_e415 * _e1073.z));
-                                let _e1083 = triangles.member[(0u + _e1020)].v2_;
-                                let _e1086 = (_e1083.x - _e151.origin.x);
-                                let _e1089 = (_e1083.y - _e151.origin.y);
-                                let _e1092 = (_e1083.z - _e151.origin.z);
-                                if (_e393 == 0u) {
-                                    phi_1637_ = vec3<f32>(_e1089, _e1092, _e1086);
+                                let _e1070 = phi_1605_;
+                                let _e1074 = (_e1070.x - (_e409 * _e1070.z));
+                                let _e1078 = (_e1070.y - (_e412 * _e1070.z));
+                                let _e1080 = triangles.member[(0u + _e1017)].v2_;
+                                let _e1083 = (_e1080.x - _e151.origin.x);
+                                let _e1086 = (_e1080.y - _e151.origin.y);
+                                let _e1089 = (_e1080.z - _e151.origin.z);
+                                if (_e390 == 0u) {
+                                    phi_1637_ = vec3<f32>(_e1086, _e1089, _e1083);
                                 } else {
-                                    if (_e393 == 1u) {
-                                        phi_1636_ = vec3<f32>(_e1092, _e1086, _e1089);
+                                    if (_e390 == 1u) {
+                                        phi_1636_ = vec3<f32>(_e1089, _e1083, _e1086);
                                     } else {
-                                        phi_1636_ = (_e1083 - _e151.origin);
+                                        phi_1636_ = (_e1080 - _e151.origin);
                                     }
-                                    let _e1099 = phi_1636_;
-                                    phi_1637_ = _e1099;
+                                    let _e1096 = phi_1636_;
+                                    phi_1637_ = _e1096;
                                 }
-                                let _e1101 = phi_1637_;
-                                let _e1105 = (_e1101.x - (_e412 * _e1101.z));
-                                let _e1109 = (_e1101.y - (_e415 * _e1101.z));
-                                if (_e1077 < _e1105) {
+                                let _e1098 = phi_1637_;
+                                let _e1102 = (_e1098.x - (_e409 * _e1098.z));
+                                let _e1106 = (_e1098.y - (_e412 * _e1098.z));
+                                if (_e1074 < _e1102) {
                                     phi_1656_ = true;
                                 } else {
-                                    if (_e1077 == _e1105) {
-                                        phi_1655_ = (_e1081 < _e1109);
+                                    if (_e1074 == _e1102) {
+                                        phi_1655_ = (_e1078 < _e1106);
                                     } else {
                                         phi_1655_ = false;
                                     }
-                                    let _e1114 = phi_1655_;
-                                    phi_1656_ = _e1114;
+                                    let _e1111 = phi_1655_;
+                                    phi_1656_ = _e1111;
                                 }
-                                let _e1116 = phi_1656_;
-                                if _e1116 {
-                                    phi_1660_ = _e1109;
-                                    phi_1661_ = _e1105;
-                                    phi_1662_ = _e1081;
-                                    phi_1663_ = _e1077;
+                                let _e1113 = phi_1656_;
+                                if _e1113 {
+                                    phi_1660_ = _e1106;
+                                    phi_1661_ = _e1102;
+                                    phi_1662_ = _e1078;
+                                    phi_1663_ = _e1074;
                                 } else {
-                                    phi_1660_ = _e1081;
-                                    phi_1661_ = _e1077;
-                                    phi_1662_ = _e1109;
-                                    phi_1663_ = _e1105;
+                                    phi_1660_ = _e1078;
+                                    phi_1661_ = _e1074;
+                                    phi_1662_ = _e1106;
+                                    phi_1663_ = _e1102;
                                 }
-                                let _e1118 = phi_1660_;
-                                let _e1120 = phi_1661_;
-                                let _e1122 = phi_1662_;
-                                let _e1124 = phi_1663_;
-                                let _e1127 = ((_e1124 * _e1118) - (_e1122 * _e1120));
-                                if _e1116 {
-                                    phi_1671_ = -(_e1127);
+                                let _e1115 = phi_1660_;
+                                let _e1117 = phi_1661_;
+                                let _e1119 = phi_1662_;
+                                let _e1121 = phi_1663_;
+                                let _e1124 = ((_e1121 * _e1115) - (_e1119 * _e1117));
+                                if _e1113 {
+                                    phi_1671_ = -(_e1124);
                                 } else {
-                                    phi_1671_ = _e1127;
+                                    phi_1671_ = _e1124;
                                 }
-                                let _e1130 = phi_1671_;
-                                if (_e1105 < _e1049) {
+                                let _e1127 = phi_1671_;
+                                if (_e1102 < _e1046) {
                                     phi_1682_ = true;
                                 } else {
-                                    if (_e1105 == _e1049) {
-                                        phi_1681_ = (_e1109 < _e1053);
+                                    if (_e1102 == _e1046) {
+                                        phi_1681_ = (_e1106 < _e1050);
                                     } else {
                                         phi_1681_ = false;
                                     }
-                                    let _e1135 = phi_1681_;
-                                    phi_1682_ = _e1135;
+                                    let _e1132 = phi_1681_;
+                                    phi_1682_ = _e1132;
                                 }
-                                let _e1137 = phi_1682_;
-                                if _e1137 {
-                                    phi_1686_ = _e1053;
-                                    phi_1687_ = _e1049;
-                                    phi_1688_ = _e1109;
-                                    phi_1689_ = _e1105;
+                                let _e1134 = phi_1682_;
+                                if _e1134 {
+                                    phi_1686_ = _e1050;
+                                    phi_1687_ = _e1046;
+                                    phi_1688_ = _e1106;
+                                    phi_1689_ = _e1102;
                                 } else {
-                                    phi_1686_ = _e1109;
-                                    phi_1687_ = _e1105;
-                                    phi_1688_ = _e1053;
-                                    phi_1689_ = _e1049;
+                                    phi_1686_ = _e1106;
+                                    phi_1687_ = _e1102;
+                                    phi_1688_ = _e1050;
+                                    phi_1689_ = _e1046;
                                 }
-                                let _e1139 = phi_1686_;
-                                let _e1141 = phi_1687_;
-                                let _e1143 = phi_1688_;
-                                let _e1145 = phi_1689_;
-                                let _e1148 = ((_e1145 * _e1139) - (_e1143 * _e1141));
-                                if _e1137 {
-                                    phi_1697_ = -(_e1148);
+                                let _e1136 = phi_1686_;
+                                let _e1138 = phi_1687_;
+                                let _e1140 = phi_1688_;
+                                let _e1142 = phi_1689_;
+                                let _e1145 = ((_e1142 * _e1136) - (_e1140 * _e1138));
+                                if _e1134 {
+                                    phi_1697_ = -(_e1145);
                                 } else {
-                                    phi_1697_ = _e1148;
+                                    phi_1697_ = _e1145;
                                 }
-                                let _e1151 = phi_1697_;
-                                if (_e1049 < _e1077) {
+                                let _e1148 = phi_1697_;
+                                if (_e1046 < _e1074) {
                                     phi_1708_ = true;
                                 } else {
-                                    if (_e1049 == _e1077) {
-                                        phi_1707_ = (_e1053 < _e1081);
+                                    if (_e1046 == _e1074) {
+                                        phi_1707_ = (_e1050 < _e1078);
                                     } else {
                                         phi_1707_ = false;
                                     }
-                                    let _e1156 = phi_1707_;
-                                    phi_1708_ = _e1156;
+                                    let _e1153 = phi_1707_;
+                                    phi_1708_ = _e1153;
                                 }
-                                let _e1158 = phi_1708_;
-                                if _e1158 {
-                                    phi_1712_ = _e1081;
-                                    phi_1713_ = _e1077;
-                                    phi_1714_ = _e1053;
-                                    phi_1715_ = _e1049;
+                                let _e1155 = phi_1708_;
+                                if _e1155 {
+                                    phi_1712_ = _e1078;
+                                    phi_1713_ = _e1074;
+                                    phi_1714_ = _e1050;
+                                    phi_1715_ = _e1046;
                                 } else {
-                                    phi_1712_ = _e1053;
-                                    phi_1713_ = _e1049;
-                                    phi_1714_ = _e1081;
-                                    phi_1715_ = _e1077;
+                                    phi_1712_ = _e1050;
+                                    phi_1713_ = _e1046;
+                                    phi_1714_ = _e1078;
+                                    phi_1715_ = _e1074;
                                 }
-                                let _e1160 = phi_1712_;
-                                let _e1162 = phi_1713_;
-                                let _e1164 = phi_1714_;
-                                let _e1166 = phi_1715_;
-                                let _e1169 = ((_e1166 * _e1160) - (_e1164 * _e1162));
-                                if _e1158 {
-                                    phi_1723_ = -(_e1169);
+                                let _e1157 = phi_1712_;
+                                let _e1159 = phi_1713_;
+                                let _e1161 = phi_1714_;
+                                let _e1163 = phi_1715_;
+                                let _e1166 = ((_e1163 * _e1157) - (_e1161 * _e1159));
+                                if _e1155 {
+                                    phi_1723_ = -(_e1166);
                                 } else {
-                                    phi_1723_ = _e1169;
+                                    phi_1723_ = _e1166;
                                 }
-                                let _e1172 = phi_1723_;
-                                if (_e1130 >= 0f) {
-                                    if (_e1151 >= 0f) {
-                                        if (_e1172 >= 0f) {
-                                            phi_1738_ = ((_e1130 + _e1151) + _e1172);
+                                let _e1169 = phi_1723_;
+                                if (_e1127 >= 0f) {
+                                    if (_e1148 >= 0f) {
+                                        if (_e1169 >= 0f) {
+                                            phi_1738_ = ((_e1127 + _e1148) + _e1169);
                                             phi_1739_ = false;
                                         } else {
                                             phi_1738_ = f32();
                                             phi_1739_ = true;
                                         }
-                                        let _e1179 = phi_1738_;
-                                        let _e1181 = phi_1739_;
-                                        phi_1740_ = _e1179;
-                                        phi_1741_ = _e1181;
+                                        let _e1176 = phi_1738_;
+                                        let _e1178 = phi_1739_;
+                                        phi_1740_ = _e1176;
+                                        phi_1741_ = _e1178;
                                     } else {
                                         phi_1740_ = f32();
                                         phi_1741_ = true;
                                     }
-                                    let _e1183 = phi_1740_;
-                                    let _e1185 = phi_1741_;
-                                    phi_1742_ = _e1183;
-                                    phi_1743_ = _e1185;
+                                    let _e1180 = phi_1740_;
+                                    let _e1182 = phi_1741_;
+                                    phi_1742_ = _e1180;
+                                    phi_1743_ = _e1182;
                                 } else {
                                     phi_1742_ = f32();
                                     phi_1743_ = true;
                                 }
-                                let _e1187 = phi_1742_;
-                                let _e1189 = phi_1743_;
-                                if _e1189 {
-                                    if (_e1130 <= 0f) {
-                                        if (_e1151 <= 0f) {
-                                            let _e1192 = (_e1172 <= 0f);
-                                            if _e1192 {
+                                let _e1184 = phi_1742_;
+                                let _e1186 = phi_1743_;
+                                if _e1186 {
+                                    if (_e1127 <= 0f) {
+                                        if (_e1148 <= 0f) {
+                                            let _e1189 = (_e1169 <= 0f);
+                                            if _e1189 {
                                             }
-                                            phi_1761_ = ((_e1130 + _e1151) + _e1172);
+                                            phi_1761_ = ((_e1127 + _e1148) + _e1169);
                                             phi_1762_ = false;
-                                            phi_1763_ = _e1192;
+                                            phi_1763_ = _e1189;
                                         } else {
                                             phi_1761_ = f32();
                                             phi_1762_ = true;
                                             phi_1763_ = false;
                                         }
-                                        let _e1196 = phi_1761_;
-                                        let _e1198 = phi_1762_;
-                                        let _e1200 = phi_1763_;
-                                        phi_1764_ = _e1196;
-                                        phi_1765_ = _e1198;
-                                        phi_1766_ = _e1200;
+                                        let _e1193 = phi_1761_;
+                                        let _e1195 = phi_1762_;
+                                        let _e1197 = phi_1763_;
+                                        phi_1764_ = _e1193;
+                                        phi_1765_ = _e1195;
+                                        phi_1766_ = _e1197;
                                     } else {
                                         phi_1764_ = f32();
                                         phi_1765_ = true;
                                         phi_1766_ = false;
                                     }
-                                    let _e1202 = phi_1764_;
-                                    let _e1204 = phi_1765_;
-                                    let _e1206 = phi_1766_;
-                                    if _e1204 {
+                                    let _e1199 = phi_1764_;
+                                    let _e1201 = phi_1765_;
+                                    let _e1203 = phi_1766_;
+                                    if _e1201 {
                                         phi_1770_ = false;
                                     } else {
-                                        phi_1770_ = _e1206;
+                                        phi_1770_ = _e1203;
                                     }
-                                    let _e1208 = phi_1770_;
-                                    phi_1771_ = _e1202;
-                                    phi_1772_ = _e1208;
+                                    let _e1205 = phi_1770_;
+                                    phi_1771_ = _e1199;
+                                    phi_1772_ = _e1205;
                                 } else {
-                                    phi_1771_ = _e1187;
+                                    phi_1771_ = _e1184;
                                     phi_1772_ = true;
                                 }
-                                let _e1210 = phi_1771_;
-                                let _e1212 = phi_1772_;
-                                if _e1212 {
-                                    let _e1213 = (_e1210 == 0f);
-                                    if _e1213 {
+                                let _e1207 = phi_1771_;
+                                let _e1209 = phi_1772_;
+                                if _e1209 {
+                                    let _e1210 = (_e1207 == 0f);
+                                    if _e1210 {
                                         phi_2098_ = lt_bvh_triangle_Intersection();
                                         phi_2099_ = false;
                                     } else {
-                                        let _e1215 = triangles.member[(0u + _e1020)].v0_;
-                                        let _e1218 = (_e1215.x - _e151.origin.x);
-                                        let _e1221 = (_e1215.y - _e151.origin.y);
-                                        let _e1224 = (_e1215.z - _e151.origin.z);
-                                        if (_e393 == 0u) {
-                                            phi_1803_ = vec3<f32>(_e1221, _e1224, _e1218);
+                                        let _e1212 = triangles.member[(0u + _e1017)].v0_;
+                                        let _e1215 = (_e1212.x - _e151.origin.x);
+                                        let _e1218 = (_e1212.y - _e151.origin.y);
+                                        let _e1221 = (_e1212.z - _e151.origin.z);
+                                        if (_e390 == 0u) {
+                                            phi_1803_ = vec3<f32>(_e1218, _e1221, _e1215);
                                         } else {
-                                            if (_e393 == 1u) {
-                                                phi_1802_ = vec3<f32>(_e1224, _e1218, _e1221);
+                                            if (_e390 == 1u) {
+                                                phi_1802_ = vec3<f32>(_e1221, _e1215, _e1218);
                                             } else {
-                                                phi_1802_ = (_e1215 - _e151.origin);
+                                                phi_1802_ = (_e1212 - _e151.origin);
                                             }
-                                            let _e1231 = phi_1802_;
-                                            phi_1803_ = _e1231;
+                                            let _e1228 = phi_1802_;
+                                            phi_1803_ = _e1228;
                                         }
-                                        let _e1233 = phi_1803_;
-                                        let _e1235 = triangles.member[(0u + _e1020)].v1_;
-                                        let _e1237 = triangles.member[(0u + _e1020)].v0_;
-                                        let _e1240 = (_e1235.x - _e1237.x);
-                                        let _e1243 = (_e1235.y - _e1237.y);
-                                        let _e1246 = (_e1235.z - _e1237.z);
-                                        if (_e393 == 0u) {
-                                            phi_1829_ = vec3<f32>(_e1243, _e1246, _e1240);
+                                        let _e1230 = phi_1803_;
+                                        let _e1232 = triangles.member[(0u + _e1017)].v1_;
+                                        let _e1234 = triangles.member[(0u + _e1017)].v0_;
+                                        let _e1237 = (_e1232.x - _e1234.x);
+                                        let _e1240 = (_e1232.y - _e1234.y);
+                                        let _e1243 = (_e1232.z - _e1234.z);
+                                        if (_e390 == 0u) {
+                                            phi_1829_ = vec3<f32>(_e1240, _e1243, _e1237);
                                         } else {
-                                            if (_e393 == 1u) {
-                                                phi_1828_ = vec3<f32>(_e1246, _e1240, _e1243);
+                                            if (_e390 == 1u) {
+                                                phi_1828_ = vec3<f32>(_e1243, _e1237, _e1240);
                                             } else {
-                                                phi_1828_ = (_e1235 - _e1237);
+                                                phi_1828_ = (_e1232 - _e1234);
                                             }
-                                            let _e1253 = phi_1828_;
-                                            phi_1829_ = _e1253;
+                                            let _e1250 = phi_1828_;
+                                            phi_1829_ = _e1250;
                                         }
-                                        let _e1255 = phi_1829_;
-                                        let _e1257 = triangles.member[(0u + _e1020)].v2_;
-                                        let _e1259 = triangles.member[(0u + _e1020)].v0_;
-                                        let _e1262 = (_e1257.x - _e1259.x);
-                                        let _e1265 = (_e1257.y - _e1259.y);
-                                        let _e1268 = (_e1257.z - _e1259.z);
-                                        if (_e393 == 0u) {
-                                            phi_1855_ = vec3<f32>(_e1265, _e1268, _e1262);
+                                        let _e1252 = phi_1829_;
+                                        let _e1254 = triangles.member[(0u + _e1017)].v2_;
+                                        let _e1256 = triangles.member[(0u + _e1017)].v0_;
+                                        let _e1259 = (_e1254.x - _e1256.x);
+                                        let _e1262 = (_e1254.y - _e1256.y);
+                                        let _e1265 = (_e1254.z - _e1256.z);
+                                        if (_e390 == 0u) {
+                                            phi_1855_ = vec3<f32>(_e1262, _e1265, _e1259);
                                         } else {
-                                            if (_e393 == 1u) {
-                                                phi_1854_ = vec3<f32>(_e1268, _e1262, _e1265);
+                                            if (_e390 == 1u) {
+                                                phi_1854_ = vec3<f32>(_e1265, _e1259, _e1262);
                                             } else {
-                                                phi_1854_ = (_e1257 - _e1259);
+                                                phi_1854_ = (_e1254 - _e1256);
                                             }
-                                            let _e1275 = phi_1854_;
-                                            phi_1855_ = _e1275;
+                                            let _e1272 = phi_1854_;
+                                            phi_1855_ = _e1272;
                                         }
-                                        let _e1277 = phi_1855_;
-                                        let _e1284 = ((_e1255.y * _e1277.z) - (_e1255.z * _e1277.y));
-                                        let _e1291 = ((_e1255.z * _e1277.x) - (_e1255.x * _e1277.z));
-                                        let _e1298 = ((_e1255.x * _e1277.y) - (_e1255.y * _e1277.x));
-                                        let _e1312 = (((1f / _e408.z) * (((_e1284 * _e1233.x) + (_e1291 * _e1233.y)) + (_e1298 * _e1233.z))) / (((_e1284 * _e412) + (_e1291 * _e415)) + _e1298));
-                                        if (_e1312 > _e151.tmin) {
-                                            if (_e1312 < _e151.tmax) {
-                                                let _e1318 = triangles.member[(0u + _e1020)].v0_;
-                                                let _e1320 = triangles.member[(0u + _e1020)].v1_;
-                                                if (_e1318.x < _e1320.x) {
-                                                    phi_1913_ = _e1318.x;
+                                        let _e1274 = phi_1855_;
+                                        let _e1281 = ((_e1252.y * _e1274.z) - (_e1252.z * _e1274.y));
+                                        let _e1288 = ((_e1252.z * _e1274.x) - (_e1252.x * _e1274.z));
+                                        let _e1295 = ((_e1252.x * _e1274.y) - (_e1252.y * _e1274.x));
+                                        let _e1309 = (((1f / _e405.z) * (((_e1281 * _e1230.x) + (_e1288 * _e1230.y)) + (_e1295 * _e1230.z))) / (((_e1281 * _e409) + (_e1288 * _e412)) + _e1295));
+                                        if (_e1309 > _e151.tmin) {
+                                            if (_e1309 < _e151.tmax) {
+                                                let _e1315 = triangles.member[(0u + _e1017)].v0_;
+                                                let _e1317 = triangles.member[(0u + _e1017)].v1_;
+                                                if (_e1315.x < _e1317.x) {
+                                                    phi_1913_ = _e1315.x;
                                                 } else {
-                                                    phi_1913_ = _e1320.x;
+                                                    phi_1913_ = _e1317.x;
                                                 }
-                                                let _e1327 = phi_1913_;
-                                                if (_e1318.y < _e1320.y) {
-                                                    phi_1922_ = _e1318.y;
+                                                let _e1324 = phi_1913_;
+                                                if (_e1315.y < _e1317.y) {
+                                                    phi_1922_ = _e1315.y;
                                                 } else {
-                                                    phi_1922_ = _e1320.y;
+                                                    phi_1922_ = _e1317.y;
                                                 }
-                                                let _e1334 = phi_1922_;
-                                                if (_e1318.z < _e1320.z) {
-                                                    phi_1931_ = _e1318.z;
+                                                let _e1331 = phi_1922_;
+                                                if (_e1315.z < _e1317.z) {
+                                                    phi_1931_ = _e1315.z;
                                                 } else {
-                                                    phi_1931_ = _e1320.z;
+                                                    phi_1931_ = _e1317.z;
                                                 }
-                                                let _e1341 = phi_1931_;
-                                                let _e1343 = triangles.member[(0u + _e1020)].v2_;
-                                                if (_e1327 < _e1343.x) {
-                                                    phi_1940_ = _e1327;
+                                                let _e1338 = phi_1931_;
+                                                let _e1340 = triangles.member[(0u + _e1017)].v2_;
+                                                if (_e1324 < _e1340.x) {
+                                                    phi_1940_ = _e1324;
                                                 } else {
-                                                    phi_1940_ = _e1343.x;
+                                                    phi_1940_ = _e1340.x;
                                                 }
-                                                let _e1348 = phi_1940_;
-                                                if (_e1334 < _e1343.y) {
-                                                    phi_1947_ = _e1334;
+                                                let _e1345 = phi_1940_;
+                                                if (_e1331 < _e1340.y) {
+                                                    phi_1947_ = _e1331;
                                                 } else {
-                                                    phi_1947_ = _e1343.y;
+                                                    phi_1947_ = _e1340.y;
                                                 }
-                                                let _e1353 = phi_1947_;
-                                                if (_e1341 < _e1343.z) {
-                                                    phi_1954_ = _e1341;
+                                                let _e1350 = phi_1947_;
+                                                if (_e1338 < _e1340.z) {
+                                                    phi_1954_ = _e1338;
                                                 } else {
-                                                    phi_1954_ = _e1343.z;
+                                                    phi_1954_ = _e1340.z;
                                                 }
-                                                let _e1358 = phi_1954_;
-                                                let _e1360 = triangles.member[(0u + _e1020)].v0_;
-                                                let _e1362 = triangles.member[(0u + _e1020)].v1_;
-                                                if (_e1360.x > _e1362.x) {
-                                                    phi_1967_ = _e1360.x;
+                                                let _e1355 = phi_1954_;
+                                                let _e1357 = triangles.member[(0u + _e1017)].v0_;
+                                                let _e1359 = triangles.member[(0u + _e1017)].v1_;
+                                                if (_e1357.x > _e1359.x) {
+                                                    phi_1967_ = _e1357.x;
                                                 } else {
-                                                    phi_1967_ = _e1362.x;
+                                                    phi_1967_ = _e1359.x;
                                                 }
-                                                let _e1369 = phi_1967_;
-                                                if (_e1360.y > _e1362.y) {
-                                                    phi_1976_ = _e1360.y;
+                                                let _e1366 = phi_1967_;
+                                                if (_e1357.y > _e1359.y) {
+                                                    phi_1976_ = _e1357.y;
                                                 } else {
-                                                    phi_1976_ = _e1362.y;
+                                                    phi_1976_ = _e1359.y;
                                                 }
-                                                let _e1376 = phi_1976_;
-                                                if (_e1360.z > _e1362.z) {
-                                                    phi_1985_ = _e1360.z;
+                                                let _e1373 = phi_1976_;
+                                                if (_e1357.z > _e1359.z) {
+                                                    phi_1985_ = _e1357.z;
                                                 } else {
-                                                    phi_1985_ = _e1362.z;
+                                                    phi_1985_ = _e1359.z;
                                                 }
-                                                let _e1383 = phi_1985_;
-                                                let _e1385 = triangles.member[(0u + _e1020)].v2_;
-                                                if (_e1369 > _e1385.x) {
-                                                    phi_1994_ = _e1369;
+                                                let _e1380 = phi_1985_;
+                                                let _e1382 = triangles.member[(0u + _e1017)].v2_;
+                                                if (_e1366 > _e1382.x) {
+                                                    phi_1994_ = _e1366;
                                                 } else {
-                                                    phi_1994_ = _e1385.x;
+                                                    phi_1994_ = _e1382.x;
                                                 }
-                                                let _e1390 = phi_1994_;
-                                                if (_e1376 > _e1385.y) {
-                                                    phi_2001_ = _e1376;
+                                                let _e1387 = phi_1994_;
+                                                if (_e1373 > _e1382.y) {
+                                                    phi_2001_ = _e1373;
                                                 } else {
-                                                    phi_2001_ = _e1385.y;
+                                                    phi_2001_ = _e1382.y;
                                                 }
-                                                let _e1395 = phi_2001_;
-                                                if (_e1383 > _e1385.z) {
-                                                    phi_2008_ = _e1383;
+                                                let _e1392 = phi_2001_;
+                                                if (_e1380 > _e1382.z) {
+                                                    phi_2008_ = _e1380;
                                                 } else {
-                                                    phi_2008_ = _e1385.z;
+                                                    phi_2008_ = _e1382.z;
                                                 }
-                                                let _e1400 = phi_2008_;
-                                                let _e1407 = ((_e1348 - _e151.origin.x) * _e305);
-                                                let _e1408 = ((_e1353 - _e151.origin.y) * _e317);
-                                                let _e1409 = ((_e1358 - _e151.origin.z) * _e329);
-                                                let _e1416 = ((_e1390 - _e151.origin.x) * _e305);
-                                                let _e1417 = ((_e1395 - _e151.origin.y) * _e317);
-                                                let _e1418 = ((_e1400 - _e151.origin.z) * _e329);
-                                                if (_e1407 < _e1416) {
-                                                    phi_2031_ = _e1407;
+                                                let _e1397 = phi_2008_;
+                                                let _e1404 = ((_e1345 - _e151.origin.x) * _e304);
+                                                let _e1405 = ((_e1350 - _e151.origin.y) * _e315);
+                                                let _e1406 = ((_e1355 - _e151.origin.z) * _e326);
+                                                let _e1413 = ((_e1387 - _e151.origin.x) * _e304);
+                                                let _e1414 = ((_e1392 - _e151.origin.y) * _e315);
+                                                let _e1415 = ((_e1397 - _e151.origin.z) * _e326);
+                                                if (_e1404 < _e1413) {
+                                                    phi_2031_ = _e1404;
                                                 } else {
-                                                    phi_2031_ = _e1416;
+                                                    phi_2031_ = _e1413;
                                                 }
-                                                let _e1421 = phi_2031_;
-                                                if (_e1408 < _e1417) {
-                                                    phi_2036_ = _e1408;
+                                                let _e1418 = phi_2031_;
+                                                if (_e1405 < _e1414) {
+                                                    phi_2036_ = _e1405;
                                                 } else {
-                                                    phi_2036_ = _e1417;
+                                                    phi_2036_ = _e1414;
                                                 }
-                                                let _e1424 = phi_2036_;
-                                                if (_e1409 < _e1418) {
-                                                    phi_2041_ = _e1409;
+                                                let _e1421 = phi_2036_;
+                                                if (_e1406 < _e1415) {
+                                                    phi_2041_ = _e1406;
                                                 } else {
-                                                    phi_2041_ = _e1418;
+                                                    phi_2041_ = _e1415;
                                                 }
-                                                let _e1427 = phi_2041_;
-                                                if (_e1407 > _e1416) {
-                                                    phi_2049_ = _e1407;
+                                                let _e1424 = phi_2041_;
+                                                if (_e1404 > _e1413) {
+                                                    phi_2049_ = _e1404;
                                                 } else {
-                                                    phi_2049_ = _e1416;
+                                                    phi_2049_ = _e1413;
                                                 }
-                                                let _e1433 = phi_2049_;
-                                                if (_e1408 > _e1417) {
-                                                    phi_2054_ = _e1408;
+                                                let _e1430 = phi_2049_;
+                                                if (_e1405 > _e1414) {
+                                                    phi_2054_ = _e1405;
                                                 } else {
-                                                    phi_2054_ = _e1417;
+                                                    phi_2054_ = _e1414;
                                                 }
-                                                let _e1436 = phi_2054_;
-                                                if (_e1409 > _e1418) {
-                                                    phi_2059_ = _e1409;
+                                                let _e1433 = phi_2054_;
+                                                if (_e1406 > _e1415) {
+                                                    phi_2059_ = _e1406;
                                                 } else {
-                                                    phi_2059_ = _e1418;
+                                                    phi_2059_ = _e1415;
                                                 }
-                                                let _e1439 = phi_2059_;
-                                                let _e1443 = core_intrinsics_maximum_number_nsz_f32_((_e1421 - _e373), (_e1424 - _e374));
-                                                let _e1444 = core_intrinsics_maximum_number_nsz_f32_(_e1443, (_e1427 - _e375));
-                                                let _e1445 = core_intrinsics_minimum_number_nsz_f32_((_e1433 + _e373), (_e1436 + _e374));
-                                                let _e1446 = core_intrinsics_minimum_number_nsz_f32_(_e1445, (_e1439 + _e375));
-                                                if (_e1444 > -300000000000000000000000000000000000000f) {
-                                                    phi_2071_ = _e1444;
+                                                let _e1436 = phi_2059_;
+                                                let _e1440 = core_intrinsics_maximum_number_nsz_f32_((_e1418 - _e370), (_e1421 - _e371));
+                                                let _e1441 = core_intrinsics_maximum_number_nsz_f32_(_e1440, (_e1424 - _e372));
+                                                let _e1442 = core_intrinsics_minimum_number_nsz_f32_((_e1430 + _e370), (_e1433 + _e371));
+                                                let _e1443 = core_intrinsics_minimum_number_nsz_f32_(_e1442, (_e1436 + _e372));
+                                                if (_e1441 > -300000000000000000000000000000000000000f) {
+                                                    phi_2071_ = _e1441;
                                                 } else {
                                                     phi_2071_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1449 = phi_2071_;
-                                                if (_e1446 < 300000000000000000000000000000000000000f) {
-                                                    phi_2076_ = _e1446;
+                                                let _e1446 = phi_2071_;
+                                                if (_e1443 < 300000000000000000000000000000000000000f) {
+                                                    phi_2076_ = _e1443;
                                                 } else {
                                                     phi_2076_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1452 = phi_2076_;
-                                                if (_e1312 < _e1449) {
-                                                    phi_2081_ = _e1449;
+                                                let _e1449 = phi_2076_;
+                                                if (_e1309 < _e1446) {
+                                                    phi_2081_ = _e1446;
                                                 } else {
-                                                    phi_2081_ = _e1312;
+                                                    phi_2081_ = _e1309;
                                                 }
-                                                let _e1455 = phi_2081_;
-                                                if (_e1455 > _e1452) {
+                                                let _e1452 = phi_2081_;
+                                                if (_e1452 > _e1449) {
+                                                    phi_2086_ = _e1449;
+                                                } else {
                                                     phi_2086_ = _e1452;
-                                                } else {
-                                                    phi_2086_ = _e1455;
                                                 }
-                                                let _e1458 = phi_2086_;
-                                                phi_2091_ = lt_bvh_triangle_Intersection(_e1458, (_e1151 / _e1210), (_e1172 / _e1210), (_e1449 <= _e1452));
+                                                let _e1455 = phi_2086_;
+                                                phi_2091_ = lt_bvh_triangle_Intersection(_e1455, (_e1148 / _e1207), (_e1169 / _e1207), (_e1446 <= _e1449));
                                                 phi_2092_ = false;
                                             } else {
                                                 phi_2091_ = lt_bvh_triangle_Intersection();
                                                 phi_2092_ = true;
                                             }
-                                            let _e1464 = phi_2091_;
-                                            let _e1466 = phi_2092_;
-                                            phi_2093_ = _e1464;
-                                            phi_2094_ = _e1466;
+                                            let _e1461 = phi_2091_;
+                                            let _e1463 = phi_2092_;
+                                            phi_2093_ = _e1461;
+                                            phi_2094_ = _e1463;
                                         } else {
                                             phi_2093_ = lt_bvh_triangle_Intersection();
                                             phi_2094_ = true;
                                         }
-                                        let _e1468 = phi_2093_;
-                                        let _e1470 = phi_2094_;
-                                        if _e1470 {
+                                        let _e1465 = phi_2093_;
+                                        let _e1467 = phi_2094_;
+                                        if _e1467 {
                                         }
-                                        phi_2098_ = _e1468;
-                                        phi_2099_ = _e1470;
+                                        phi_2098_ = _e1465;
+                                        phi_2099_ = _e1467;
                                     }
-                                    let _e1472 = phi_2098_;
-                                    let _e1474 = phi_2099_;
-                                    phi_2100_ = _e1472;
-                                    phi_2101_ = _e1213;
-                                    phi_2102_ = _e1474;
+                                    let _e1469 = phi_2098_;
+                                    let _e1471 = phi_2099_;
+                                    phi_2100_ = _e1469;
+                                    phi_2101_ = _e1210;
+                                    phi_2102_ = _e1471;
                                 } else {
                                     phi_2100_ = lt_bvh_triangle_Intersection();
                                     phi_2101_ = true;
                                     phi_2102_ = false;
                                 }
-                                let _e1476 = phi_2100_;
-                                let _e1478 = phi_2101_;
-                                let _e1480 = phi_2102_;
-                                if _e1478 {
+                                let _e1473 = phi_2100_;
+                                let _e1475 = phi_2101_;
+                                let _e1477 = phi_2102_;
+                                if _e1475 {
                                     phi_2106_ = true;
                                 } else {
-                                    phi_2106_ = _e1480;
+                                    phi_2106_ = _e1477;
                                 }
-                                let _e1482 = phi_2106_;
-                                if _e1482 {
+                                let _e1479 = phi_2106_;
+                                if _e1479 {
                                     phi_2110_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2110_ = _e1476;
+                                    phi_2110_ = _e1473;
                                 }
-                                let _e1484 = phi_2110_;
-                                if _e1484.is_hit {
-                                    if (_e1484.t > _e151.tmin) {
-                                        if (_e1484.t < _e1009.t) {
+                                let _e1481 = phi_2110_;
+                                if _e1481.is_hit {
+                                    if (_e1481.t > _e151.tmin) {
+                                        if (_e1481.t < _e1006.t) {
                                             phi_2159_ = true;
                                         } else {
-                                            if (_e1484.t == _e1009.t) {
-                                                if (_e1009.triangle != 4294967295u) {
-                                                    if (_e1020 < _e1009.triangle) {
+                                            if (_e1481.t == _e1006.t) {
+                                                if (_e1006.triangle != 4294967295u) {
+                                                    if (_e1017 < _e1006.triangle) {
                                                         phi_2150_ = true;
                                                     } else {
-                                                        if (_e1020 == _e1009.triangle) {
-                                                            phi_2149_ = (4294967295u < _e1009.instance);
+                                                        if (_e1017 == _e1006.triangle) {
+                                                            phi_2149_ = (4294967295u < _e1006.instance);
                                                         } else {
                                                             phi_2149_ = false;
                                                         }
-                                                        let _e1503 = phi_2149_;
-                                                        phi_2150_ = _e1503;
+                                                        let _e1500 = phi_2149_;
+                                                        phi_2150_ = _e1500;
                                                     }
-                                                    let _e1505 = phi_2150_;
-                                                    phi_2151_ = _e1505;
+                                                    let _e1502 = phi_2150_;
+                                                    phi_2151_ = _e1502;
                                                     phi_2152_ = false;
                                                 } else {
                                                     phi_2151_ = bool();
                                                     phi_2152_ = true;
                                                 }
-                                                let _e1507 = phi_2151_;
-                                                let _e1509 = phi_2152_;
-                                                phi_2153_ = _e1507;
-                                                phi_2154_ = _e1509;
+                                                let _e1504 = phi_2151_;
+                                                let _e1506 = phi_2152_;
+                                                phi_2153_ = _e1504;
+                                                phi_2154_ = _e1506;
                                             } else {
                                                 phi_2153_ = bool();
                                                 phi_2154_ = true;
                                             }
-                                            let _e1511 = phi_2153_;
-                                            let _e1513 = phi_2154_;
-                                            if _e1513 {
+                                            let _e1508 = phi_2153_;
+                                            let _e1510 = phi_2154_;
+                                            if _e1510 {
                                                 phi_2158_ = false;
                                             } else {
-                                                phi_2158_ = _e1511;
+                                                phi_2158_ = _e1508;
                                             }
-                                            let _e1515 = phi_2158_;
-                                            phi_2159_ = _e1515;
+                                            let _e1512 = phi_2158_;
+                                            phi_2159_ = _e1512;
                                         }
-                                        let _e1517 = phi_2159_;
-                                        if _e1517 {
-                                            let _e1519 = triangles.member[(0u + _e1020)].i0_;
-                                            if ((_e1519 & 2147483648u) == 0u) {
+                                        let _e1514 = phi_2159_;
+                                        if _e1514 {
+                                            let _e1516 = triangles.member[(0u + _e1017)].i0_;
+                                            if ((_e1516 & 2147483648u) == 0u) {
                                                 phi_2370_ = true;
                                             } else {
-                                                if (_e1020 < _e78) {
+                                                if (_e1017 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1528 = triangles.member[(0u + _e1020)].i0_;
-                                                let _e1529 = (_e1528 & 2147483647u);
-                                                let _e1531 = triangles.member[(0u + _e1020)].i1_;
-                                                let _e1533 = triangles.member[(0u + _e1020)].i2_;
-                                                if (_e1529 < _e81) {
+                                                let _e1525 = triangles.member[(0u + _e1017)].i0_;
+                                                let _e1526 = (_e1525 & 2147483647u);
+                                                let _e1528 = triangles.member[(0u + _e1017)].i1_;
+                                                let _e1530 = triangles.member[(0u + _e1017)].i2_;
+                                                if (_e1526 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1537 = vertices.member[(0u + _e1529)];
-                                                if (_e1531 < _e81) {
+                                                let _e1534 = vertices.member[(0u + _e1526)];
+                                                if (_e1528 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1541 = vertices.member[(0u + _e1531)];
-                                                if (_e1533 < _e81) {
+                                                let _e1538 = vertices.member[(0u + _e1528)];
+                                                if (_e1530 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1545 = vertices.member[(0u + _e1533)];
-                                                let _e1546 = array<abi_Vertex, 3>(_e1537, _e1541, _e1545);
-                                                if (_e1546[0].material < _e84) {
+                                                let _e1542 = vertices.member[(0u + _e1530)];
+                                                let _e1543 = array<abi_Vertex, 3>(_e1534, _e1538, _e1542);
+                                                if (_e1543[0].material < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1552 = materials.member[(0u + _e1546[0].material)];
-                                                if ((_e1552.flags & 0u) == 0u) {
-                                                    let _e1557 = ((1f - _e1484.u) - _e1484.v);
-                                                    if (_e1552.cutoff <= 0f) {
+                                                let _e1549 = materials.member[(0u + _e1543[0].material)];
+                                                if ((_e1549.flags & 0u) == 0u) {
+                                                    let _e1554 = ((1f - _e1481.u) - _e1481.v);
+                                                    if (_e1549.cutoff <= 0f) {
                                                         phi_2365_ = true;
                                                     } else {
-                                                        let _e1584 = (_e1552.base_color.w * ((((f32((_e1546[0].color >> bitcast<u32>(24i))) * _e1557) + (f32((_e1546[1].color >> bitcast<u32>(24i))) * _e1484.u)) + (f32((_e1546[2].color >> bitcast<u32>(24i))) * _e1484.v)) * (1f / 255f)));
-                                                        if (_e1552.alpha_size == 0u) {
-                                                            phi_2362_ = _e1584;
+                                                        let _e1581 = (_e1549.base_color.w * ((((f32((_e1543[0].color >> bitcast<u32>(24i))) * _e1554) + (f32((_e1543[1].color >> bitcast<u32>(24i))) * _e1481.u)) + (f32((_e1543[2].color >> bitcast<u32>(24i))) * _e1481.v)) * (1f / 255f)));
+                                                        if (_e1549.alpha_size == 0u) {
+                                                            phi_2362_ = _e1581;
                                                         } else {
-                                                            local.offset = _e1552.alpha_offset;
-                                                            local.size = _e1552.alpha_size;
-                                                            local.flags = _e1552.flags;
-                                                            let _e1615 = _lt_shaders_texture_TextureView_quad((&local), (((_e1546[0].u * _e1557) + (_e1546[1].u * _e1484.u)) + (_e1546[2].u * _e1484.v)), (((_e1546[0].v * _e1557) + (_e1546[1].v * _e1484.u)) + (_e1546[2].v * _e1484.v)));
-                                                            let _e1619 = (_e1615.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1619 < _e90) {
+                                                            local.offset = _e1549.alpha_offset;
+                                                            local.size = _e1549.alpha_size;
+                                                            local.flags = _e1549.flags;
+                                                            let _e1612 = _lt_shaders_texture_TextureView_quad((&local), (((_e1543[0].u * _e1554) + (_e1543[1].u * _e1481.u)) + (_e1543[2].u * _e1481.v)), (((_e1543[0].v * _e1554) + (_e1543[1].v * _e1481.u)) + (_e1543[2].v * _e1481.v)));
+                                                            let _e1616 = (_e1612.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1616 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1623 = alpha_texels.member[(0u + _e1619)];
-                                                            let _e1639 = (_e1615.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1639 < _e90) {
+                                                            let _e1620 = alpha_texels.member[(0u + _e1616)];
+                                                            let _e1636 = (_e1612.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1636 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1643 = alpha_texels.member[(0u + _e1639)];
-                                                            let _e1660 = (_e1615.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1660 < _e90) {
+                                                            let _e1640 = alpha_texels.member[(0u + _e1636)];
+                                                            let _e1657 = (_e1612.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1657 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1664 = alpha_texels.member[(0u + _e1660)];
-                                                            let _e1681 = (_e1615.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1681 < _e90) {
+                                                            let _e1661 = alpha_texels.member[(0u + _e1657)];
+                                                            let _e1678 = (_e1612.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1678 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1685 = alpha_texels.member[(0u + _e1681)];
-                                                            phi_2362_ = (_e1584 * (((((f32(((_e1623 >> bitcast<u32>((((_e1615.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.x) + ((f32(((_e1643 >> bitcast<u32>((((_e1615.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.y)) + ((f32(((_e1664 >> bitcast<u32>((((_e1615.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.z)) + ((f32(((_e1685 >> bitcast<u32>((((_e1615.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.w)));
+                                                            let _e1682 = alpha_texels.member[(0u + _e1678)];
+                                                            phi_2362_ = (_e1581 * (((((f32(((_e1620 >> bitcast<u32>((((_e1612.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1612.weights.x) + ((f32(((_e1640 >> bitcast<u32>((((_e1612.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1612.weights.y)) + ((f32(((_e1661 >> bitcast<u32>((((_e1612.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1612.weights.z)) + ((f32(((_e1682 >> bitcast<u32>((((_e1612.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1612.weights.w)));
                                                         }
-                                                        let _e1701 = phi_2362_;
-                                                        phi_2365_ = (_e1701 >= _e1552.cutoff);
+                                                        let _e1698 = phi_2362_;
+                                                        phi_2365_ = (_e1698 >= _e1549.cutoff);
                                                     }
-                                                    let _e1705 = phi_2365_;
-                                                    phi_2366_ = _e1705;
+                                                    let _e1702 = phi_2365_;
+                                                    phi_2366_ = _e1702;
                                                 } else {
                                                     phi_2366_ = false;
                                                 }
-                                                let _e1707 = phi_2366_;
-                                                if _e1707 {
+                                                let _e1704 = phi_2366_;
+                                                if _e1704 {
                                                 }
-                                                phi_2370_ = _e1707;
+                                                phi_2370_ = _e1704;
                                             }
-                                            let _e1709 = phi_2370_;
-                                            if _e1709 {
-                                                phi_2378_ = lt_bvh_Hit(_e1484.t, _e1484.u, _e1484.v, _e1020, 4294967295u);
+                                            let _e1706 = phi_2370_;
+                                            if _e1706 {
+                                                phi_2378_ = lt_bvh_Hit(_e1481.t, _e1481.u, _e1481.v, _e1017, 4294967295u);
                                             } else {
-                                                phi_2378_ = _e1009;
+                                                phi_2378_ = _e1006;
                                             }
-                                            let _e1715 = phi_2378_;
-                                            phi_2379_ = _e1715;
+                                            let _e1712 = phi_2378_;
+                                            phi_2379_ = _e1712;
                                         } else {
-                                            phi_2379_ = _e1009;
+                                            phi_2379_ = _e1006;
                                         }
-                                        let _e1717 = phi_2379_;
-                                        phi_2380_ = _e1717;
+                                        let _e1714 = phi_2379_;
+                                        phi_2380_ = _e1714;
                                     } else {
-                                        phi_2380_ = _e1009;
+                                        phi_2380_ = _e1006;
                                     }
-                                    let _e1719 = phi_2380_;
-                                    phi_2381_ = _e1719;
+                                    let _e1716 = phi_2380_;
+                                    phi_2381_ = _e1716;
                                 } else {
-                                    phi_2381_ = _e1009;
+                                    phi_2381_ = _e1006;
                                 }
-                                let _e1721 = phi_2381_;
-                                phi_1524_ = _e1721;
-                                phi_1527_ = (_e1011 & (_e1011 - 1u));
+                                let _e1718 = phi_2381_;
+                                phi_1524_ = _e1718;
+                                phi_1527_ = (_e1008 & (_e1008 - 1u));
                                 phi_2382_ = true;
                             }
-                            let _e1723 = phi_1524_;
-                            let _e1725 = phi_1527_;
-                            let _e1727 = phi_2382_;
+                            let _e1720 = phi_1524_;
+                            let _e1722 = phi_1527_;
+                            let _e1724 = phi_2382_;
                             continue;
                             continuing {
-                                phi_1523_ = _e1723;
-                                phi_1526_ = _e1725;
-                                break if !(_e1727);
+                                phi_1523_ = _e1720;
+                                phi_1526_ = _e1722;
+                                break if !(_e1724);
                             }
                         }
-                        let _e1730 = local_1.group_mask;
-                        if ((_e1730 & 4278190080u) == 0u) {
-                            let _e1734 = local_1.len;
-                            if (_e1734 == 0u) {
+                        let _e1727 = local_1.group_mask;
+                        if ((_e1727 & 4278190080u) == 0u) {
+                            let _e1731 = local_1.len;
+                            if (_e1731 == 0u) {
                                 phi_2421_ = false;
                             } else {
+                                let _e1735 = local_1.len;
+                                local_1.len = (_e1735 - 1u);
                                 let _e1738 = local_1.len;
-                                local_1.len = (_e1738 - 1u);
-                                let _e1741 = local_1.len;
-                                if (_e1741 < 32u) {
+                                if (_e1738 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1746 = local_1.first[(0u + _e1741)];
-                                local_1.group = _e1746;
-                                let _e1749 = local_1.len;
-                                if (_e1749 < 32u) {
+                                let _e1743 = local_1.first[(0u + _e1738)];
+                                local_1.group = _e1743;
+                                let _e1746 = local_1.len;
+                                if (_e1746 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1754 = local_1.mask[(0u + _e1749)];
-                                local_1.group_mask = _e1754;
+                                let _e1751 = local_1.mask[(0u + _e1746)];
+                                local_1.group_mask = _e1751;
                                 phi_2421_ = true;
                             }
-                            let _e1757 = phi_2421_;
-                            phi_2422_ = _e1757;
+                            let _e1754 = phi_2421_;
+                            phi_2422_ = _e1754;
                         } else {
                             phi_2422_ = true;
                         }
-                        let _e1759 = phi_2422_;
-                        if _e1759 {
-                            let _e1761 = local_1.group_mask;
-                            let _e1767 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1761)), 32u, (_e1761 == 0u)));
-                            let _e1771 = local_1.group_mask;
-                            let _e1785 = local_1.group_mask;
-                            local_1.group_mask = (_e1785 & ~((1u << bitcast<u32>((_e1767 & 31u)))));
-                            let _e1788 = local_1.group;
-                            phi_2453_ = (_e1788 + countOneBits(((_e1771 & ~((4294967295u << bitcast<u32>((((_e1767 - 24u) ^ _e428) & 31u))))) & 255u)));
+                        let _e1756 = phi_2422_;
+                        if _e1756 {
+                            let _e1758 = local_1.group_mask;
+                            let _e1764 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1758)), 32u, (_e1758 == 0u)));
+                            let _e1768 = local_1.group_mask;
+                            let _e1782 = local_1.group_mask;
+                            local_1.group_mask = (_e1782 & ~((1u << bitcast<u32>((_e1764 & 31u)))));
+                            let _e1785 = local_1.group;
+                            phi_2453_ = (_e1785 + countOneBits(((_e1768 & ~((4294967295u << bitcast<u32>((((_e1764 - 24u) ^ _e425) & 31u))))) & 255u)));
                         } else {
                             phi_2453_ = 4294967295u;
                         }
-                        let _e1791 = phi_2453_;
-                        let _e2494 = local_5;
-                        phi_1187_ = _e2494;
-                        phi_1190_ = _e1791;
+                        let _e1788 = phi_2453_;
+                        let _e2491 = local_5;
+                        phi_1187_ = _e2491;
+                        phi_1190_ = _e1788;
                     } else {
                         phi_1187_ = lt_bvh_Hit();
                         phi_1190_ = u32();
                     }
-                    let _e1793 = phi_1187_;
-                    let _e1795 = phi_1190_;
+                    let _e1790 = phi_1187_;
+                    let _e1792 = phi_1190_;
                     continue;
                     continuing {
-                        phi_1186_ = _e1793;
-                        phi_1189_ = _e1795;
-                        break if !(_e569);
+                        phi_1186_ = _e1790;
+                        phi_1189_ = _e1792;
+                        break if !(_e566);
                     }
                 }
-                let _e2498 = local_6;
-                phi_2454_ = _e2498;
+                let _e2495 = local_6;
+                phi_2454_ = _e2495;
             }
-            let _e1798 = phi_2454_;
-            phi_2455_ = _e1798;
+            let _e1795 = phi_2454_;
+            phi_2455_ = _e1795;
             phi_2456_ = _e223;
         } else {
             phi_2455_ = lt_bvh_Hit();
             phi_2456_ = true;
         }
-        let _e1800 = phi_2455_;
-        let _e1802 = phi_2456_;
-        if _e1802 {
+        let _e1797 = phi_2455_;
+        let _e1799 = phi_2456_;
+        if _e1799 {
             phi_2460_ = _e153;
         } else {
-            phi_2460_ = _e1800;
+            phi_2460_ = _e1797;
         }
-        let _e1804 = phi_2460_;
-        if (_e1804.triangle != 4294967295u) {
-            let _e1810 = ((1f - _e1804.u) - _e1804.v);
-            if (_e1804.triangle < _e78) {
+        let _e1801 = phi_2460_;
+        if (_e1801.triangle != 4294967295u) {
+            let _e1807 = ((1f - _e1801.u) - _e1801.v);
+            if (_e1801.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1816 = triangles.member[(0u + _e1804.triangle)];
-            let _e1841 = (((_e1816.v0_.x * _e1810) + (_e1816.v1_.x * _e1804.u)) + (_e1816.v2_.x * _e1804.v));
-            let _e1842 = (((_e1816.v0_.y * _e1810) + (_e1816.v1_.y * _e1804.u)) + (_e1816.v2_.y * _e1804.v));
-            let _e1843 = (((_e1816.v0_.z * _e1810) + (_e1816.v1_.z * _e1804.u)) + (_e1816.v2_.z * _e1804.v));
-            let _e1846 = abs(_e1816.v0_.x);
-            let _e1848 = abs(_e1816.v0_.y);
-            let _e1850 = abs(_e1816.v0_.z);
-            let _e1852 = abs(_e1816.v1_.x);
-            let _e1854 = abs(_e1816.v1_.y);
-            let _e1856 = abs(_e1816.v1_.z);
-            if (_e1846 > _e1852) {
-                phi_2525_ = _e1846;
+            let _e1813 = triangles.member[(0u + _e1801.triangle)];
+            let _e1838 = (((_e1813.v0_.x * _e1807) + (_e1813.v1_.x * _e1801.u)) + (_e1813.v2_.x * _e1801.v));
+            let _e1839 = (((_e1813.v0_.y * _e1807) + (_e1813.v1_.y * _e1801.u)) + (_e1813.v2_.y * _e1801.v));
+            let _e1840 = (((_e1813.v0_.z * _e1807) + (_e1813.v1_.z * _e1801.u)) + (_e1813.v2_.z * _e1801.v));
+            let _e1843 = abs(_e1813.v0_.x);
+            let _e1845 = abs(_e1813.v0_.y);
+            let _e1847 = abs(_e1813.v0_.z);
+            let _e1849 = abs(_e1813.v1_.x);
+            let _e1851 = abs(_e1813.v1_.y);
+            let _e1853 = abs(_e1813.v1_.z);
+            if (_e1843 > _e1849) {
+                phi_2525_ = _e1843;
             } else {
-                phi_2525_ = _e1852;
+                phi_2525_ = _e1849;
             }
-            let _e1859 = phi_2525_;
-            if (_e1848 > _e1854) {
-                phi_2530_ = _e1848;
+            let _e1856 = phi_2525_;
+            if (_e1845 > _e1851) {
+                phi_2530_ = _e1845;
             } else {
-                phi_2530_ = _e1854;
+                phi_2530_ = _e1851;
             }
-            let _e1862 = phi_2530_;
-            if (_e1850 > _e1856) {
-                phi_2535_ = _e1850;
+            let _e1859 = phi_2530_;
+            if (_e1847 > _e1853) {
+                phi_2535_ = _e1847;
             } else {
-                phi_2535_ = _e1856;
+                phi_2535_ = _e1853;
             }
-            let _e1865 = phi_2535_;
-            let _e1867 = abs(_e1816.v2_.x);
-            let _e1869 = abs(_e1816.v2_.y);
-            let _e1871 = abs(_e1816.v2_.z);
-            if (_e1859 > _e1867) {
-                phi_2546_ = _e1859;
+            let _e1862 = phi_2535_;
+            let _e1864 = abs(_e1813.v2_.x);
+            let _e1866 = abs(_e1813.v2_.y);
+            let _e1868 = abs(_e1813.v2_.z);
+            if (_e1856 > _e1864) {
+                phi_2546_ = _e1856;
             } else {
-                phi_2546_ = _e1867;
+                phi_2546_ = _e1864;
             }
-            let _e1874 = phi_2546_;
-            if (_e1862 > _e1869) {
-                phi_2551_ = _e1862;
+            let _e1871 = phi_2546_;
+            if (_e1859 > _e1866) {
+                phi_2551_ = _e1859;
             } else {
-                phi_2551_ = _e1869;
+                phi_2551_ = _e1866;
             }
-            let _e1877 = phi_2551_;
-            if (_e1865 > _e1871) {
-                phi_2556_ = _e1865;
+            let _e1874 = phi_2551_;
+            if (_e1862 > _e1868) {
+                phi_2556_ = _e1862;
             } else {
-                phi_2556_ = _e1871;
+                phi_2556_ = _e1868;
             }
-            let _e1880 = phi_2556_;
-            let _e1883 = (_e1816.v1_.x - _e1816.v0_.x);
-            let _e1886 = (_e1816.v1_.y - _e1816.v0_.y);
-            let _e1889 = (_e1816.v1_.z - _e1816.v0_.z);
-            let _e1892 = (_e1816.v2_.x - _e1816.v0_.x);
-            let _e1895 = (_e1816.v2_.y - _e1816.v0_.y);
-            let _e1898 = (_e1816.v2_.z - _e1816.v0_.z);
-            let _e1902 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1886), abs(_e1889));
-            let _e1903 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1883), _e1902);
-            let _e1904 = (_e1883 / _e1903);
-            let _e1905 = (_e1886 / _e1903);
-            let _e1906 = (_e1889 / _e1903);
-            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), abs(_e1898));
-            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1892), _e1910);
-            let _e1912 = (_e1892 / _e1911);
-            let _e1913 = (_e1895 / _e1911);
-            let _e1914 = (_e1898 / _e1911);
-            let _e1917 = ((_e1905 * _e1914) - (_e1913 * _e1906));
-            let _e1920 = ((_e1906 * _e1912) - (_e1914 * _e1904));
-            let _e1923 = ((_e1904 * _e1913) - (_e1912 * _e1905));
-            let _e1925 = p.member.eye;
-            let _e1938 = (1f / sqrt((((_e1917 * _e1917) + (_e1920 * _e1920)) + (_e1923 * _e1923))));
-            let _e1939 = (_e1917 * _e1938);
-            let _e1940 = (_e1920 * _e1938);
-            let _e1941 = (_e1923 * _e1938);
-            if ((((_e1939 * (_e1925.x - _e1841)) + (_e1940 * (_e1925.y - _e1842))) + (_e1941 * (_e1925.z - _e1843))) < 0f) {
-                phi_2632_ = vec3<f32>(-(_e1939), -(_e1940), -(_e1941));
+            let _e1877 = phi_2556_;
+            let _e1880 = (_e1813.v1_.x - _e1813.v0_.x);
+            let _e1883 = (_e1813.v1_.y - _e1813.v0_.y);
+            let _e1886 = (_e1813.v1_.z - _e1813.v0_.z);
+            let _e1889 = (_e1813.v2_.x - _e1813.v0_.x);
+            let _e1892 = (_e1813.v2_.y - _e1813.v0_.y);
+            let _e1895 = (_e1813.v2_.z - _e1813.v0_.z);
+            let _e1899 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1883), abs(_e1886));
+            let _e1900 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1880), _e1899);
+            let _e1901 = (_e1880 / _e1900);
+            let _e1902 = (_e1883 / _e1900);
+            let _e1903 = (_e1886 / _e1900);
+            let _e1907 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1892), abs(_e1895));
+            let _e1908 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1889), _e1907);
+            let _e1909 = (_e1889 / _e1908);
+            let _e1910 = (_e1892 / _e1908);
+            let _e1911 = (_e1895 / _e1908);
+            let _e1914 = ((_e1902 * _e1911) - (_e1910 * _e1903));
+            let _e1917 = ((_e1903 * _e1909) - (_e1911 * _e1901));
+            let _e1920 = ((_e1901 * _e1910) - (_e1909 * _e1902));
+            let _e1922 = p.member.eye;
+            let _e1935 = (1f / sqrt((((_e1914 * _e1914) + (_e1917 * _e1917)) + (_e1920 * _e1920))));
+            let _e1936 = (_e1914 * _e1935);
+            let _e1937 = (_e1917 * _e1935);
+            let _e1938 = (_e1920 * _e1935);
+            if ((((_e1936 * (_e1922.x - _e1838)) + (_e1937 * (_e1922.y - _e1839))) + (_e1938 * (_e1922.z - _e1840))) < 0f) {
+                phi_2632_ = vec3<f32>(-(_e1936), -(_e1937), -(_e1938));
             } else {
-                phi_2632_ = vec3<f32>(_e1939, _e1940, _e1941);
+                phi_2632_ = vec3<f32>(_e1936, _e1937, _e1938);
             }
-            let _e1954 = phi_2632_;
-            if (_e1804.triangle < _e78) {
-            } else {
-                return;
-            }
-            let _e1959 = triangles.member[(0u + _e1804.triangle)];
-            let _e1961 = (_e1959.i0_ & 2147483647u);
-            if (_e1961 < _e81) {
+            let _e1951 = phi_2632_;
+            if (_e1801.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1967 = vertices.member[(0u + _e1961)];
-            if (_e1959.i1_ < _e81) {
+            let _e1956 = triangles.member[(0u + _e1801.triangle)];
+            let _e1958 = (_e1956.i0_ & 2147483647u);
+            if (_e1958 < _e81) {
             } else {
                 return;
             }
-            let _e1971 = vertices.member[(0u + _e1959.i1_)];
-            if (_e1959.i2_ < _e81) {
+            let _e1964 = vertices.member[(0u + _e1958)];
+            if (_e1956.i1_ < _e81) {
             } else {
                 return;
             }
-            let _e1975 = vertices.member[(0u + _e1959.i2_)];
-            let _e1976 = array<abi_Vertex, 3>(_e1967, _e1971, _e1975);
-            if (_e1976[0].material < _e84) {
+            let _e1968 = vertices.member[(0u + _e1956.i1_)];
+            if (_e1956.i2_ < _e81) {
             } else {
                 return;
             }
-            let _e1982 = materials.member[(0u + _e1976[0].material)];
-            let _e1999 = (1f / 255f);
-            let _e2018 = (1f / 255f);
-            let _e2040 = (1f / 255f);
-            let _e2053 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1810, _e1804.u, _e1804.v));
-            let _e2055 = ((_e1982.base_color.x * ((((f32((_e1976[0].color & 255u)) * _e1999) * _e1810) + ((f32((_e1976[1].color & 255u)) * _e2018) * _e1804.u)) + ((f32((_e1976[2].color & 255u)) * _e2040) * _e1804.v))) * _e2053.x);
-            let _e2057 = ((_e1982.base_color.y * ((((f32(((_e1976[0].color >> bitcast<u32>(8i)) & 255u)) * _e1999) * _e1810) + ((f32(((_e1976[1].color >> bitcast<u32>(8i)) & 255u)) * _e2018) * _e1804.u)) + ((f32(((_e1976[2].color >> bitcast<u32>(8i)) & 255u)) * _e2040) * _e1804.v))) * _e2053.y);
-            let _e2059 = ((_e1982.base_color.z * ((((f32(((_e1976[0].color >> bitcast<u32>(16i)) & 255u)) * _e1999) * _e1810) + ((f32(((_e1976[1].color >> bitcast<u32>(16i)) & 255u)) * _e2018) * _e1804.u)) + ((f32(((_e1976[2].color >> bitcast<u32>(16i)) & 255u)) * _e2040) * _e1804.v))) * _e2053.z);
-            let _e2060 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1877, _e1880);
-            let _e2061 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1874, _e2060);
-            if ((_e1982.flags & 2u) == 0u) {
+            let _e1972 = vertices.member[(0u + _e1956.i2_)];
+            let _e1973 = array<abi_Vertex, 3>(_e1964, _e1968, _e1972);
+            if (_e1973[0].material < _e84) {
+            } else {
+                return;
+            }
+            let _e1979 = materials.member[(0u + _e1973[0].material)];
+            let _e1996 = (1f / 255f);
+            let _e2015 = (1f / 255f);
+            let _e2037 = (1f / 255f);
+            let _e2050 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1807, _e1801.u, _e1801.v));
+            let _e2052 = ((_e1979.base_color.x * ((((f32((_e1973[0].color & 255u)) * _e1996) * _e1807) + ((f32((_e1973[1].color & 255u)) * _e2015) * _e1801.u)) + ((f32((_e1973[2].color & 255u)) * _e2037) * _e1801.v))) * _e2050.x);
+            let _e2054 = ((_e1979.base_color.y * ((((f32(((_e1973[0].color >> bitcast<u32>(8i)) & 255u)) * _e1996) * _e1807) + ((f32(((_e1973[1].color >> bitcast<u32>(8i)) & 255u)) * _e2015) * _e1801.u)) + ((f32(((_e1973[2].color >> bitcast<u32>(8i)) & 255u)) * _e2037) * _e1801.v))) * _e2050.y);
+            let _e2056 = ((_e1979.base_color.z * ((((f32(((_e1973[0].color >> bitcast<u32>(16i)) & 255u)) * _e1996) * _e1807) + ((f32(((_e1973[1].color >> bitcast<u32>(16i)) & 255u)) * _e2015) * _e1801.u)) + ((f32(((_e1973[2].color >> bitcast<u32>(16i)) & 255u)) * _e2037) * _e1801.v))) * _e2050.z);
+            let _e2057 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1874, _e1877);
+            let _e2058 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1871, _e2057);
+            if ((_e1979.flags & 2u) == 0u) {
                 phi_2753_ = 0u;
             } else {
                 phi_2753_ = 1u;
             }
-            let _e2066 = phi_2753_;
-            if (_e1976[0].normal == 2147516416u) {
-                phi_2956_ = _e1954;
+            let _e2063 = phi_2753_;
+            if (_e1973[0].normal == 2147516416u) {
+                phi_2956_ = _e1951;
             } else {
-                let _e2079 = (f32((bitcast<i32>((_e1976[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2085 = (f32((bitcast<i32>(_e1976[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2089 = ((1f - abs(_e2079)) - abs(_e2085));
-                if (_e2089 < 0f) {
-                    phi_2780_ = -(_e2089);
+                let _e2076 = (f32((bitcast<i32>((_e1973[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2082 = (f32((bitcast<i32>(_e1973[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2086 = ((1f - abs(_e2076)) - abs(_e2082));
+                if (_e2086 < 0f) {
+                    phi_2780_ = -(_e2086);
                 } else {
                     phi_2780_ = 0f;
                 }
-                let _e2093 = phi_2780_;
-                if (_e2079 < 0f) {
-                    phi_2787_ = (_e2079 + _e2093);
+                let _e2090 = phi_2780_;
+                if (_e2076 < 0f) {
+                    phi_2787_ = (_e2076 + _e2090);
                 } else {
-                    phi_2787_ = (_e2079 - _e2093);
+                    phi_2787_ = (_e2076 - _e2090);
                 }
-                let _e2098 = phi_2787_;
-                if (_e2085 < 0f) {
-                    phi_2794_ = (_e2085 + _e2093);
+                let _e2095 = phi_2787_;
+                if (_e2082 < 0f) {
+                    phi_2794_ = (_e2082 + _e2090);
                 } else {
-                    phi_2794_ = (_e2085 - _e2093);
+                    phi_2794_ = (_e2082 - _e2090);
                 }
-                let _e2103 = phi_2794_;
-                let _e2110 = (1f / sqrt((((_e2098 * _e2098) + (_e2103 * _e2103)) + (_e2089 * _e2089))));
-                let _e2126 = (f32((bitcast<i32>((_e1976[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2132 = (f32((bitcast<i32>(_e1976[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2136 = ((1f - abs(_e2126)) - abs(_e2132));
-                if (_e2136 < 0f) {
-                    phi_2829_ = -(_e2136);
+                let _e2100 = phi_2794_;
+                let _e2107 = (1f / sqrt((((_e2095 * _e2095) + (_e2100 * _e2100)) + (_e2086 * _e2086))));
+                let _e2123 = (f32((bitcast<i32>((_e1973[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2129 = (f32((bitcast<i32>(_e1973[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2133 = ((1f - abs(_e2123)) - abs(_e2129));
+                if (_e2133 < 0f) {
+                    phi_2829_ = -(_e2133);
                 } else {
                     phi_2829_ = 0f;
                 }
-                let _e2140 = phi_2829_;
-                if (_e2126 < 0f) {
-                    phi_2836_ = (_e2126 + _e2140);
+                let _e2137 = phi_2829_;
+                if (_e2123 < 0f) {
+                    phi_2836_ = (_e2123 + _e2137);
                 } else {
-                    phi_2836_ = (_e2126 - _e2140);
+                    phi_2836_ = (_e2123 - _e2137);
                 }
-                let _e2145 = phi_2836_;
-                if (_e2132 < 0f) {
-                    phi_2843_ = (_e2132 + _e2140);
+                let _e2142 = phi_2836_;
+                if (_e2129 < 0f) {
+                    phi_2843_ = (_e2129 + _e2137);
                 } else {
-                    phi_2843_ = (_e2132 - _e2140);
+                    phi_2843_ = (_e2129 - _e2137);
                 }
-                let _e2150 = phi_2843_;
-                let _e2157 = (1f / sqrt((((_e2145 * _e2145) + (_e2150 * _e2150)) + (_e2136 * _e2136))));
-                let _e2176 = (f32((bitcast<i32>((_e1976[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2182 = (f32((bitcast<i32>(_e1976[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2186 = ((1f - abs(_e2176)) - abs(_e2182));
-                if (_e2186 < 0f) {
-                    phi_2881_ = -(_e2186);
+                let _e2147 = phi_2843_;
+                let _e2154 = (1f / sqrt((((_e2142 * _e2142) + (_e2147 * _e2147)) + (_e2133 * _e2133))));
+                let _e2173 = (f32((bitcast<i32>((_e1973[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2179 = (f32((bitcast<i32>(_e1973[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2183 = ((1f - abs(_e2173)) - abs(_e2179));
+                if (_e2183 < 0f) {
+                    phi_2881_ = -(_e2183);
                 } else {
                     phi_2881_ = 0f;
                 }
-                let _e2190 = phi_2881_;
-                if (_e2176 < 0f) {
-                    phi_2888_ = (_e2176 + _e2190);
+                let _e2187 = phi_2881_;
+                if (_e2173 < 0f) {
+                    phi_2888_ = (_e2173 + _e2187);
                 } else {
-                    phi_2888_ = (_e2176 - _e2190);
+                    phi_2888_ = (_e2173 - _e2187);
                 }
-                let _e2195 = phi_2888_;
-                if (_e2182 < 0f) {
-                    phi_2895_ = (_e2182 + _e2190);
+                let _e2192 = phi_2888_;
+                if (_e2179 < 0f) {
+                    phi_2895_ = (_e2179 + _e2187);
                 } else {
-                    phi_2895_ = (_e2182 - _e2190);
+                    phi_2895_ = (_e2179 - _e2187);
                 }
-                let _e2200 = phi_2895_;
-                let _e2207 = (1f / sqrt((((_e2195 * _e2195) + (_e2200 * _e2200)) + (_e2186 * _e2186))));
-                let _e2218 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2098 * _e2110) * _e1810) + ((_e2145 * _e2157) * _e1804.u)) + ((_e2195 * _e2207) * _e1804.v)), ((((_e2103 * _e2110) * _e1810) + ((_e2150 * _e2157) * _e1804.u)) + ((_e2200 * _e2207) * _e1804.v)), ((((_e2089 * _e2110) * _e1810) + ((_e2136 * _e2157) * _e1804.u)) + ((_e2186 * _e2207) * _e1804.v))));
-                let _e2230 = sqrt((((_e2218.x * _e2218.x) + (_e2218.y * _e2218.y)) + (_e2218.z * _e2218.z)));
-                if (_e2230 > 0f) {
-                    let _e2233 = (_e2218.x / _e2230);
-                    let _e2235 = (_e2218.y / _e2230);
-                    let _e2237 = (_e2218.z / _e2230);
-                    if ((((_e2233 * _e1954.x) + (_e2235 * _e1954.y)) + (_e2237 * _e1954.z)) < 0f) {
-                        phi_2954_ = vec3<f32>(-(_e2233), -(_e2235), -(_e2237));
+                let _e2197 = phi_2895_;
+                let _e2204 = (1f / sqrt((((_e2192 * _e2192) + (_e2197 * _e2197)) + (_e2183 * _e2183))));
+                let _e2215 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2095 * _e2107) * _e1807) + ((_e2142 * _e2154) * _e1801.u)) + ((_e2192 * _e2204) * _e1801.v)), ((((_e2100 * _e2107) * _e1807) + ((_e2147 * _e2154) * _e1801.u)) + ((_e2197 * _e2204) * _e1801.v)), ((((_e2086 * _e2107) * _e1807) + ((_e2133 * _e2154) * _e1801.u)) + ((_e2183 * _e2204) * _e1801.v))));
+                let _e2227 = sqrt((((_e2215.x * _e2215.x) + (_e2215.y * _e2215.y)) + (_e2215.z * _e2215.z)));
+                if (_e2227 > 0f) {
+                    let _e2230 = (_e2215.x / _e2227);
+                    let _e2232 = (_e2215.y / _e2227);
+                    let _e2234 = (_e2215.z / _e2227);
+                    if ((((_e2230 * _e1951.x) + (_e2232 * _e1951.y)) + (_e2234 * _e1951.z)) < 0f) {
+                        phi_2954_ = vec3<f32>(-(_e2230), -(_e2232), -(_e2234));
                     } else {
-                        phi_2954_ = (_e2218 / vec3(_e2230));
+                        phi_2954_ = (_e2215 / vec3(_e2227));
                     }
-                    let _e2254 = phi_2954_;
-                    phi_2955_ = _e2254;
+                    let _e2251 = phi_2954_;
+                    phi_2955_ = _e2251;
                 } else {
-                    phi_2955_ = _e1954;
+                    phi_2955_ = _e1951;
                 }
-                let _e2256 = phi_2955_;
-                phi_2956_ = _e2256;
+                let _e2253 = phi_2955_;
+                phi_2956_ = _e2253;
             }
-            let _e2258 = phi_2956_;
-            if (_e2055 > 0f) {
-                if (_e2055 < 1f) {
-                    phi_2965_ = _e2055;
+            let _e2255 = phi_2956_;
+            if (_e2052 > 0f) {
+                if (_e2052 < 1f) {
+                    phi_2965_ = _e2052;
                 } else {
                     phi_2965_ = 1f;
                 }
-                let _e2262 = phi_2965_;
-                phi_2966_ = _e2262;
+                let _e2259 = phi_2965_;
+                phi_2966_ = _e2259;
             } else {
                 phi_2966_ = 0f;
             }
-            let _e2264 = phi_2966_;
-            if (_e2057 > 0f) {
-                if (_e2057 < 1f) {
-                    phi_2976_ = _e2057;
+            let _e2261 = phi_2966_;
+            if (_e2054 > 0f) {
+                if (_e2054 < 1f) {
+                    phi_2976_ = _e2054;
                 } else {
                     phi_2976_ = 1f;
                 }
-                let _e2269 = phi_2976_;
-                phi_2977_ = _e2269;
+                let _e2266 = phi_2976_;
+                phi_2977_ = _e2266;
             } else {
                 phi_2977_ = 0f;
             }
-            let _e2271 = phi_2977_;
-            if (_e2059 > 0f) {
-                if (_e2059 < 1f) {
-                    phi_2987_ = _e2059;
+            let _e2268 = phi_2977_;
+            if (_e2056 > 0f) {
+                if (_e2056 < 1f) {
+                    phi_2987_ = _e2056;
                 } else {
                     phi_2987_ = 1f;
                 }
-                let _e2276 = phi_2987_;
-                phi_2988_ = _e2276;
+                let _e2273 = phi_2987_;
+                phi_2988_ = _e2273;
             } else {
                 phi_2988_ = 0f;
             }
-            let _e2278 = phi_2988_;
-            let _e2281 = ((sqrt(_e2264) * 255f) + 0.5f);
-            let _e2290 = ((sqrt(_e2271) * 255f) + 0.5f);
-            let _e2302 = ((sqrt(_e2278) * 255f) + 0.5f);
-            phi_3023_ = abi_Sample(vec3<f32>(_e1841, _e1842, _e1843), _e2061, _e1954, _e2066, _e2258, ((select(select(u32(_e2281), 0u, (_e2281 < bitcast<f32>(0u))), 4294967295u, (_e2281 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2290), 0u, (_e2290 < bitcast<f32>(0u))), 4294967295u, (_e2290 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2302), 0u, (_e2302 < bitcast<f32>(0u))), 4294967295u, (_e2302 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2275 = phi_2988_;
+            let _e2278 = ((sqrt(_e2261) * 255f) + 0.5f);
+            let _e2287 = ((sqrt(_e2268) * 255f) + 0.5f);
+            let _e2299 = ((sqrt(_e2275) * 255f) + 0.5f);
+            phi_3023_ = abi_Sample(vec3<f32>(_e1838, _e1839, _e1840), _e2058, _e1951, _e2063, _e2255, ((select(select(u32(_e2278), 0u, (_e2278 < bitcast<f32>(0u))), 4294967295u, (_e2278 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2287), 0u, (_e2287 < bitcast<f32>(0u))), 4294967295u, (_e2287 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2299), 0u, (_e2299 < bitcast<f32>(0u))), 4294967295u, (_e2299 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_3023_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2316 = phi_3023_;
+        let _e2313 = phi_3023_;
         if (_e96.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.shift)] = _e2316;
+        samples.member[(0u + _e96.shift)] = _e2313;
     }
     return;
 }

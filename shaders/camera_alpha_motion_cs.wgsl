@@ -984,1411 +984,1411 @@ fn function_() {
                 } else {
                     phi_910_ = abs(_e159.direction.x);
                 }
-                let _e308 = phi_910_;
+                let _e307 = phi_910_;
                 if (_e159.direction.x < 0f) {
-                    phi_917_ = (-1f / _e308);
+                    phi_917_ = (-1f / _e307);
                 } else {
-                    phi_917_ = (1f / _e308);
+                    phi_917_ = (1f / _e307);
                 }
-                let _e313 = phi_917_;
+                let _e312 = phi_917_;
                 if (abs(_e159.direction.y) < _e301) {
                     phi_925_ = _e301;
                 } else {
                     phi_925_ = abs(_e159.direction.y);
                 }
-                let _e320 = phi_925_;
+                let _e318 = phi_925_;
                 if (_e159.direction.y < 0f) {
-                    phi_932_ = (-1f / _e320);
+                    phi_932_ = (-1f / _e318);
                 } else {
-                    phi_932_ = (1f / _e320);
+                    phi_932_ = (1f / _e318);
                 }
-                let _e325 = phi_932_;
+                let _e323 = phi_932_;
                 if (abs(_e159.direction.z) < _e301) {
                     phi_940_ = _e301;
                 } else {
                     phi_940_ = abs(_e159.direction.z);
                 }
-                let _e332 = phi_940_;
+                let _e329 = phi_940_;
                 if (_e159.direction.z < 0f) {
-                    phi_947_ = (-1f / _e332);
+                    phi_947_ = (-1f / _e329);
                 } else {
-                    phi_947_ = (1f / _e332);
+                    phi_947_ = (1f / _e329);
                 }
-                let _e337 = phi_947_;
-                let _e345 = abs((bitcast<f32>(_e237) - _e159.origin.x));
-                let _e346 = abs((bitcast<f32>(_e241) - _e159.origin.y));
-                let _e347 = abs((bitcast<f32>(_e245) - _e159.origin.z));
-                let _e355 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e261 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.x));
-                let _e356 = abs(((bitcast<f32>(_e253) + (bitcast<f32>((((_e261 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.y));
-                let _e357 = abs(((bitcast<f32>(_e257) + (bitcast<f32>((((_e261 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.z));
-                if (_e345 > _e355) {
-                    phi_972_ = _e345;
+                let _e334 = phi_947_;
+                let _e342 = abs((bitcast<f32>(_e237) - _e159.origin.x));
+                let _e343 = abs((bitcast<f32>(_e241) - _e159.origin.y));
+                let _e344 = abs((bitcast<f32>(_e245) - _e159.origin.z));
+                let _e352 = abs(((bitcast<f32>(_e249) + (bitcast<f32>((((_e261 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.x));
+                let _e353 = abs(((bitcast<f32>(_e253) + (bitcast<f32>((((_e261 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.y));
+                let _e354 = abs(((bitcast<f32>(_e257) + (bitcast<f32>((((_e261 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e159.origin.z));
+                if (_e342 > _e352) {
+                    phi_972_ = _e342;
                 } else {
-                    phi_972_ = _e355;
+                    phi_972_ = _e352;
                 }
-                let _e360 = phi_972_;
-                if (_e346 > _e356) {
-                    phi_977_ = _e346;
+                let _e357 = phi_972_;
+                if (_e343 > _e353) {
+                    phi_977_ = _e343;
                 } else {
-                    phi_977_ = _e356;
+                    phi_977_ = _e353;
                 }
-                let _e363 = phi_977_;
-                if (_e347 > _e357) {
-                    phi_982_ = _e347;
+                let _e360 = phi_977_;
+                if (_e344 > _e354) {
+                    phi_982_ = _e344;
                 } else {
-                    phi_982_ = _e357;
+                    phi_982_ = _e354;
                 }
-                let _e366 = phi_982_;
-                let _e367 = core_intrinsics_maximum_number_nsz_f32_(_e360, _e363);
-                let _e368 = core_intrinsics_maximum_number_nsz_f32_(_e367, _e366);
-                let _e373 = (_e368 * 0.0000019073486f);
-                let _e374 = (abs(_e313) * _e373);
-                let _e375 = (abs(_e325) * _e373);
-                let _e376 = (abs(_e337) * _e373);
-                let _e380 = (_e368 * 0.0000009536743f);
-                let _e381 = (abs(_e313) * _e380);
-                let _e382 = (abs(_e325) * _e380);
-                let _e383 = (abs(_e337) * _e380);
-                let _e386 = abs(_e159.direction.x);
-                let _e388 = abs(_e159.direction.y);
-                let _e390 = abs(_e159.direction.z);
-                if (_e386 >= _e388) {
-                    if (_e386 >= _e390) {
+                let _e363 = phi_982_;
+                let _e364 = core_intrinsics_maximum_number_nsz_f32_(_e357, _e360);
+                let _e365 = core_intrinsics_maximum_number_nsz_f32_(_e364, _e363);
+                let _e370 = (_e365 * 0.0000019073486f);
+                let _e371 = (abs(_e312) * _e370);
+                let _e372 = (abs(_e323) * _e370);
+                let _e373 = (abs(_e334) * _e370);
+                let _e377 = (_e365 * 0.0000009536743f);
+                let _e378 = (abs(_e312) * _e377);
+                let _e379 = (abs(_e323) * _e377);
+                let _e380 = (abs(_e334) * _e377);
+                let _e383 = abs(_e159.direction.x);
+                let _e385 = abs(_e159.direction.y);
+                let _e387 = abs(_e159.direction.z);
+                if (_e383 >= _e385) {
+                    if (_e383 >= _e387) {
                         phi_1015_ = false;
                     } else {
                         phi_1015_ = true;
                     }
-                    let _e394 = phi_1015_;
-                    phi_1016_ = _e394;
+                    let _e391 = phi_1015_;
+                    phi_1016_ = _e391;
                 } else {
                     phi_1016_ = true;
                 }
-                let _e396 = phi_1016_;
-                if _e396 {
-                    if (_e388 >= _e390) {
+                let _e393 = phi_1016_;
+                if _e393 {
+                    if (_e385 >= _e387) {
                         phi_1024_ = 1u;
                     } else {
                         phi_1024_ = 2u;
                     }
-                    let _e399 = phi_1024_;
-                    phi_1025_ = _e399;
+                    let _e396 = phi_1024_;
+                    phi_1025_ = _e396;
                 } else {
                     phi_1025_ = 0u;
                 }
-                let _e401 = phi_1025_;
-                if (_e401 == 0u) {
+                let _e398 = phi_1025_;
+                if (_e398 == 0u) {
                     phi_1044_ = vec3<f32>(_e159.direction.y, _e159.direction.z, _e159.direction.x);
                 } else {
-                    if (_e401 == 1u) {
+                    if (_e398 == 1u) {
                         phi_1043_ = vec3<f32>(_e159.direction.z, _e159.direction.x, _e159.direction.y);
                     } else {
                         phi_1043_ = _e159.direction;
                     }
-                    let _e414 = phi_1043_;
-                    phi_1044_ = _e414;
+                    let _e411 = phi_1043_;
+                    phi_1044_ = _e411;
                 }
-                let _e416 = phi_1044_;
-                let _e420 = (_e416.x / _e416.z);
-                let _e423 = (_e416.y / _e416.z);
-                if (_e313 < 0f) {
+                let _e413 = phi_1044_;
+                let _e417 = (_e413.x / _e413.z);
+                let _e420 = (_e413.y / _e413.z);
+                if (_e312 < 0f) {
                     phi_1058_ = 0u;
                 } else {
                     phi_1058_ = 1u;
                 }
-                let _e428 = phi_1058_;
-                if (_e325 < 0f) {
+                let _e425 = phi_1058_;
+                if (_e323 < 0f) {
                     phi_1063_ = 0u;
                 } else {
                     phi_1063_ = 2u;
                 }
-                let _e431 = phi_1063_;
-                if (_e337 < 0f) {
+                let _e428 = phi_1063_;
+                if (_e334 < 0f) {
                     phi_1068_ = 0u;
                 } else {
                     phi_1068_ = 4u;
                 }
-                let _e434 = phi_1068_;
-                let _e436 = ((_e428 | _e431) | _e434);
-                let _e437 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e437.first[0], _e437.first[1], _e437.first[2], _e437.first[3], _e437.first[4], _e437.first[5], _e437.first[6], _e437.first[7], _e437.first[8], _e437.first[9], _e437.first[10], _e437.first[11], _e437.first[12], _e437.first[13], _e437.first[14], _e437.first[15], _e437.first[16], _e437.first[17], _e437.first[18], _e437.first[19], _e437.first[20], _e437.first[21], _e437.first[22], _e437.first[23], _e437.first[24], _e437.first[25], _e437.first[26], _e437.first[27], _e437.first[28], _e437.first[29], _e437.first[30], _e437.first[31]), array<u32, 32>(_e437.mask[0], _e437.mask[1], _e437.mask[2], _e437.mask[3], _e437.mask[4], _e437.mask[5], _e437.mask[6], _e437.mask[7], _e437.mask[8], _e437.mask[9], _e437.mask[10], _e437.mask[11], _e437.mask[12], _e437.mask[13], _e437.mask[14], _e437.mask[15], _e437.mask[16], _e437.mask[17], _e437.mask[18], _e437.mask[19], _e437.mask[20], _e437.mask[21], _e437.mask[22], _e437.mask[23], _e437.mask[24], _e437.mask[25], _e437.mask[26], _e437.mask[27], _e437.mask[28], _e437.mask[29], _e437.mask[30], _e437.mask[31]), _e437.len, _e437.group, _e437.group_mask);
-                let _e511 = local_1.group_mask;
-                if ((_e511 & 4278190080u) == 0u) {
-                    let _e515 = local_1.len;
-                    if (_e515 == 0u) {
+                let _e431 = phi_1068_;
+                let _e433 = ((_e425 | _e428) | _e431);
+                let _e434 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e434.first[0], _e434.first[1], _e434.first[2], _e434.first[3], _e434.first[4], _e434.first[5], _e434.first[6], _e434.first[7], _e434.first[8], _e434.first[9], _e434.first[10], _e434.first[11], _e434.first[12], _e434.first[13], _e434.first[14], _e434.first[15], _e434.first[16], _e434.first[17], _e434.first[18], _e434.first[19], _e434.first[20], _e434.first[21], _e434.first[22], _e434.first[23], _e434.first[24], _e434.first[25], _e434.first[26], _e434.first[27], _e434.first[28], _e434.first[29], _e434.first[30], _e434.first[31]), array<u32, 32>(_e434.mask[0], _e434.mask[1], _e434.mask[2], _e434.mask[3], _e434.mask[4], _e434.mask[5], _e434.mask[6], _e434.mask[7], _e434.mask[8], _e434.mask[9], _e434.mask[10], _e434.mask[11], _e434.mask[12], _e434.mask[13], _e434.mask[14], _e434.mask[15], _e434.mask[16], _e434.mask[17], _e434.mask[18], _e434.mask[19], _e434.mask[20], _e434.mask[21], _e434.mask[22], _e434.mask[23], _e434.mask[24], _e434.mask[25], _e434.mask[26], _e434.mask[27], _e434.mask[28], _e434.mask[29], _e434.mask[30], _e434.mask[31]), _e434.len, _e434.group, _e434.group_mask);
+                let _e508 = local_1.group_mask;
+                if ((_e508 & 4278190080u) == 0u) {
+                    let _e512 = local_1.len;
+                    if (_e512 == 0u) {
                         phi_1182_ = false;
                     } else {
+                        let _e516 = local_1.len;
+                        local_1.len = (_e516 - 1u);
                         let _e519 = local_1.len;
-                        local_1.len = (_e519 - 1u);
-                        let _e522 = local_1.len;
-                        if (_e522 < 32u) {
+                        if (_e519 < 32u) {
                         } else {
                             return;
                         }
-                        let _e527 = local_1.first[(0u + _e522)];
-                        local_1.group = _e527;
-                        let _e530 = local_1.len;
-                        if (_e530 < 32u) {
+                        let _e524 = local_1.first[(0u + _e519)];
+                        local_1.group = _e524;
+                        let _e527 = local_1.len;
+                        if (_e527 < 32u) {
                         } else {
                             return;
                         }
-                        let _e535 = local_1.mask[(0u + _e530)];
-                        local_1.group_mask = _e535;
+                        let _e532 = local_1.mask[(0u + _e527)];
+                        local_1.group_mask = _e532;
                         phi_1182_ = true;
                     }
-                    let _e538 = phi_1182_;
-                    phi_1183_ = _e538;
+                    let _e535 = phi_1182_;
+                    phi_1183_ = _e535;
                 } else {
                     phi_1183_ = true;
                 }
-                let _e540 = phi_1183_;
-                if _e540 {
-                    let _e542 = local_1.group_mask;
-                    let _e548 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e542)), 32u, (_e542 == 0u)));
-                    let _e552 = local_1.group_mask;
-                    let _e566 = local_1.group_mask;
-                    local_1.group_mask = (_e566 & ~((1u << bitcast<u32>((_e548 & 31u)))));
-                    let _e569 = local_1.group;
-                    phi_1214_ = (_e569 + countOneBits(((_e552 & ~((4294967295u << bitcast<u32>((((_e548 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e537 = phi_1183_;
+                if _e537 {
+                    let _e539 = local_1.group_mask;
+                    let _e545 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e539)), 32u, (_e539 == 0u)));
+                    let _e549 = local_1.group_mask;
+                    let _e563 = local_1.group_mask;
+                    local_1.group_mask = (_e563 & ~((1u << bitcast<u32>((_e545 & 31u)))));
+                    let _e566 = local_1.group;
+                    phi_1214_ = (_e566 + countOneBits(((_e549 & ~((4294967295u << bitcast<u32>((((_e545 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1214_ = 4294967295u;
                 }
-                let _e572 = phi_1214_;
+                let _e569 = phi_1214_;
                 phi_1216_ = _e161;
-                phi_1219_ = _e572;
+                phi_1219_ = _e569;
                 loop {
-                    let _e574 = phi_1216_;
-                    let _e576 = phi_1219_;
-                    local_6 = _e574;
-                    let _e577 = (_e576 != 4294967295u);
-                    if _e577 {
-                        if (_e576 < _e77) {
+                    let _e571 = phi_1216_;
+                    let _e573 = phi_1219_;
+                    local_6 = _e571;
+                    let _e574 = (_e573 != 4294967295u);
+                    if _e574 {
+                        if (_e573 < _e77) {
                         } else {
                             return;
                         }
-                        let _e585 = nodes.member[(0u + _e576)].frame[3u];
-                        let _e610 = (bitcast<f32>((((_e585 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e611 = (bitcast<f32>((((_e585 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
-                        let _e612 = (bitcast<f32>((((_e585 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e337);
-                        let _e615 = nodes.member[(0u + _e576)].frame[0u];
-                        let _e619 = nodes.member[(0u + _e576)].frame[1u];
-                        let _e623 = nodes.member[(0u + _e576)].frame[2u];
-                        let _e631 = ((bitcast<f32>(_e615) - _e159.origin.x) * _e313);
-                        let _e632 = ((bitcast<f32>(_e619) - _e159.origin.y) * _e325);
-                        let _e633 = ((bitcast<f32>(_e623) - _e159.origin.z) * _e337);
-                        let _e641 = nodes.member[(0u + _e576)].x;
-                        if (_e313 < 0f) {
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e652.unnamed.word, _e641.w), _e652.unnamed_1);
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e641.x, _e658.unnamed_1.shift));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_mask_LightPlace(_e664.unnamed_1.word, _e641.y));
+                        let _e582 = nodes.member[(0u + _e573)].frame[3u];
+                        let _e607 = (bitcast<f32>((((_e582 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e312);
+                        let _e608 = (bitcast<f32>((((_e582 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
+                        let _e609 = (bitcast<f32>((((_e582 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e334);
+                        let _e612 = nodes.member[(0u + _e573)].frame[0u];
+                        let _e616 = nodes.member[(0u + _e573)].frame[1u];
+                        let _e620 = nodes.member[(0u + _e573)].frame[2u];
+                        let _e628 = ((bitcast<f32>(_e612) - _e159.origin.x) * _e312);
+                        let _e629 = ((bitcast<f32>(_e616) - _e159.origin.y) * _e323);
+                        let _e630 = ((bitcast<f32>(_e620) - _e159.origin.z) * _e334);
+                        let _e638 = nodes.member[(0u + _e573)].x;
+                        if (_e312 < 0f) {
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e638.w), _e649.unnamed_1);
+                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e638.x, _e655.unnamed_1.shift));
+                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e638.y));
                         } else {
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.unnamed.word, _e641.y), _e680.unnamed_1);
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e641.z, _e686.unnamed_1.shift));
-                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_mask_LightPlace(_e692.unnamed_1.word, _e641.w));
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e677.unnamed.word, _e638.y), _e677.unnamed_1);
+                            let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e638.z, _e683.unnamed_1.shift));
+                            phi_1304_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_mask_LightPlace(_e689.unnamed_1.word, _e638.w));
                         }
-                        let _e700 = phi_1304_;
-                        let _e710 = nodes.member[(0u + _e576)].y;
-                        if (_e325 < 0f) {
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e721.unnamed.word, _e710.w), _e721.unnamed_1);
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e710.x, _e727.unnamed_1.shift));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_mask_LightPlace(_e733.unnamed_1.word, _e710.y));
+                        let _e697 = phi_1304_;
+                        let _e707 = nodes.member[(0u + _e573)].y;
+                        if (_e323 < 0f) {
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e707.w), _e718.unnamed_1);
+                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e707.x, _e724.unnamed_1.shift));
+                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e707.y));
                         } else {
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.unnamed.word, _e710.y), _e749.unnamed_1);
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e710.z, _e755.unnamed_1.shift));
-                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_mask_LightPlace(_e761.unnamed_1.word, _e710.w));
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.unnamed.word, _e707.y), _e746.unnamed_1);
+                            let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e707.z, _e752.unnamed_1.shift));
+                            phi_1331_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_mask_LightPlace(_e758.unnamed_1.word, _e707.w));
                         }
-                        let _e769 = phi_1331_;
-                        let _e779 = nodes.member[(0u + _e576)].z;
-                        if (_e337 < 0f) {
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e790.unnamed.word, _e779.w), _e790.unnamed_1);
-                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e779.x, _e796.unnamed_1.shift));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_mask_LightPlace(_e802.unnamed_1.word, _e779.y));
+                        let _e766 = phi_1331_;
+                        let _e776 = nodes.member[(0u + _e573)].z;
+                        if (_e334 < 0f) {
+                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e776.w), _e787.unnamed_1);
+                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e776.x, _e793.unnamed_1.shift));
+                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e776.y));
                         } else {
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e818.unnamed.word, _e779.y), _e818.unnamed_1);
-                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e779.z, _e824.unnamed_1.shift));
-                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_mask_LightPlace(_e830.unnamed_1.word, _e779.w));
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.unnamed.word, _e776.y), _e815.unnamed_1);
+                            let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_mask_LightPlace(_e776.z, _e821.unnamed_1.shift));
+                            phi_1358_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_mask_LightPlace(_e827.unnamed_1.word, _e776.w));
                         }
-                        let _e838 = phi_1358_;
+                        let _e835 = phi_1358_;
                         phi_1364_ = 0u;
                         phi_1367_ = 0u;
                         loop {
-                            let _e848 = phi_1364_;
-                            let _e850 = phi_1367_;
-                            local_2 = _e850;
-                            local_3 = _e850;
-                            local_4 = _e850;
-                            let _e851 = (_e848 < 8u);
-                            if _e851 {
-                                let _e853 = (_e848 >> bitcast<u32>(2i));
-                                let _e854 = (_e848 & 3u);
-                                if (_e853 == 0u) {
-                                    phi_1381_ = _e700.unnamed.word;
+                            let _e845 = phi_1364_;
+                            let _e847 = phi_1367_;
+                            local_2 = _e847;
+                            local_3 = _e847;
+                            local_4 = _e847;
+                            let _e848 = (_e845 < 8u);
+                            if _e848 {
+                                let _e850 = (_e845 >> bitcast<u32>(2i));
+                                let _e851 = (_e845 & 3u);
+                                if (_e850 == 0u) {
+                                    phi_1381_ = _e697.unnamed.word;
                                 } else {
-                                    phi_1381_ = _e700.unnamed.shift;
+                                    phi_1381_ = _e697.unnamed.shift;
                                 }
-                                let _e857 = phi_1381_;
-                                if (_e853 == 0u) {
-                                    phi_1391_ = _e769.unnamed.word;
+                                let _e854 = phi_1381_;
+                                if (_e850 == 0u) {
+                                    phi_1391_ = _e766.unnamed.word;
                                 } else {
-                                    phi_1391_ = _e769.unnamed.shift;
+                                    phi_1391_ = _e766.unnamed.shift;
                                 }
-                                let _e866 = phi_1391_;
-                                if (_e853 == 0u) {
-                                    phi_1401_ = _e838.unnamed.word;
+                                let _e863 = phi_1391_;
+                                if (_e850 == 0u) {
+                                    phi_1401_ = _e835.unnamed.word;
                                 } else {
-                                    phi_1401_ = _e838.unnamed.shift;
+                                    phi_1401_ = _e835.unnamed.shift;
                                 }
-                                let _e875 = phi_1401_;
-                                let _e888 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e857 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e374)), ((f32(((_e866 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e375)));
-                                let _e889 = core_intrinsics_maximum_number_nsz_f32_(_e888, ((f32(((_e875 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e376)));
-                                if (_e853 == 0u) {
-                                    phi_1419_ = _e700.unnamed_1.word;
+                                let _e872 = phi_1401_;
+                                let _e885 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e854 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)), ((f32(((_e863 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
+                                let _e886 = core_intrinsics_maximum_number_nsz_f32_(_e885, ((f32(((_e872 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)));
+                                if (_e850 == 0u) {
+                                    phi_1419_ = _e697.unnamed_1.word;
                                 } else {
-                                    phi_1419_ = _e700.unnamed_1.shift;
+                                    phi_1419_ = _e697.unnamed_1.shift;
                                 }
-                                let _e892 = phi_1419_;
-                                if (_e853 == 0u) {
-                                    phi_1429_ = _e769.unnamed_1.word;
+                                let _e889 = phi_1419_;
+                                if (_e850 == 0u) {
+                                    phi_1429_ = _e766.unnamed_1.word;
                                 } else {
-                                    phi_1429_ = _e769.unnamed_1.shift;
+                                    phi_1429_ = _e766.unnamed_1.shift;
                                 }
-                                let _e901 = phi_1429_;
-                                if (_e853 == 0u) {
-                                    phi_1439_ = _e838.unnamed_1.word;
+                                let _e898 = phi_1429_;
+                                if (_e850 == 0u) {
+                                    phi_1439_ = _e835.unnamed_1.word;
                                 } else {
-                                    phi_1439_ = _e838.unnamed_1.shift;
+                                    phi_1439_ = _e835.unnamed_1.shift;
                                 }
-                                let _e910 = phi_1439_;
-                                let _e923 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e892 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e374)), ((f32(((_e901 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e375)));
-                                let _e924 = core_intrinsics_minimum_number_nsz_f32_(_e923, ((f32(((_e910 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 + _e376)));
-                                if (_e889 <= _e924) {
-                                    if (_e889 <= _e574.t) {
-                                        if (_e924 >= _e159.tmin) {
-                                            if (_e853 == 0u) {
-                                                let _e931 = nodes.member[(0u + _e576)].links[2u];
+                                let _e907 = phi_1439_;
+                                let _e920 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)), ((f32(((_e898 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
+                                let _e921 = core_intrinsics_minimum_number_nsz_f32_(_e920, ((f32(((_e907 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)));
+                                if (_e886 <= _e921) {
+                                    if (_e886 <= _e571.t) {
+                                        if (_e921 >= _e159.tmin) {
+                                            if (_e850 == 0u) {
+                                                let _e928 = nodes.member[(0u + _e573)].links[2u];
+                                                phi_1475_ = _e928;
+                                            } else {
+                                                let _e931 = nodes.member[(0u + _e573)].links[3u];
                                                 phi_1475_ = _e931;
-                                            } else {
-                                                let _e934 = nodes.member[(0u + _e576)].links[3u];
-                                                phi_1475_ = _e934;
                                             }
-                                            let _e936 = phi_1475_;
-                                            let _e941 = ((_e936 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u);
-                                            let _e942 = (_e941 & 31u);
-                                            if (_e942 >= 24u) {
-                                                phi_1488_ = (24u + ((_e942 - 24u) ^ _e436));
+                                            let _e933 = phi_1475_;
+                                            let _e938 = ((_e933 >> bitcast<u32>(((_e851 * 8u) & 31u))) & 255u);
+                                            let _e939 = (_e938 & 31u);
+                                            if (_e939 >= 24u) {
+                                                phi_1488_ = (24u + ((_e939 - 24u) ^ _e433));
                                             } else {
-                                                phi_1488_ = _e942;
+                                                phi_1488_ = _e939;
                                             }
-                                            let _e948 = phi_1488_;
-                                            phi_1493_ = (_e850 | ((_e941 >> bitcast<u32>(5i)) << bitcast<u32>((_e948 & 31u))));
+                                            let _e945 = phi_1488_;
+                                            phi_1493_ = (_e847 | ((_e938 >> bitcast<u32>(5i)) << bitcast<u32>((_e945 & 31u))));
                                         } else {
-                                            phi_1493_ = _e850;
+                                            phi_1493_ = _e847;
                                         }
-                                        let _e956 = phi_1493_;
-                                        phi_1494_ = _e956;
+                                        let _e953 = phi_1493_;
+                                        phi_1494_ = _e953;
                                     } else {
-                                        phi_1494_ = _e850;
+                                        phi_1494_ = _e847;
                                     }
-                                    let _e958 = phi_1494_;
-                                    phi_1495_ = _e958;
+                                    let _e955 = phi_1494_;
+                                    phi_1495_ = _e955;
                                 } else {
-                                    phi_1495_ = _e850;
+                                    phi_1495_ = _e847;
                                 }
-                                let _e960 = phi_1495_;
-                                phi_1365_ = (_e848 + 1u);
-                                phi_1368_ = _e960;
+                                let _e957 = phi_1495_;
+                                phi_1365_ = (_e845 + 1u);
+                                phi_1368_ = _e957;
                             } else {
                                 phi_1365_ = u32();
                                 phi_1368_ = u32();
                             }
-                            let _e963 = phi_1365_;
-                            let _e965 = phi_1368_;
+                            let _e960 = phi_1365_;
+                            let _e962 = phi_1368_;
                             continue;
                             continuing {
-                                phi_1364_ = _e963;
-                                phi_1367_ = _e965;
-                                break if !(_e851);
+                                phi_1364_ = _e960;
+                                phi_1367_ = _e962;
+                                break if !(_e848);
                             }
                         }
-                        let _e969 = nodes.member[(0u + _e576)].links[0u];
-                        let _e973 = nodes.member[(0u + _e576)].frame[3u];
-                        let _e977 = local_2;
-                        if ((_e977 & 4278190080u) == 0u) {
+                        let _e966 = nodes.member[(0u + _e573)].links[0u];
+                        let _e970 = nodes.member[(0u + _e573)].frame[3u];
+                        let _e974 = local_2;
+                        if ((_e974 & 4278190080u) == 0u) {
                         } else {
-                            let _e981 = local_1.group_mask;
-                            if ((_e981 & 4278190080u) == 0u) {
+                            let _e978 = local_1.group_mask;
+                            if ((_e978 & 4278190080u) == 0u) {
                             } else {
-                                let _e985 = local_1.len;
-                                if (_e985 < 32u) {
-                                    let _e988 = local_1.group;
-                                    let _e990 = local_1.len;
-                                    if (_e990 < 32u) {
+                                let _e982 = local_1.len;
+                                if (_e982 < 32u) {
+                                    let _e985 = local_1.group;
+                                    let _e987 = local_1.len;
+                                    if (_e987 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e990)] = _e988;
-                                    let _e996 = local_1.group_mask;
-                                    let _e998 = local_1.len;
-                                    if (_e998 < 32u) {
+                                    local_1.first[(0u + _e987)] = _e985;
+                                    let _e993 = local_1.group_mask;
+                                    let _e995 = local_1.len;
+                                    if (_e995 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e998)] = _e996;
-                                    let _e1005 = local_1.len;
-                                    local_1.len = (_e1005 + 1u);
+                                    local_1.mask[(0u + _e995)] = _e993;
+                                    let _e1002 = local_1.len;
+                                    local_1.len = (_e1002 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e969);
-                            let _e1009 = local_3;
-                            local_1.group_mask = ((_e1009 & 4278190080u) | (_e973 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e966);
+                            let _e1006 = local_3;
+                            local_1.group_mask = ((_e1006 & 4278190080u) | (_e970 >> bitcast<u32>(24i)));
                         }
-                        let _e1014 = local_4;
-                        phi_1553_ = _e574;
-                        phi_1556_ = (_e1014 & 16777215u);
+                        let _e1011 = local_4;
+                        phi_1553_ = _e571;
+                        phi_1556_ = (_e1011 & 16777215u);
                         loop {
-                            let _e1017 = phi_1553_;
-                            let _e1019 = phi_1556_;
-                            local_5 = _e1017;
-                            if (_e1019 == 0u) {
+                            let _e1014 = phi_1553_;
+                            let _e1016 = phi_1556_;
+                            local_5 = _e1014;
+                            if (_e1016 == 0u) {
                                 phi_1554_ = lt_bvh_Hit();
                                 phi_1557_ = u32();
                                 phi_2412_ = false;
                             } else {
-                                let _e1023 = nodes.member[(0u + _e576)].links[1u];
-                                let _e1028 = ((0u + _e1023) + select(firstTrailingBit(_e1019), 32u, (_e1019 == 0u)));
-                                if (_e1028 < _e80) {
+                                let _e1020 = nodes.member[(0u + _e573)].links[1u];
+                                let _e1025 = ((0u + _e1020) + select(firstTrailingBit(_e1016), 32u, (_e1016 == 0u)));
+                                if (_e1025 < _e80) {
                                 } else {
                                     return;
                                 }
-                                let _e1035 = triangles.member[(0u + _e1028)].v0_;
-                                let _e1038 = (_e1035.x - _e159.origin.x);
-                                let _e1041 = (_e1035.y - _e159.origin.y);
-                                let _e1044 = (_e1035.z - _e159.origin.z);
-                                if (_e401 == 0u) {
-                                    phi_1603_ = vec3<f32>(_e1041, _e1044, _e1038);
+                                let _e1032 = triangles.member[(0u + _e1025)].v0_;
+                                let _e1035 = (_e1032.x - _e159.origin.x);
+                                let _e1038 = (_e1032.y - _e159.origin.y);
+                                let _e1041 = (_e1032.z - _e159.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1603_ = vec3<f32>(_e1038, _e1041, _e1035);
                                 } else {
-                                    if (_e401 == 1u) {
-                                        phi_1602_ = vec3<f32>(_e1044, _e1038, _e1041);
+                                    if (_e398 == 1u) {
+                                        phi_1602_ = vec3<f32>(_e1041, _e1035, _e1038);
                                     } else {
-                                        phi_1602_ = (_e1035 - _e159.origin);
+                                        phi_1602_ = (_e1032 - _e159.origin);
                                     }
-                                    let _e1051 = phi_1602_;
-                                    phi_1603_ = _e1051;
+                                    let _e1048 = phi_1602_;
+                                    phi_1603_ = _e1048;
                                 }
-                                let _e1053 = phi_1603_;
-                                let _e1057 = (_e1053.x - (_e420 * _e1053.z));
-                                let _e1061 = (_e1053.y - (_e423 * _e1053.z));
-                                let _e1063 = triangles.member[(0u + _e1028)].v1_;
-                                let _e1066 = (_e1063.x - _e159.origin.x);
-                                let _e1069 = (_e1063.y - _e159.origin.y);
-                                let _e1072 = (_e1063.z - _e159.origin.z);
-                                if (_e401 == 0u) {
-                                    phi_1635_ = vec3<f32>(_e1069, _e1072, _e1066);
+                                let _e1050 = phi_1603_;
+                                let _e1054 = (_e1050.x - (_e417 * _e1050.z));
+                                let _e1058 = (_e1050.y - (_e420 * _e1050.z));
+                                let _e1060 = triangles.member[(0u + _e1025)].v1_;
+                                let _e1063 = (_e1060.x - _e159.origin.x);
+                                let _e1066 = (_e1060.y - _e159.origin.y);
+                                let _e1069 = (_e1060.z - _e159.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1635_ = vec3<f32>(_e1066, _e1069, _e1063);
                                 } else {
-                                    if (_e401 == 1u) {
-                                        phi_1634_ = vec3<f32>(_e1072, _e1066, _e1069);
+                                    if (_e398 == 1u) {
+                                        phi_1634_ = vec3<f32>(_e1069, _e1063, _e1066);
                                     } else {
-                                        phi_1634_ = (_e1063 - _e159.origin);
+                                        phi_1634_ = (_e1060 - _e159.origin);
                                     }
-                                    let _e1079 = phi_1634_;
-                                    phi_1635_ = _e1079;
+                                    let _e1076 = phi_1634_;
+                                    phi_1635_ = _e1076;
                                 }
-                                let _e1081 = phi_1635_;
-                                let _e1085 = (_e1081.x - (_e420 * _e1081.z));
-                                let _e1089 = (_e1081.y - (_e423 * _e1081.z));
-                                let _e1091 = triangles.member[(0u + _e1028)].v2_;
-                                let _e1094 = (_e1091.x - _e159.origin.x);
-                                let _e1097 = (_e1091.y - _e159.origin.y);
-                                let _e1100 = (_e1091.z - _e159.origin.z);
-                                if (_e401 == 0u) {
-                                    phi_1667_ = vec3<f32>(_e1097, _e1100, _e1094);
+                                let _e1078 = phi_1635_;
+                                let _e1082 = (_e1078.x - (_e417 * _e1078.z));
+                                let _e1086 = (_e1078.y - (_e420 * _e1078.z));
+                                let _e1088 = triangles.member[(0u + _e1025)].v2_;
+                                let _e1091 = (_e1088.x - _e159.origin.x);
+                                let _e1094 = (_e1088.y - _e159.origin.y);
+                                let _e1097 = (_e1088.z - _e159.origin.z);
+                                if (_e398 == 0u) {
+                                    phi_1667_ = vec3<f32>(_e1094, _e1097, _e1091);
                                 } else {
-                                    if (_e401 == 1u) {
-                                        phi_1666_ = vec3<f32>(_e1100, _e1094, _e1097);
+                                    if (_e398 == 1u) {
+                                        phi_1666_ = vec3<f32>(_e1097, _e1091, _e1094);
                                     } else {
-                                        phi_1666_ = (_e1091 - _e159.origin);
+                                        phi_1666_ = (_e1088 - _e159.origin);
                                     }
-                                    let _e1107 = phi_1666_;
-                                    phi_1667_ = _e1107;
+                                    let _e1104 = phi_1666_;
+                                    phi_1667_ = _e1104;
                                 }
-                                let _e1109 = phi_1667_;
-                                let _e1113 = (_e1109.x - (_e420 * _e1109.z));
-                                let _e1117 = (_e1109.y - (_e423 * _e1109.z));
-                                if (_e1085 < _e1113) {
+                                let _e1106 = phi_1667_;
+                                let _e1110 = (_e1106.x - (_e417 * _e1106.z));
+                                let _e1114 = (_e1106.y - (_e420 * _e1106.z));
+                                if (_e1082 < _e1110) {
                                     phi_1686_ = true;
                                 } else {
-                                    if (_e1085 == _e1113) {
-                                        phi_1685_ = (_e1089 < _e1117);
+                                    if (_e1082 == _e1110) {
+                                        phi_1685_ = (_e1086 < _e1114);
                                     } else {
                                         phi_1685_ = false;
                                     }
-                                    let _e1122 = phi_1685_;
-                                    phi_1686_ = _e1122;
+                                    let _e1119 = phi_1685_;
+                                    phi_1686_ = _e1119;
                                 }
-                                let _e1124 = phi_1686_;
-                                if _e1124 {
-                                    phi_1690_ = _e1117;
-                                    phi_1691_ = _e1113;
-                                    phi_1692_ = _e1089;
-                                    phi_1693_ = _e1085;
+                                let _e1121 = phi_1686_;
+                                if _e1121 {
+                                    phi_1690_ = _e1114;
+                                    phi_1691_ = _e1110;
+                                    phi_1692_ = _e1086;
+                                    phi_1693_ = _e1082;
                                 } else {
-                                    phi_1690_ = _e1089;
-                                    phi_1691_ = _e1085;
-                                    phi_1692_ = _e1117;
-                                    phi_1693_ = _e1113;
+                                    phi_1690_ = _e1086;
+                                    phi_1691_ = _e1082;
+                                    phi_1692_ = _e1114;
+                                    phi_1693_ = _e1110;
                                 }
-                                let _e1126 = phi_1690_;
-                                let _e1128 = phi_1691_;
-                                let _e1130 = phi_1692_;
-                                let _e1132 = phi_1693_;
-                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
-                                if _e1124 {
-                                    phi_1701_ = -(_e1135);
+                                let _e1123 = phi_1690_;
+                                let _e1125 = phi_1691_;
+                                let _e1127 = phi_1692_;
+                                let _e1129 = phi_1693_;
+                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
+                                if _e1121 {
+                                    phi_1701_ = -(_e1132);
                                 } else {
-                                    phi_1701_ = _e1135;
+                                    phi_1701_ = _e1132;
                                 }
-                                let _e1138 = phi_1701_;
-                                if (_e1113 < _e1057) {
+                                let _e1135 = phi_1701_;
+                                if (_e1110 < _e1054) {
                                     phi_1712_ = true;
                                 } else {
-                                    if (_e1113 == _e1057) {
-                                        phi_1711_ = (_e1117 < _e1061);
+                                    if (_e1110 == _e1054) {
+                                        phi_1711_ = (_e1114 < _e1058);
                                     } else {
                                         phi_1711_ = false;
                                     }
-                                    let _e1143 = phi_1711_;
-                                    phi_1712_ = _e1143;
+                                    let _e1140 = phi_1711_;
+                                    phi_1712_ = _e1140;
                                 }
-                                let _e1145 = phi_1712_;
-                                if _e1145 {
-                                    phi_1716_ = _e1061;
-                                    phi_1717_ = _e1057;
-                                    phi_1718_ = _e1117;
-                                    phi_1719_ = _e1113;
+                                let _e1142 = phi_1712_;
+                                if _e1142 {
+                                    phi_1716_ = _e1058;
+                                    phi_1717_ = _e1054;
+                                    phi_1718_ = _e1114;
+                                    phi_1719_ = _e1110;
                                 } else {
-                                    phi_1716_ = _e1117;
-                                    phi_1717_ = _e1113;
-                                    phi_1718_ = _e1061;
-                                    phi_1719_ = _e1057;
+                                    phi_1716_ = _e1114;
+                                    phi_1717_ = _e1110;
+                                    phi_1718_ = _e1058;
+                                    phi_1719_ = _e1054;
                                 }
-                                let _e1147 = phi_1716_;
-                                let _e1149 = phi_1717_;
-                                let _e1151 = phi_1718_;
-                                let _e1153 = phi_1719_;
-                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
-                                if _e1145 {
-                                    phi_1727_ = -(_e1156);
+                                let _e1144 = phi_1716_;
+                                let _e1146 = phi_1717_;
+                                let _e1148 = phi_1718_;
+                                let _e1150 = phi_1719_;
+                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
+                                if _e1142 {
+                                    phi_1727_ = -(_e1153);
                                 } else {
-                                    phi_1727_ = _e1156;
+                                    phi_1727_ = _e1153;
                                 }
-                                let _e1159 = phi_1727_;
-                                if (_e1057 < _e1085) {
+                                let _e1156 = phi_1727_;
+                                if (_e1054 < _e1082) {
                                     phi_1738_ = true;
                                 } else {
-                                    if (_e1057 == _e1085) {
-                                        phi_1737_ = (_e1061 < _e1089);
+                                    if (_e1054 == _e1082) {
+                                        phi_1737_ = (_e1058 < _e1086);
                                     } else {
                                         phi_1737_ = false;
                                     }
-                                    let _e1164 = phi_1737_;
-                                    phi_1738_ = _e1164;
+                                    let _e1161 = phi_1737_;
+                                    phi_1738_ = _e1161;
                                 }
-                                let _e1166 = phi_1738_;
-                                if _e1166 {
-                                    phi_1742_ = _e1089;
-                                    phi_1743_ = _e1085;
-                                    phi_1744_ = _e1061;
-                                    phi_1745_ = _e1057;
+                                let _e1163 = phi_1738_;
+                                if _e1163 {
+                                    phi_1742_ = _e1086;
+                                    phi_1743_ = _e1082;
+                                    phi_1744_ = _e1058;
+                                    phi_1745_ = _e1054;
                                 } else {
-                                    phi_1742_ = _e1061;
-                                    phi_1743_ = _e1057;
-                                    phi_1744_ = _e1089;
-                                    phi_1745_ = _e1085;
+                                    phi_1742_ = _e1058;
+                                    phi_1743_ = _e1054;
+                                    phi_1744_ = _e1086;
+                                    phi_1745_ = _e1082;
                                 }
-                                let _e1168 = phi_1742_;
-                                let _e1170 = phi_1743_;
-                                let _e1172 = phi_1744_;
-                                let _e1174 = phi_1745_;
-                                let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
-                                if _e1166 {
-                                    phi_1753_ = -(_e1177);
+                                let _e1165 = phi_1742_;
+                                let _e1167 = phi_1743_;
+                                let _e1169 = phi_1744_;
+                                let _e1171 = phi_1745_;
+                                let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
+                                if _e1163 {
+                                    phi_1753_ = -(_e1174);
                                 } else {
-                                    phi_1753_ = _e1177;
+                                    phi_1753_ = _e1174;
                                 }
-                                let _e1180 = phi_1753_;
-                                if (_e1138 >= 0f) {
-                                    if (_e1159 >= 0f) {
-                                        if (_e1180 >= 0f) {
-                                            phi_1768_ = ((_e1138 + _e1159) + _e1180);
+                                let _e1177 = phi_1753_;
+                                if (_e1135 >= 0f) {
+                                    if (_e1156 >= 0f) {
+                                        if (_e1177 >= 0f) {
+                                            phi_1768_ = ((_e1135 + _e1156) + _e1177);
                                             phi_1769_ = false;
                                         } else {
                                             phi_1768_ = f32();
                                             phi_1769_ = true;
                                         }
-                                        let _e1187 = phi_1768_;
-                                        let _e1189 = phi_1769_;
-                                        phi_1770_ = _e1187;
-                                        phi_1771_ = _e1189;
+                                        let _e1184 = phi_1768_;
+                                        let _e1186 = phi_1769_;
+                                        phi_1770_ = _e1184;
+                                        phi_1771_ = _e1186;
                                     } else {
                                         phi_1770_ = f32();
                                         phi_1771_ = true;
                                     }
-                                    let _e1191 = phi_1770_;
-                                    let _e1193 = phi_1771_;
-                                    phi_1772_ = _e1191;
-                                    phi_1773_ = _e1193;
+                                    let _e1188 = phi_1770_;
+                                    let _e1190 = phi_1771_;
+                                    phi_1772_ = _e1188;
+                                    phi_1773_ = _e1190;
                                 } else {
                                     phi_1772_ = f32();
                                     phi_1773_ = true;
                                 }
-                                let _e1195 = phi_1772_;
-                                let _e1197 = phi_1773_;
-                                if _e1197 {
-                                    if (_e1138 <= 0f) {
-                                        if (_e1159 <= 0f) {
-                                            let _e1200 = (_e1180 <= 0f);
-                                            if _e1200 {
+                                let _e1192 = phi_1772_;
+                                let _e1194 = phi_1773_;
+                                if _e1194 {
+                                    if (_e1135 <= 0f) {
+                                        if (_e1156 <= 0f) {
+                                            let _e1197 = (_e1177 <= 0f);
+                                            if _e1197 {
                                             }
-                                            phi_1791_ = ((_e1138 + _e1159) + _e1180);
+                                            phi_1791_ = ((_e1135 + _e1156) + _e1177);
                                             phi_1792_ = false;
-                                            phi_1793_ = _e1200;
+                                            phi_1793_ = _e1197;
                                         } else {
                                             phi_1791_ = f32();
                                             phi_1792_ = true;
                                             phi_1793_ = false;
                                         }
-                                        let _e1204 = phi_1791_;
-                                        let _e1206 = phi_1792_;
-                                        let _e1208 = phi_1793_;
-                                        phi_1794_ = _e1204;
-                                        phi_1795_ = _e1206;
-                                        phi_1796_ = _e1208;
+                                        let _e1201 = phi_1791_;
+                                        let _e1203 = phi_1792_;
+                                        let _e1205 = phi_1793_;
+                                        phi_1794_ = _e1201;
+                                        phi_1795_ = _e1203;
+                                        phi_1796_ = _e1205;
                                     } else {
                                         phi_1794_ = f32();
                                         phi_1795_ = true;
                                         phi_1796_ = false;
                                     }
-                                    let _e1210 = phi_1794_;
-                                    let _e1212 = phi_1795_;
-                                    let _e1214 = phi_1796_;
-                                    if _e1212 {
+                                    let _e1207 = phi_1794_;
+                                    let _e1209 = phi_1795_;
+                                    let _e1211 = phi_1796_;
+                                    if _e1209 {
                                         phi_1800_ = false;
                                     } else {
-                                        phi_1800_ = _e1214;
+                                        phi_1800_ = _e1211;
                                     }
-                                    let _e1216 = phi_1800_;
-                                    phi_1801_ = _e1210;
-                                    phi_1802_ = _e1216;
+                                    let _e1213 = phi_1800_;
+                                    phi_1801_ = _e1207;
+                                    phi_1802_ = _e1213;
                                 } else {
-                                    phi_1801_ = _e1195;
+                                    phi_1801_ = _e1192;
                                     phi_1802_ = true;
                                 }
-                                let _e1218 = phi_1801_;
-                                let _e1220 = phi_1802_;
-                                if _e1220 {
-                                    let _e1221 = (_e1218 == 0f);
-                                    if _e1221 {
+                                let _e1215 = phi_1801_;
+                                let _e1217 = phi_1802_;
+                                if _e1217 {
+                                    let _e1218 = (_e1215 == 0f);
+                                    if _e1218 {
                                         phi_2128_ = lt_bvh_triangle_Intersection();
                                         phi_2129_ = false;
                                     } else {
-                                        let _e1223 = triangles.member[(0u + _e1028)].v0_;
-                                        let _e1226 = (_e1223.x - _e159.origin.x);
-                                        let _e1229 = (_e1223.y - _e159.origin.y);
-                                        let _e1232 = (_e1223.z - _e159.origin.z);
-                                        if (_e401 == 0u) {
-                                            phi_1833_ = vec3<f32>(_e1229, _e1232, _e1226);
+                                        let _e1220 = triangles.member[(0u + _e1025)].v0_;
+                                        let _e1223 = (_e1220.x - _e159.origin.x);
+                                        let _e1226 = (_e1220.y - _e159.origin.y);
+                                        let _e1229 = (_e1220.z - _e159.origin.z);
+                                        if (_e398 == 0u) {
+                                            phi_1833_ = vec3<f32>(_e1226, _e1229, _e1223);
                                         } else {
-                                            if (_e401 == 1u) {
-                                                phi_1832_ = vec3<f32>(_e1232, _e1226, _e1229);
+                                            if (_e398 == 1u) {
+                                                phi_1832_ = vec3<f32>(_e1229, _e1223, _e1226);
                                             } else {
-                                                phi_1832_ = (_e1223 - _e159.origin);
+                                                phi_1832_ = (_e1220 - _e159.origin);
                                             }
-                                            let _e1239 = phi_1832_;
-                                            phi_1833_ = _e1239;
+                                            let _e1236 = phi_1832_;
+                                            phi_1833_ = _e1236;
                                         }
-                                        let _e1241 = phi_1833_;
-                                        let _e1243 = triangles.member[(0u + _e1028)].v1_;
-                                        let _e1245 = triangles.member[(0u + _e1028)].v0_;
-                                        let _e1248 = (_e1243.x - _e1245.x);
-                                        let _e1251 = (_e1243.y - _e1245.y);
-                                        let _e1254 = (_e1243.z - _e1245.z);
-                                        if (_e401 == 0u) {
-                                            phi_1859_ = vec3<f32>(_e1251, _e1254, _e1248);
+                                        let _e1238 = phi_1833_;
+                                        let _e1240 = triangles.member[(0u + _e1025)].v1_;
+                                        let _e1242 = triangles.member[(0u + _e1025)].v0_;
+                                        let _e1245 = (_e1240.x - _e1242.x);
+                                        let _e1248 = (_e1240.y - _e1242.y);
+                                        let _e1251 = (_e1240.z - _e1242.z);
+                                        if (_e398 == 0u) {
+                                            phi_1859_ = vec3<f32>(_e1248, _e1251, _e1245);
                                         } else {
-                                            if (_e401 == 1u) {
-                                                phi_1858_ = vec3<f32>(_e1254, _e1248, _e1251);
+                                            if (_e398 == 1u) {
+                                                phi_1858_ = vec3<f32>(_e1251, _e1245, _e1248);
                                             } else {
-                                                phi_1858_ = (_e1243 - _e1245);
+                                                phi_1858_ = (_e1240 - _e1242);
                                             }
-                                            let _e1261 = phi_1858_;
-                                            phi_1859_ = _e1261;
+                                            let _e1258 = phi_1858_;
+                                            phi_1859_ = _e1258;
                                         }
-                                        let _e1263 = phi_1859_;
-                                        let _e1265 = triangles.member[(0u + _e1028)].v2_;
-                                        let _e1267 = triangles.member[(0u + _e1028)].v0_;
-                                        let _e1270 = (_e1265.x - _e1267.x);
-                                        let _e1273 = (_e1265.y - _e1267.y);
-                                        let _e1276 = (_e1265.z - _e1267.z);
-                                        if (_e401 == 0u) {
-                                            phi_1885_ = vec3<f32>(_e1273, _e1276, _e1270);
+                                        let _e1260 = phi_1859_;
+                                        let _e1262 = triangles.member[(0u + _e1025)].v2_;
+                                        let _e1264 = triangles.member[(0u + _e1025)].v0_;
+                                        let _e1267 = (_e1262.x - _e1264.x);
+                                        let _e1270 = (_e1262.y - _e1264.y);
+                                        let _e1273 = (_e1262.z - _e1264.z);
+                                        if (_e398 == 0u) {
+                                            phi_1885_ = vec3<f32>(_e1270, _e1273, _e1267);
                                         } else {
-                                            if (_e401 == 1u) {
-                                                phi_1884_ = vec3<f32>(_e1276, _e1270, _e1273);
+                                            if (_e398 == 1u) {
+                                                phi_1884_ = vec3<f32>(_e1273, _e1267, _e1270);
                                             } else {
-                                                phi_1884_ = (_e1265 - _e1267);
+                                                phi_1884_ = (_e1262 - _e1264);
                                             }
-                                            let _e1283 = phi_1884_;
-                                            phi_1885_ = _e1283;
+                                            let _e1280 = phi_1884_;
+                                            phi_1885_ = _e1280;
                                         }
-                                        let _e1285 = phi_1885_;
-                                        let _e1292 = ((_e1263.y * _e1285.z) - (_e1263.z * _e1285.y));
-                                        let _e1299 = ((_e1263.z * _e1285.x) - (_e1263.x * _e1285.z));
-                                        let _e1306 = ((_e1263.x * _e1285.y) - (_e1263.y * _e1285.x));
-                                        let _e1320 = (((1f / _e416.z) * (((_e1292 * _e1241.x) + (_e1299 * _e1241.y)) + (_e1306 * _e1241.z))) / (((_e1292 * _e420) + (_e1299 * _e423)) + _e1306));
-                                        if (_e1320 > _e159.tmin) {
-                                            if (_e1320 < _e159.tmax) {
-                                                let _e1326 = triangles.member[(0u + _e1028)].v0_;
-                                                let _e1328 = triangles.member[(0u + _e1028)].v1_;
-                                                if (_e1326.x < _e1328.x) {
-                                                    phi_1943_ = _e1326.x;
+                                        let _e1282 = phi_1885_;
+                                        let _e1289 = ((_e1260.y * _e1282.z) - (_e1260.z * _e1282.y));
+                                        let _e1296 = ((_e1260.z * _e1282.x) - (_e1260.x * _e1282.z));
+                                        let _e1303 = ((_e1260.x * _e1282.y) - (_e1260.y * _e1282.x));
+                                        let _e1317 = (((1f / _e413.z) * (((_e1289 * _e1238.x) + (_e1296 * _e1238.y)) + (_e1303 * _e1238.z))) / (((_e1289 * _e417) + (_e1296 * _e420)) + _e1303));
+                                        if (_e1317 > _e159.tmin) {
+                                            if (_e1317 < _e159.tmax) {
+                                                let _e1323 = triangles.member[(0u + _e1025)].v0_;
+                                                let _e1325 = triangles.member[(0u + _e1025)].v1_;
+                                                if (_e1323.x < _e1325.x) {
+                                                    phi_1943_ = _e1323.x;
                                                 } else {
-                                                    phi_1943_ = _e1328.x;
+                                                    phi_1943_ = _e1325.x;
                                                 }
-                                                let _e1335 = phi_1943_;
-                                                if (_e1326.y < _e1328.y) {
-                                                    phi_1952_ = _e1326.y;
+                                                let _e1332 = phi_1943_;
+                                                if (_e1323.y < _e1325.y) {
+                                                    phi_1952_ = _e1323.y;
                                                 } else {
-                                                    phi_1952_ = _e1328.y;
+                                                    phi_1952_ = _e1325.y;
                                                 }
-                                                let _e1342 = phi_1952_;
-                                                if (_e1326.z < _e1328.z) {
-                                                    phi_1961_ = _e1326.z;
+                                                let _e1339 = phi_1952_;
+                                                if (_e1323.z < _e1325.z) {
+                                                    phi_1961_ = _e1323.z;
                                                 } else {
-                                                    phi_1961_ = _e1328.z;
+                                                    phi_1961_ = _e1325.z;
                                                 }
-                                                let _e1349 = phi_1961_;
-                                                let _e1351 = triangles.member[(0u + _e1028)].v2_;
-                                                if (_e1335 < _e1351.x) {
-                                                    phi_1970_ = _e1335;
+                                                let _e1346 = phi_1961_;
+                                                let _e1348 = triangles.member[(0u + _e1025)].v2_;
+                                                if (_e1332 < _e1348.x) {
+                                                    phi_1970_ = _e1332;
                                                 } else {
-                                                    phi_1970_ = _e1351.x;
+                                                    phi_1970_ = _e1348.x;
                                                 }
-                                                let _e1356 = phi_1970_;
-                                                if (_e1342 < _e1351.y) {
-                                                    phi_1977_ = _e1342;
+                                                let _e1353 = phi_1970_;
+                                                if (_e1339 < _e1348.y) {
+                                                    phi_1977_ = _e1339;
                                                 } else {
-                                                    phi_1977_ = _e1351.y;
+                                                    phi_1977_ = _e1348.y;
                                                 }
-                                                let _e1361 = phi_1977_;
-                                                if (_e1349 < _e1351.z) {
-                                                    phi_1984_ = _e1349;
+                                                let _e1358 = phi_1977_;
+                                                if (_e1346 < _e1348.z) {
+                                                    phi_1984_ = _e1346;
                                                 } else {
-                                                    phi_1984_ = _e1351.z;
+                                                    phi_1984_ = _e1348.z;
                                                 }
-                                                let _e1366 = phi_1984_;
-                                                let _e1368 = triangles.member[(0u + _e1028)].v0_;
-                                                let _e1370 = triangles.member[(0u + _e1028)].v1_;
-                                                if (_e1368.x > _e1370.x) {
-                                                    phi_1997_ = _e1368.x;
+                                                let _e1363 = phi_1984_;
+                                                let _e1365 = triangles.member[(0u + _e1025)].v0_;
+                                                let _e1367 = triangles.member[(0u + _e1025)].v1_;
+                                                if (_e1365.x > _e1367.x) {
+                                                    phi_1997_ = _e1365.x;
                                                 } else {
-                                                    phi_1997_ = _e1370.x;
+                                                    phi_1997_ = _e1367.x;
                                                 }
-                                                let _e1377 = phi_1997_;
-                                                if (_e1368.y > _e1370.y) {
-                                                    phi_2006_ = _e1368.y;
+                                                let _e1374 = phi_1997_;
+                                                if (_e1365.y > _e1367.y) {
+                                                    phi_2006_ = _e1365.y;
                                                 } else {
-                                                    phi_2006_ = _e1370.y;
+                                                    phi_2006_ = _e1367.y;
                                                 }
-                                                let _e1384 = phi_2006_;
-                                                if (_e1368.z > _e1370.z) {
-                                                    phi_2015_ = _e1368.z;
+                                                let _e1381 = phi_2006_;
+                                                if (_e1365.z > _e1367.z) {
+                                                    phi_2015_ = _e1365.z;
                                                 } else {
-                                                    phi_2015_ = _e1370.z;
+                                                    phi_2015_ = _e1367.z;
                                                 }
-                                                let _e1391 = phi_2015_;
-                                                let _e1393 = triangles.member[(0u + _e1028)].v2_;
-                                                if (_e1377 > _e1393.x) {
-                                                    phi_2024_ = _e1377;
+                                                let _e1388 = phi_2015_;
+                                                let _e1390 = triangles.member[(0u + _e1025)].v2_;
+                                                if (_e1374 > _e1390.x) {
+                                                    phi_2024_ = _e1374;
                                                 } else {
-                                                    phi_2024_ = _e1393.x;
+                                                    phi_2024_ = _e1390.x;
                                                 }
-                                                let _e1398 = phi_2024_;
-                                                if (_e1384 > _e1393.y) {
-                                                    phi_2031_ = _e1384;
+                                                let _e1395 = phi_2024_;
+                                                if (_e1381 > _e1390.y) {
+                                                    phi_2031_ = _e1381;
                                                 } else {
-                                                    phi_2031_ = _e1393.y;
+                                                    phi_2031_ = _e1390.y;
                                                 }
-                                                let _e1403 = phi_2031_;
-                                                if (_e1391 > _e1393.z) {
-                                                    phi_2038_ = _e1391;
+                                                let _e1400 = phi_2031_;
+                                                if (_e1388 > _e1390.z) {
+                                                    phi_2038_ = _e1388;
                                                 } else {
-                                                    phi_2038_ = _e1393.z;
+                                                    phi_2038_ = _e1390.z;
                                                 }
-                                                let _e1408 = phi_2038_;
-                                                let _e1415 = ((_e1356 - _e159.origin.x) * _e313);
-                                                let _e1416 = ((_e1361 - _e159.origin.y) * _e325);
-                                                let _e1417 = ((_e1366 - _e159.origin.z) * _e337);
-                                                let _e1424 = ((_e1398 - _e159.origin.x) * _e313);
-                                                let _e1425 = ((_e1403 - _e159.origin.y) * _e325);
-                                                let _e1426 = ((_e1408 - _e159.origin.z) * _e337);
-                                                if (_e1415 < _e1424) {
-                                                    phi_2061_ = _e1415;
+                                                let _e1405 = phi_2038_;
+                                                let _e1412 = ((_e1353 - _e159.origin.x) * _e312);
+                                                let _e1413 = ((_e1358 - _e159.origin.y) * _e323);
+                                                let _e1414 = ((_e1363 - _e159.origin.z) * _e334);
+                                                let _e1421 = ((_e1395 - _e159.origin.x) * _e312);
+                                                let _e1422 = ((_e1400 - _e159.origin.y) * _e323);
+                                                let _e1423 = ((_e1405 - _e159.origin.z) * _e334);
+                                                if (_e1412 < _e1421) {
+                                                    phi_2061_ = _e1412;
                                                 } else {
-                                                    phi_2061_ = _e1424;
+                                                    phi_2061_ = _e1421;
                                                 }
-                                                let _e1429 = phi_2061_;
-                                                if (_e1416 < _e1425) {
-                                                    phi_2066_ = _e1416;
+                                                let _e1426 = phi_2061_;
+                                                if (_e1413 < _e1422) {
+                                                    phi_2066_ = _e1413;
                                                 } else {
-                                                    phi_2066_ = _e1425;
+                                                    phi_2066_ = _e1422;
                                                 }
-                                                let _e1432 = phi_2066_;
-                                                if (_e1417 < _e1426) {
-                                                    phi_2071_ = _e1417;
+                                                let _e1429 = phi_2066_;
+                                                if (_e1414 < _e1423) {
+                                                    phi_2071_ = _e1414;
                                                 } else {
-                                                    phi_2071_ = _e1426;
+                                                    phi_2071_ = _e1423;
                                                 }
-                                                let _e1435 = phi_2071_;
-                                                if (_e1415 > _e1424) {
-                                                    phi_2079_ = _e1415;
+                                                let _e1432 = phi_2071_;
+                                                if (_e1412 > _e1421) {
+                                                    phi_2079_ = _e1412;
                                                 } else {
-                                                    phi_2079_ = _e1424;
+                                                    phi_2079_ = _e1421;
                                                 }
-                                                let _e1441 = phi_2079_;
-                                                if (_e1416 > _e1425) {
-                                                    phi_2084_ = _e1416;
+                                                let _e1438 = phi_2079_;
+                                                if (_e1413 > _e1422) {
+                                                    phi_2084_ = _e1413;
                                                 } else {
-                                                    phi_2084_ = _e1425;
+                                                    phi_2084_ = _e1422;
                                                 }
-                                                let _e1444 = phi_2084_;
-                                                if (_e1417 > _e1426) {
-                                                    phi_2089_ = _e1417;
+                                                let _e1441 = phi_2084_;
+                                                if (_e1414 > _e1423) {
+                                                    phi_2089_ = _e1414;
                                                 } else {
-                                                    phi_2089_ = _e1426;
+                                                    phi_2089_ = _e1423;
                                                 }
-                                                let _e1447 = phi_2089_;
-                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_((_e1429 - _e381), (_e1432 - _e382));
-                                                let _e1452 = core_intrinsics_maximum_number_nsz_f32_(_e1451, (_e1435 - _e383));
-                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_((_e1441 + _e381), (_e1444 + _e382));
-                                                let _e1454 = core_intrinsics_minimum_number_nsz_f32_(_e1453, (_e1447 + _e383));
-                                                if (_e1452 > -300000000000000000000000000000000000000f) {
-                                                    phi_2101_ = _e1452;
+                                                let _e1444 = phi_2089_;
+                                                let _e1448 = core_intrinsics_maximum_number_nsz_f32_((_e1426 - _e378), (_e1429 - _e379));
+                                                let _e1449 = core_intrinsics_maximum_number_nsz_f32_(_e1448, (_e1432 - _e380));
+                                                let _e1450 = core_intrinsics_minimum_number_nsz_f32_((_e1438 + _e378), (_e1441 + _e379));
+                                                let _e1451 = core_intrinsics_minimum_number_nsz_f32_(_e1450, (_e1444 + _e380));
+                                                if (_e1449 > -300000000000000000000000000000000000000f) {
+                                                    phi_2101_ = _e1449;
                                                 } else {
                                                     phi_2101_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1457 = phi_2101_;
-                                                if (_e1454 < 300000000000000000000000000000000000000f) {
-                                                    phi_2106_ = _e1454;
+                                                let _e1454 = phi_2101_;
+                                                if (_e1451 < 300000000000000000000000000000000000000f) {
+                                                    phi_2106_ = _e1451;
                                                 } else {
                                                     phi_2106_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1460 = phi_2106_;
-                                                if (_e1320 < _e1457) {
-                                                    phi_2111_ = _e1457;
+                                                let _e1457 = phi_2106_;
+                                                if (_e1317 < _e1454) {
+                                                    phi_2111_ = _e1454;
                                                 } else {
-                                                    phi_2111_ = _e1320;
+                                                    phi_2111_ = _e1317;
                                                 }
-                                                let _e1463 = phi_2111_;
-                                                if (_e1463 > _e1460) {
+                                                let _e1460 = phi_2111_;
+                                                if (_e1460 > _e1457) {
+                                                    phi_2116_ = _e1457;
+                                                } else {
                                                     phi_2116_ = _e1460;
-                                                } else {
-                                                    phi_2116_ = _e1463;
                                                 }
-                                                let _e1466 = phi_2116_;
-                                                phi_2121_ = lt_bvh_triangle_Intersection(_e1466, (_e1159 / _e1218), (_e1180 / _e1218), (_e1457 <= _e1460));
+                                                let _e1463 = phi_2116_;
+                                                phi_2121_ = lt_bvh_triangle_Intersection(_e1463, (_e1156 / _e1215), (_e1177 / _e1215), (_e1454 <= _e1457));
                                                 phi_2122_ = false;
                                             } else {
                                                 phi_2121_ = lt_bvh_triangle_Intersection();
                                                 phi_2122_ = true;
                                             }
-                                            let _e1472 = phi_2121_;
-                                            let _e1474 = phi_2122_;
-                                            phi_2123_ = _e1472;
-                                            phi_2124_ = _e1474;
+                                            let _e1469 = phi_2121_;
+                                            let _e1471 = phi_2122_;
+                                            phi_2123_ = _e1469;
+                                            phi_2124_ = _e1471;
                                         } else {
                                             phi_2123_ = lt_bvh_triangle_Intersection();
                                             phi_2124_ = true;
                                         }
-                                        let _e1476 = phi_2123_;
-                                        let _e1478 = phi_2124_;
-                                        if _e1478 {
+                                        let _e1473 = phi_2123_;
+                                        let _e1475 = phi_2124_;
+                                        if _e1475 {
                                         }
-                                        phi_2128_ = _e1476;
-                                        phi_2129_ = _e1478;
+                                        phi_2128_ = _e1473;
+                                        phi_2129_ = _e1475;
                                     }
-                                    let _e1480 = phi_2128_;
-                                    let _e1482 = phi_2129_;
-                                    phi_2130_ = _e1480;
-                                    phi_2131_ = _e1221;
-                                    phi_2132_ = _e1482;
+                                    let _e1477 = phi_2128_;
+                                    let _e1479 = phi_2129_;
+                                    phi_2130_ = _e1477;
+                                    phi_2131_ = _e1218;
+                                    phi_2132_ = _e1479;
                                 } else {
                                     phi_2130_ = lt_bvh_triangle_Intersection();
                                     phi_2131_ = true;
                                     phi_2132_ = false;
                                 }
-                                let _e1484 = phi_2130_;
-                                let _e1486 = phi_2131_;
-                                let _e1488 = phi_2132_;
-                                if _e1486 {
+                                let _e1481 = phi_2130_;
+                                let _e1483 = phi_2131_;
+                                let _e1485 = phi_2132_;
+                                if _e1483 {
                                     phi_2136_ = true;
                                 } else {
-                                    phi_2136_ = _e1488;
+                                    phi_2136_ = _e1485;
                                 }
-                                let _e1490 = phi_2136_;
-                                if _e1490 {
+                                let _e1487 = phi_2136_;
+                                if _e1487 {
                                     phi_2140_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2140_ = _e1484;
+                                    phi_2140_ = _e1481;
                                 }
-                                let _e1492 = phi_2140_;
-                                if _e1492.is_hit {
-                                    if (_e1492.t > _e159.tmin) {
-                                        if (_e1492.t < _e1017.t) {
+                                let _e1489 = phi_2140_;
+                                if _e1489.is_hit {
+                                    if (_e1489.t > _e159.tmin) {
+                                        if (_e1489.t < _e1014.t) {
                                             phi_2189_ = true;
                                         } else {
-                                            if (_e1492.t == _e1017.t) {
-                                                if (_e1017.triangle != 4294967295u) {
-                                                    if (_e1028 < _e1017.triangle) {
+                                            if (_e1489.t == _e1014.t) {
+                                                if (_e1014.triangle != 4294967295u) {
+                                                    if (_e1025 < _e1014.triangle) {
                                                         phi_2180_ = true;
                                                     } else {
-                                                        if (_e1028 == _e1017.triangle) {
-                                                            phi_2179_ = (4294967295u < _e1017.instance);
+                                                        if (_e1025 == _e1014.triangle) {
+                                                            phi_2179_ = (4294967295u < _e1014.instance);
                                                         } else {
                                                             phi_2179_ = false;
                                                         }
-                                                        let _e1511 = phi_2179_;
-                                                        phi_2180_ = _e1511;
+                                                        let _e1508 = phi_2179_;
+                                                        phi_2180_ = _e1508;
                                                     }
-                                                    let _e1513 = phi_2180_;
-                                                    phi_2181_ = _e1513;
+                                                    let _e1510 = phi_2180_;
+                                                    phi_2181_ = _e1510;
                                                     phi_2182_ = false;
                                                 } else {
                                                     phi_2181_ = bool();
                                                     phi_2182_ = true;
                                                 }
-                                                let _e1515 = phi_2181_;
-                                                let _e1517 = phi_2182_;
-                                                phi_2183_ = _e1515;
-                                                phi_2184_ = _e1517;
+                                                let _e1512 = phi_2181_;
+                                                let _e1514 = phi_2182_;
+                                                phi_2183_ = _e1512;
+                                                phi_2184_ = _e1514;
                                             } else {
                                                 phi_2183_ = bool();
                                                 phi_2184_ = true;
                                             }
-                                            let _e1519 = phi_2183_;
-                                            let _e1521 = phi_2184_;
-                                            if _e1521 {
+                                            let _e1516 = phi_2183_;
+                                            let _e1518 = phi_2184_;
+                                            if _e1518 {
                                                 phi_2188_ = false;
                                             } else {
-                                                phi_2188_ = _e1519;
+                                                phi_2188_ = _e1516;
                                             }
-                                            let _e1523 = phi_2188_;
-                                            phi_2189_ = _e1523;
+                                            let _e1520 = phi_2188_;
+                                            phi_2189_ = _e1520;
                                         }
-                                        let _e1525 = phi_2189_;
-                                        if _e1525 {
-                                            let _e1527 = triangles.member[(0u + _e1028)].i0_;
-                                            if ((_e1527 & 2147483648u) == 0u) {
+                                        let _e1522 = phi_2189_;
+                                        if _e1522 {
+                                            let _e1524 = triangles.member[(0u + _e1025)].i0_;
+                                            if ((_e1524 & 2147483648u) == 0u) {
                                                 phi_2400_ = true;
                                             } else {
-                                                if (_e1028 < _e80) {
+                                                if (_e1025 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1536 = triangles.member[(0u + _e1028)].i0_;
-                                                let _e1537 = (_e1536 & 2147483647u);
-                                                let _e1539 = triangles.member[(0u + _e1028)].i1_;
-                                                let _e1541 = triangles.member[(0u + _e1028)].i2_;
-                                                if (_e1537 < _e83) {
+                                                let _e1533 = triangles.member[(0u + _e1025)].i0_;
+                                                let _e1534 = (_e1533 & 2147483647u);
+                                                let _e1536 = triangles.member[(0u + _e1025)].i1_;
+                                                let _e1538 = triangles.member[(0u + _e1025)].i2_;
+                                                if (_e1534 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1545 = vertices.member[(0u + _e1537)];
-                                                if (_e1539 < _e83) {
+                                                let _e1542 = vertices.member[(0u + _e1534)];
+                                                if (_e1536 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1549 = vertices.member[(0u + _e1539)];
-                                                if (_e1541 < _e83) {
+                                                let _e1546 = vertices.member[(0u + _e1536)];
+                                                if (_e1538 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1553 = vertices.member[(0u + _e1541)];
-                                                let _e1554 = array<abi_Vertex, 3>(_e1545, _e1549, _e1553);
-                                                if (_e1554[0].material < _e86) {
+                                                let _e1550 = vertices.member[(0u + _e1538)];
+                                                let _e1551 = array<abi_Vertex, 3>(_e1542, _e1546, _e1550);
+                                                if (_e1551[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1560 = materials.member[(0u + _e1554[0].material)];
-                                                if ((_e1560.flags & 0u) == 0u) {
-                                                    let _e1565 = ((1f - _e1492.u) - _e1492.v);
-                                                    if (_e1560.cutoff <= 0f) {
+                                                let _e1557 = materials.member[(0u + _e1551[0].material)];
+                                                if ((_e1557.flags & 0u) == 0u) {
+                                                    let _e1562 = ((1f - _e1489.u) - _e1489.v);
+                                                    if (_e1557.cutoff <= 0f) {
                                                         phi_2395_ = true;
                                                     } else {
-                                                        let _e1592 = (_e1560.base_color.w * ((((f32((_e1554[0].color >> bitcast<u32>(24i))) * _e1565) + (f32((_e1554[1].color >> bitcast<u32>(24i))) * _e1492.u)) + (f32((_e1554[2].color >> bitcast<u32>(24i))) * _e1492.v)) * (1f / 255f)));
-                                                        if (_e1560.alpha_size == 0u) {
-                                                            phi_2392_ = _e1592;
+                                                        let _e1589 = (_e1557.base_color.w * ((((f32((_e1551[0].color >> bitcast<u32>(24i))) * _e1562) + (f32((_e1551[1].color >> bitcast<u32>(24i))) * _e1489.u)) + (f32((_e1551[2].color >> bitcast<u32>(24i))) * _e1489.v)) * (1f / 255f)));
+                                                        if (_e1557.alpha_size == 0u) {
+                                                            phi_2392_ = _e1589;
                                                         } else {
-                                                            local.offset = _e1560.alpha_offset;
-                                                            local.size = _e1560.alpha_size;
-                                                            local.flags = _e1560.flags;
-                                                            let _e1623 = _lt_shaders_texture_TextureView_quad((&local), (((_e1554[0].u * _e1565) + (_e1554[1].u * _e1492.u)) + (_e1554[2].u * _e1492.v)), (((_e1554[0].v * _e1565) + (_e1554[1].v * _e1492.u)) + (_e1554[2].v * _e1492.v)));
-                                                            let _e1627 = (_e1623.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1627 < _e92) {
+                                                            local.offset = _e1557.alpha_offset;
+                                                            local.size = _e1557.alpha_size;
+                                                            local.flags = _e1557.flags;
+                                                            let _e1620 = _lt_shaders_texture_TextureView_quad((&local), (((_e1551[0].u * _e1562) + (_e1551[1].u * _e1489.u)) + (_e1551[2].u * _e1489.v)), (((_e1551[0].v * _e1562) + (_e1551[1].v * _e1489.u)) + (_e1551[2].v * _e1489.v)));
+                                                            let _e1624 = (_e1620.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1624 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1631 = alpha_texels.member[(0u + _e1627)];
-                                                            let _e1647 = (_e1623.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1647 < _e92) {
+                                                            let _e1628 = alpha_texels.member[(0u + _e1624)];
+                                                            let _e1644 = (_e1620.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1644 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1651 = alpha_texels.member[(0u + _e1647)];
-                                                            let _e1668 = (_e1623.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1668 < _e92) {
+                                                            let _e1648 = alpha_texels.member[(0u + _e1644)];
+                                                            let _e1665 = (_e1620.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1665 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1672 = alpha_texels.member[(0u + _e1668)];
-                                                            let _e1689 = (_e1623.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1689 < _e92) {
+                                                            let _e1669 = alpha_texels.member[(0u + _e1665)];
+                                                            let _e1686 = (_e1620.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1686 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1693 = alpha_texels.member[(0u + _e1689)];
-                                                            phi_2392_ = (_e1592 * (((((f32(((_e1631 >> bitcast<u32>((((_e1623.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.x) + ((f32(((_e1651 >> bitcast<u32>((((_e1623.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.y)) + ((f32(((_e1672 >> bitcast<u32>((((_e1623.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.z)) + ((f32(((_e1693 >> bitcast<u32>((((_e1623.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.w)));
+                                                            let _e1690 = alpha_texels.member[(0u + _e1686)];
+                                                            phi_2392_ = (_e1589 * (((((f32(((_e1628 >> bitcast<u32>((((_e1620.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.x) + ((f32(((_e1648 >> bitcast<u32>((((_e1620.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.y)) + ((f32(((_e1669 >> bitcast<u32>((((_e1620.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.z)) + ((f32(((_e1690 >> bitcast<u32>((((_e1620.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.w)));
                                                         }
-                                                        let _e1709 = phi_2392_;
-                                                        phi_2395_ = (_e1709 >= _e1560.cutoff);
+                                                        let _e1706 = phi_2392_;
+                                                        phi_2395_ = (_e1706 >= _e1557.cutoff);
                                                     }
-                                                    let _e1713 = phi_2395_;
-                                                    phi_2396_ = _e1713;
+                                                    let _e1710 = phi_2395_;
+                                                    phi_2396_ = _e1710;
                                                 } else {
                                                     phi_2396_ = false;
                                                 }
-                                                let _e1715 = phi_2396_;
-                                                if _e1715 {
+                                                let _e1712 = phi_2396_;
+                                                if _e1712 {
                                                 }
-                                                phi_2400_ = _e1715;
+                                                phi_2400_ = _e1712;
                                             }
-                                            let _e1717 = phi_2400_;
-                                            if _e1717 {
-                                                phi_2408_ = lt_bvh_Hit(_e1492.t, _e1492.u, _e1492.v, _e1028, 4294967295u);
+                                            let _e1714 = phi_2400_;
+                                            if _e1714 {
+                                                phi_2408_ = lt_bvh_Hit(_e1489.t, _e1489.u, _e1489.v, _e1025, 4294967295u);
                                             } else {
-                                                phi_2408_ = _e1017;
+                                                phi_2408_ = _e1014;
                                             }
-                                            let _e1723 = phi_2408_;
-                                            phi_2409_ = _e1723;
+                                            let _e1720 = phi_2408_;
+                                            phi_2409_ = _e1720;
                                         } else {
-                                            phi_2409_ = _e1017;
+                                            phi_2409_ = _e1014;
                                         }
-                                        let _e1725 = phi_2409_;
-                                        phi_2410_ = _e1725;
+                                        let _e1722 = phi_2409_;
+                                        phi_2410_ = _e1722;
                                     } else {
-                                        phi_2410_ = _e1017;
+                                        phi_2410_ = _e1014;
                                     }
-                                    let _e1727 = phi_2410_;
-                                    phi_2411_ = _e1727;
+                                    let _e1724 = phi_2410_;
+                                    phi_2411_ = _e1724;
                                 } else {
-                                    phi_2411_ = _e1017;
+                                    phi_2411_ = _e1014;
                                 }
-                                let _e1729 = phi_2411_;
-                                phi_1554_ = _e1729;
-                                phi_1557_ = (_e1019 & (_e1019 - 1u));
+                                let _e1726 = phi_2411_;
+                                phi_1554_ = _e1726;
+                                phi_1557_ = (_e1016 & (_e1016 - 1u));
                                 phi_2412_ = true;
                             }
-                            let _e1731 = phi_1554_;
-                            let _e1733 = phi_1557_;
-                            let _e1735 = phi_2412_;
+                            let _e1728 = phi_1554_;
+                            let _e1730 = phi_1557_;
+                            let _e1732 = phi_2412_;
                             continue;
                             continuing {
-                                phi_1553_ = _e1731;
-                                phi_1556_ = _e1733;
-                                break if !(_e1735);
+                                phi_1553_ = _e1728;
+                                phi_1556_ = _e1730;
+                                break if !(_e1732);
                             }
                         }
-                        let _e1738 = local_1.group_mask;
-                        if ((_e1738 & 4278190080u) == 0u) {
-                            let _e1742 = local_1.len;
-                            if (_e1742 == 0u) {
+                        let _e1735 = local_1.group_mask;
+                        if ((_e1735 & 4278190080u) == 0u) {
+                            let _e1739 = local_1.len;
+                            if (_e1739 == 0u) {
                                 phi_2451_ = false;
                             } else {
+                                let _e1743 = local_1.len;
+                                local_1.len = (_e1743 - 1u);
                                 let _e1746 = local_1.len;
-                                local_1.len = (_e1746 - 1u);
-                                let _e1749 = local_1.len;
-                                if (_e1749 < 32u) {
+                                if (_e1746 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1754 = local_1.first[(0u + _e1749)];
-                                local_1.group = _e1754;
-                                let _e1757 = local_1.len;
-                                if (_e1757 < 32u) {
+                                let _e1751 = local_1.first[(0u + _e1746)];
+                                local_1.group = _e1751;
+                                let _e1754 = local_1.len;
+                                if (_e1754 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1762 = local_1.mask[(0u + _e1757)];
-                                local_1.group_mask = _e1762;
+                                let _e1759 = local_1.mask[(0u + _e1754)];
+                                local_1.group_mask = _e1759;
                                 phi_2451_ = true;
                             }
-                            let _e1765 = phi_2451_;
-                            phi_2452_ = _e1765;
+                            let _e1762 = phi_2451_;
+                            phi_2452_ = _e1762;
                         } else {
                             phi_2452_ = true;
                         }
-                        let _e1767 = phi_2452_;
-                        if _e1767 {
-                            let _e1769 = local_1.group_mask;
-                            let _e1775 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1769)), 32u, (_e1769 == 0u)));
-                            let _e1779 = local_1.group_mask;
-                            let _e1793 = local_1.group_mask;
-                            local_1.group_mask = (_e1793 & ~((1u << bitcast<u32>((_e1775 & 31u)))));
-                            let _e1796 = local_1.group;
-                            phi_2483_ = (_e1796 + countOneBits(((_e1779 & ~((4294967295u << bitcast<u32>((((_e1775 - 24u) ^ _e436) & 31u))))) & 255u)));
+                        let _e1764 = phi_2452_;
+                        if _e1764 {
+                            let _e1766 = local_1.group_mask;
+                            let _e1772 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1766)), 32u, (_e1766 == 0u)));
+                            let _e1776 = local_1.group_mask;
+                            let _e1790 = local_1.group_mask;
+                            local_1.group_mask = (_e1790 & ~((1u << bitcast<u32>((_e1772 & 31u)))));
+                            let _e1793 = local_1.group;
+                            phi_2483_ = (_e1793 + countOneBits(((_e1776 & ~((4294967295u << bitcast<u32>((((_e1772 - 24u) ^ _e433) & 31u))))) & 255u)));
                         } else {
                             phi_2483_ = 4294967295u;
                         }
-                        let _e1799 = phi_2483_;
-                        let _e2578 = local_5;
-                        phi_1217_ = _e2578;
-                        phi_1220_ = _e1799;
+                        let _e1796 = phi_2483_;
+                        let _e2575 = local_5;
+                        phi_1217_ = _e2575;
+                        phi_1220_ = _e1796;
                     } else {
                         phi_1217_ = lt_bvh_Hit();
                         phi_1220_ = u32();
                     }
-                    let _e1801 = phi_1217_;
-                    let _e1803 = phi_1220_;
+                    let _e1798 = phi_1217_;
+                    let _e1800 = phi_1220_;
                     continue;
                     continuing {
-                        phi_1216_ = _e1801;
-                        phi_1219_ = _e1803;
-                        break if !(_e577);
+                        phi_1216_ = _e1798;
+                        phi_1219_ = _e1800;
+                        break if !(_e574);
                     }
                 }
-                let _e2582 = local_6;
-                phi_2484_ = _e2582;
+                let _e2579 = local_6;
+                phi_2484_ = _e2579;
             }
-            let _e1806 = phi_2484_;
-            phi_2485_ = _e1806;
+            let _e1803 = phi_2484_;
+            phi_2485_ = _e1803;
             phi_2486_ = _e231;
         } else {
             phi_2485_ = lt_bvh_Hit();
             phi_2486_ = true;
         }
-        let _e1808 = phi_2485_;
-        let _e1810 = phi_2486_;
-        if _e1810 {
+        let _e1805 = phi_2485_;
+        let _e1807 = phi_2486_;
+        if _e1807 {
             phi_2490_ = _e161;
         } else {
-            phi_2490_ = _e1808;
+            phi_2490_ = _e1805;
         }
-        let _e1812 = phi_2490_;
-        if (_e1812.triangle != 4294967295u) {
-            let _e1818 = ((1f - _e1812.u) - _e1812.v);
-            if (_e1812.triangle < _e80) {
+        let _e1809 = phi_2490_;
+        if (_e1809.triangle != 4294967295u) {
+            let _e1815 = ((1f - _e1809.u) - _e1809.v);
+            if (_e1809.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1824 = triangles.member[(0u + _e1812.triangle)];
-            let _e1849 = (((_e1824.v0_.x * _e1818) + (_e1824.v1_.x * _e1812.u)) + (_e1824.v2_.x * _e1812.v));
-            let _e1850 = (((_e1824.v0_.y * _e1818) + (_e1824.v1_.y * _e1812.u)) + (_e1824.v2_.y * _e1812.v));
-            let _e1851 = (((_e1824.v0_.z * _e1818) + (_e1824.v1_.z * _e1812.u)) + (_e1824.v2_.z * _e1812.v));
-            let _e1854 = abs(_e1824.v0_.x);
-            let _e1856 = abs(_e1824.v0_.y);
-            let _e1858 = abs(_e1824.v0_.z);
-            let _e1860 = abs(_e1824.v1_.x);
-            let _e1862 = abs(_e1824.v1_.y);
-            let _e1864 = abs(_e1824.v1_.z);
-            if (_e1854 > _e1860) {
-                phi_2555_ = _e1854;
+            let _e1821 = triangles.member[(0u + _e1809.triangle)];
+            let _e1846 = (((_e1821.v0_.x * _e1815) + (_e1821.v1_.x * _e1809.u)) + (_e1821.v2_.x * _e1809.v));
+            let _e1847 = (((_e1821.v0_.y * _e1815) + (_e1821.v1_.y * _e1809.u)) + (_e1821.v2_.y * _e1809.v));
+            let _e1848 = (((_e1821.v0_.z * _e1815) + (_e1821.v1_.z * _e1809.u)) + (_e1821.v2_.z * _e1809.v));
+            let _e1851 = abs(_e1821.v0_.x);
+            let _e1853 = abs(_e1821.v0_.y);
+            let _e1855 = abs(_e1821.v0_.z);
+            let _e1857 = abs(_e1821.v1_.x);
+            let _e1859 = abs(_e1821.v1_.y);
+            let _e1861 = abs(_e1821.v1_.z);
+            if (_e1851 > _e1857) {
+                phi_2555_ = _e1851;
             } else {
-                phi_2555_ = _e1860;
+                phi_2555_ = _e1857;
             }
-            let _e1867 = phi_2555_;
-            if (_e1856 > _e1862) {
-                phi_2560_ = _e1856;
+            let _e1864 = phi_2555_;
+            if (_e1853 > _e1859) {
+                phi_2560_ = _e1853;
             } else {
-                phi_2560_ = _e1862;
+                phi_2560_ = _e1859;
             }
-            let _e1870 = phi_2560_;
-            if (_e1858 > _e1864) {
-                phi_2565_ = _e1858;
+            let _e1867 = phi_2560_;
+            if (_e1855 > _e1861) {
+                phi_2565_ = _e1855;
             } else {
-                phi_2565_ = _e1864;
+                phi_2565_ = _e1861;
             }
-            let _e1873 = phi_2565_;
-            let _e1875 = abs(_e1824.v2_.x);
-            let _e1877 = abs(_e1824.v2_.y);
-            let _e1879 = abs(_e1824.v2_.z);
-            if (_e1867 > _e1875) {
-                phi_2576_ = _e1867;
+            let _e1870 = phi_2565_;
+            let _e1872 = abs(_e1821.v2_.x);
+            let _e1874 = abs(_e1821.v2_.y);
+            let _e1876 = abs(_e1821.v2_.z);
+            if (_e1864 > _e1872) {
+                phi_2576_ = _e1864;
             } else {
-                phi_2576_ = _e1875;
+                phi_2576_ = _e1872;
             }
-            let _e1882 = phi_2576_;
-            if (_e1870 > _e1877) {
-                phi_2581_ = _e1870;
+            let _e1879 = phi_2576_;
+            if (_e1867 > _e1874) {
+                phi_2581_ = _e1867;
             } else {
-                phi_2581_ = _e1877;
+                phi_2581_ = _e1874;
             }
-            let _e1885 = phi_2581_;
-            if (_e1873 > _e1879) {
-                phi_2586_ = _e1873;
+            let _e1882 = phi_2581_;
+            if (_e1870 > _e1876) {
+                phi_2586_ = _e1870;
             } else {
-                phi_2586_ = _e1879;
+                phi_2586_ = _e1876;
             }
-            let _e1888 = phi_2586_;
-            let _e1891 = (_e1824.v1_.x - _e1824.v0_.x);
-            let _e1894 = (_e1824.v1_.y - _e1824.v0_.y);
-            let _e1897 = (_e1824.v1_.z - _e1824.v0_.z);
-            let _e1900 = (_e1824.v2_.x - _e1824.v0_.x);
-            let _e1903 = (_e1824.v2_.y - _e1824.v0_.y);
-            let _e1906 = (_e1824.v2_.z - _e1824.v0_.z);
-            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), abs(_e1897));
-            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1891), _e1910);
-            let _e1912 = (_e1891 / _e1911);
-            let _e1913 = (_e1894 / _e1911);
-            let _e1914 = (_e1897 / _e1911);
-            let _e1918 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1903), abs(_e1906));
-            let _e1919 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1900), _e1918);
-            let _e1920 = (_e1900 / _e1919);
-            let _e1921 = (_e1903 / _e1919);
-            let _e1922 = (_e1906 / _e1919);
-            let _e1925 = ((_e1913 * _e1922) - (_e1921 * _e1914));
-            let _e1928 = ((_e1914 * _e1920) - (_e1922 * _e1912));
-            let _e1931 = ((_e1912 * _e1921) - (_e1920 * _e1913));
-            let _e1933 = p.member.eye;
-            let _e1946 = (1f / sqrt((((_e1925 * _e1925) + (_e1928 * _e1928)) + (_e1931 * _e1931))));
-            let _e1947 = (_e1925 * _e1946);
-            let _e1948 = (_e1928 * _e1946);
-            let _e1949 = (_e1931 * _e1946);
-            if ((((_e1947 * (_e1933.x - _e1849)) + (_e1948 * (_e1933.y - _e1850))) + (_e1949 * (_e1933.z - _e1851))) < 0f) {
-                phi_2662_ = vec3<f32>(-(_e1947), -(_e1948), -(_e1949));
+            let _e1885 = phi_2586_;
+            let _e1888 = (_e1821.v1_.x - _e1821.v0_.x);
+            let _e1891 = (_e1821.v1_.y - _e1821.v0_.y);
+            let _e1894 = (_e1821.v1_.z - _e1821.v0_.z);
+            let _e1897 = (_e1821.v2_.x - _e1821.v0_.x);
+            let _e1900 = (_e1821.v2_.y - _e1821.v0_.y);
+            let _e1903 = (_e1821.v2_.z - _e1821.v0_.z);
+            let _e1907 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1891), abs(_e1894));
+            let _e1908 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1888), _e1907);
+            let _e1909 = (_e1888 / _e1908);
+            let _e1910 = (_e1891 / _e1908);
+            let _e1911 = (_e1894 / _e1908);
+            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1900), abs(_e1903));
+            let _e1916 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1897), _e1915);
+            let _e1917 = (_e1897 / _e1916);
+            let _e1918 = (_e1900 / _e1916);
+            let _e1919 = (_e1903 / _e1916);
+            let _e1922 = ((_e1910 * _e1919) - (_e1918 * _e1911));
+            let _e1925 = ((_e1911 * _e1917) - (_e1919 * _e1909));
+            let _e1928 = ((_e1909 * _e1918) - (_e1917 * _e1910));
+            let _e1930 = p.member.eye;
+            let _e1943 = (1f / sqrt((((_e1922 * _e1922) + (_e1925 * _e1925)) + (_e1928 * _e1928))));
+            let _e1944 = (_e1922 * _e1943);
+            let _e1945 = (_e1925 * _e1943);
+            let _e1946 = (_e1928 * _e1943);
+            if ((((_e1944 * (_e1930.x - _e1846)) + (_e1945 * (_e1930.y - _e1847))) + (_e1946 * (_e1930.z - _e1848))) < 0f) {
+                phi_2662_ = vec3<f32>(-(_e1944), -(_e1945), -(_e1946));
             } else {
-                phi_2662_ = vec3<f32>(_e1947, _e1948, _e1949);
+                phi_2662_ = vec3<f32>(_e1944, _e1945, _e1946);
             }
-            let _e1962 = phi_2662_;
-            if (_e1812.triangle < _e80) {
-            } else {
-                return;
-            }
-            let _e1967 = triangles.member[(0u + _e1812.triangle)];
-            let _e1969 = (_e1967.i0_ & 2147483647u);
-            if (_e1969 < _e83) {
+            let _e1959 = phi_2662_;
+            if (_e1809.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1975 = vertices.member[(0u + _e1969)];
-            if (_e1967.i1_ < _e83) {
+            let _e1964 = triangles.member[(0u + _e1809.triangle)];
+            let _e1966 = (_e1964.i0_ & 2147483647u);
+            if (_e1966 < _e83) {
             } else {
                 return;
             }
-            let _e1979 = vertices.member[(0u + _e1967.i1_)];
-            if (_e1967.i2_ < _e83) {
+            let _e1972 = vertices.member[(0u + _e1966)];
+            if (_e1964.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1983 = vertices.member[(0u + _e1967.i2_)];
-            let _e1984 = array<abi_Vertex, 3>(_e1975, _e1979, _e1983);
-            if (_e1984[0].material < _e86) {
+            let _e1976 = vertices.member[(0u + _e1964.i1_)];
+            if (_e1964.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1990 = materials.member[(0u + _e1984[0].material)];
-            let _e2007 = (1f / 255f);
-            let _e2026 = (1f / 255f);
-            let _e2048 = (1f / 255f);
-            let _e2061 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1818, _e1812.u, _e1812.v));
-            let _e2063 = ((_e1990.base_color.x * ((((f32((_e1984[0].color & 255u)) * _e2007) * _e1818) + ((f32((_e1984[1].color & 255u)) * _e2026) * _e1812.u)) + ((f32((_e1984[2].color & 255u)) * _e2048) * _e1812.v))) * _e2061.x);
-            let _e2065 = ((_e1990.base_color.y * ((((f32(((_e1984[0].color >> bitcast<u32>(8i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(8i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(8i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.y);
-            let _e2067 = ((_e1990.base_color.z * ((((f32(((_e1984[0].color >> bitcast<u32>(16i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(16i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(16i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.z);
-            let _e2068 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1885, _e1888);
-            let _e2069 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1882, _e2068);
-            if ((_e1990.flags & 2u) == 0u) {
+            let _e1980 = vertices.member[(0u + _e1964.i2_)];
+            let _e1981 = array<abi_Vertex, 3>(_e1972, _e1976, _e1980);
+            if (_e1981[0].material < _e86) {
+            } else {
+                return;
+            }
+            let _e1987 = materials.member[(0u + _e1981[0].material)];
+            let _e2004 = (1f / 255f);
+            let _e2023 = (1f / 255f);
+            let _e2045 = (1f / 255f);
+            let _e2058 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1815, _e1809.u, _e1809.v));
+            let _e2060 = ((_e1987.base_color.x * ((((f32((_e1981[0].color & 255u)) * _e2004) * _e1815) + ((f32((_e1981[1].color & 255u)) * _e2023) * _e1809.u)) + ((f32((_e1981[2].color & 255u)) * _e2045) * _e1809.v))) * _e2058.x);
+            let _e2062 = ((_e1987.base_color.y * ((((f32(((_e1981[0].color >> bitcast<u32>(8i)) & 255u)) * _e2004) * _e1815) + ((f32(((_e1981[1].color >> bitcast<u32>(8i)) & 255u)) * _e2023) * _e1809.u)) + ((f32(((_e1981[2].color >> bitcast<u32>(8i)) & 255u)) * _e2045) * _e1809.v))) * _e2058.y);
+            let _e2064 = ((_e1987.base_color.z * ((((f32(((_e1981[0].color >> bitcast<u32>(16i)) & 255u)) * _e2004) * _e1815) + ((f32(((_e1981[1].color >> bitcast<u32>(16i)) & 255u)) * _e2023) * _e1809.u)) + ((f32(((_e1981[2].color >> bitcast<u32>(16i)) & 255u)) * _e2045) * _e1809.v))) * _e2058.z);
+            let _e2065 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1882, _e1885);
+            let _e2066 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1879, _e2065);
+            if ((_e1987.flags & 2u) == 0u) {
                 phi_2783_ = 0u;
             } else {
                 phi_2783_ = 1u;
             }
-            let _e2074 = phi_2783_;
-            if (_e1984[0].normal == 2147516416u) {
-                phi_2986_ = _e1962;
+            let _e2071 = phi_2783_;
+            if (_e1981[0].normal == 2147516416u) {
+                phi_2986_ = _e1959;
             } else {
-                let _e2087 = (f32((bitcast<i32>((_e1984[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2093 = (f32((bitcast<i32>(_e1984[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2097 = ((1f - abs(_e2087)) - abs(_e2093));
-                if (_e2097 < 0f) {
-                    phi_2810_ = -(_e2097);
+                let _e2084 = (f32((bitcast<i32>((_e1981[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2090 = (f32((bitcast<i32>(_e1981[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2094 = ((1f - abs(_e2084)) - abs(_e2090));
+                if (_e2094 < 0f) {
+                    phi_2810_ = -(_e2094);
                 } else {
                     phi_2810_ = 0f;
                 }
-                let _e2101 = phi_2810_;
-                if (_e2087 < 0f) {
-                    phi_2817_ = (_e2087 + _e2101);
+                let _e2098 = phi_2810_;
+                if (_e2084 < 0f) {
+                    phi_2817_ = (_e2084 + _e2098);
                 } else {
-                    phi_2817_ = (_e2087 - _e2101);
+                    phi_2817_ = (_e2084 - _e2098);
                 }
-                let _e2106 = phi_2817_;
-                if (_e2093 < 0f) {
-                    phi_2824_ = (_e2093 + _e2101);
+                let _e2103 = phi_2817_;
+                if (_e2090 < 0f) {
+                    phi_2824_ = (_e2090 + _e2098);
                 } else {
-                    phi_2824_ = (_e2093 - _e2101);
+                    phi_2824_ = (_e2090 - _e2098);
                 }
-                let _e2111 = phi_2824_;
-                let _e2118 = (1f / sqrt((((_e2106 * _e2106) + (_e2111 * _e2111)) + (_e2097 * _e2097))));
-                let _e2134 = (f32((bitcast<i32>((_e1984[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2140 = (f32((bitcast<i32>(_e1984[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2144 = ((1f - abs(_e2134)) - abs(_e2140));
-                if (_e2144 < 0f) {
-                    phi_2859_ = -(_e2144);
+                let _e2108 = phi_2824_;
+                let _e2115 = (1f / sqrt((((_e2103 * _e2103) + (_e2108 * _e2108)) + (_e2094 * _e2094))));
+                let _e2131 = (f32((bitcast<i32>((_e1981[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2137 = (f32((bitcast<i32>(_e1981[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2141 = ((1f - abs(_e2131)) - abs(_e2137));
+                if (_e2141 < 0f) {
+                    phi_2859_ = -(_e2141);
                 } else {
                     phi_2859_ = 0f;
                 }
-                let _e2148 = phi_2859_;
-                if (_e2134 < 0f) {
-                    phi_2866_ = (_e2134 + _e2148);
+                let _e2145 = phi_2859_;
+                if (_e2131 < 0f) {
+                    phi_2866_ = (_e2131 + _e2145);
                 } else {
-                    phi_2866_ = (_e2134 - _e2148);
+                    phi_2866_ = (_e2131 - _e2145);
                 }
-                let _e2153 = phi_2866_;
-                if (_e2140 < 0f) {
-                    phi_2873_ = (_e2140 + _e2148);
+                let _e2150 = phi_2866_;
+                if (_e2137 < 0f) {
+                    phi_2873_ = (_e2137 + _e2145);
                 } else {
-                    phi_2873_ = (_e2140 - _e2148);
+                    phi_2873_ = (_e2137 - _e2145);
                 }
-                let _e2158 = phi_2873_;
-                let _e2165 = (1f / sqrt((((_e2153 * _e2153) + (_e2158 * _e2158)) + (_e2144 * _e2144))));
-                let _e2184 = (f32((bitcast<i32>((_e1984[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2190 = (f32((bitcast<i32>(_e1984[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2194 = ((1f - abs(_e2184)) - abs(_e2190));
-                if (_e2194 < 0f) {
-                    phi_2911_ = -(_e2194);
+                let _e2155 = phi_2873_;
+                let _e2162 = (1f / sqrt((((_e2150 * _e2150) + (_e2155 * _e2155)) + (_e2141 * _e2141))));
+                let _e2181 = (f32((bitcast<i32>((_e1981[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2187 = (f32((bitcast<i32>(_e1981[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2191 = ((1f - abs(_e2181)) - abs(_e2187));
+                if (_e2191 < 0f) {
+                    phi_2911_ = -(_e2191);
                 } else {
                     phi_2911_ = 0f;
                 }
-                let _e2198 = phi_2911_;
-                if (_e2184 < 0f) {
-                    phi_2918_ = (_e2184 + _e2198);
+                let _e2195 = phi_2911_;
+                if (_e2181 < 0f) {
+                    phi_2918_ = (_e2181 + _e2195);
                 } else {
-                    phi_2918_ = (_e2184 - _e2198);
+                    phi_2918_ = (_e2181 - _e2195);
                 }
-                let _e2203 = phi_2918_;
-                if (_e2190 < 0f) {
-                    phi_2925_ = (_e2190 + _e2198);
+                let _e2200 = phi_2918_;
+                if (_e2187 < 0f) {
+                    phi_2925_ = (_e2187 + _e2195);
                 } else {
-                    phi_2925_ = (_e2190 - _e2198);
+                    phi_2925_ = (_e2187 - _e2195);
                 }
-                let _e2208 = phi_2925_;
-                let _e2215 = (1f / sqrt((((_e2203 * _e2203) + (_e2208 * _e2208)) + (_e2194 * _e2194))));
-                let _e2226 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2106 * _e2118) * _e1818) + ((_e2153 * _e2165) * _e1812.u)) + ((_e2203 * _e2215) * _e1812.v)), ((((_e2111 * _e2118) * _e1818) + ((_e2158 * _e2165) * _e1812.u)) + ((_e2208 * _e2215) * _e1812.v)), ((((_e2097 * _e2118) * _e1818) + ((_e2144 * _e2165) * _e1812.u)) + ((_e2194 * _e2215) * _e1812.v))));
-                let _e2238 = sqrt((((_e2226.x * _e2226.x) + (_e2226.y * _e2226.y)) + (_e2226.z * _e2226.z)));
-                if (_e2238 > 0f) {
-                    let _e2241 = (_e2226.x / _e2238);
-                    let _e2243 = (_e2226.y / _e2238);
-                    let _e2245 = (_e2226.z / _e2238);
-                    if ((((_e2241 * _e1962.x) + (_e2243 * _e1962.y)) + (_e2245 * _e1962.z)) < 0f) {
-                        phi_2984_ = vec3<f32>(-(_e2241), -(_e2243), -(_e2245));
+                let _e2205 = phi_2925_;
+                let _e2212 = (1f / sqrt((((_e2200 * _e2200) + (_e2205 * _e2205)) + (_e2191 * _e2191))));
+                let _e2223 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2103 * _e2115) * _e1815) + ((_e2150 * _e2162) * _e1809.u)) + ((_e2200 * _e2212) * _e1809.v)), ((((_e2108 * _e2115) * _e1815) + ((_e2155 * _e2162) * _e1809.u)) + ((_e2205 * _e2212) * _e1809.v)), ((((_e2094 * _e2115) * _e1815) + ((_e2141 * _e2162) * _e1809.u)) + ((_e2191 * _e2212) * _e1809.v))));
+                let _e2235 = sqrt((((_e2223.x * _e2223.x) + (_e2223.y * _e2223.y)) + (_e2223.z * _e2223.z)));
+                if (_e2235 > 0f) {
+                    let _e2238 = (_e2223.x / _e2235);
+                    let _e2240 = (_e2223.y / _e2235);
+                    let _e2242 = (_e2223.z / _e2235);
+                    if ((((_e2238 * _e1959.x) + (_e2240 * _e1959.y)) + (_e2242 * _e1959.z)) < 0f) {
+                        phi_2984_ = vec3<f32>(-(_e2238), -(_e2240), -(_e2242));
                     } else {
-                        phi_2984_ = (_e2226 / vec3(_e2238));
+                        phi_2984_ = (_e2223 / vec3(_e2235));
                     }
-                    let _e2262 = phi_2984_;
-                    phi_2985_ = _e2262;
+                    let _e2259 = phi_2984_;
+                    phi_2985_ = _e2259;
                 } else {
-                    phi_2985_ = _e1962;
+                    phi_2985_ = _e1959;
                 }
-                let _e2264 = phi_2985_;
-                phi_2986_ = _e2264;
+                let _e2261 = phi_2985_;
+                phi_2986_ = _e2261;
             }
-            let _e2266 = phi_2986_;
-            if (_e2063 > 0f) {
-                if (_e2063 < 1f) {
-                    phi_2995_ = _e2063;
+            let _e2263 = phi_2986_;
+            if (_e2060 > 0f) {
+                if (_e2060 < 1f) {
+                    phi_2995_ = _e2060;
                 } else {
                     phi_2995_ = 1f;
                 }
-                let _e2270 = phi_2995_;
-                phi_2996_ = _e2270;
+                let _e2267 = phi_2995_;
+                phi_2996_ = _e2267;
             } else {
                 phi_2996_ = 0f;
             }
-            let _e2272 = phi_2996_;
-            if (_e2065 > 0f) {
-                if (_e2065 < 1f) {
-                    phi_3006_ = _e2065;
+            let _e2269 = phi_2996_;
+            if (_e2062 > 0f) {
+                if (_e2062 < 1f) {
+                    phi_3006_ = _e2062;
                 } else {
                     phi_3006_ = 1f;
                 }
-                let _e2277 = phi_3006_;
-                phi_3007_ = _e2277;
+                let _e2274 = phi_3006_;
+                phi_3007_ = _e2274;
             } else {
                 phi_3007_ = 0f;
             }
-            let _e2279 = phi_3007_;
-            if (_e2067 > 0f) {
-                if (_e2067 < 1f) {
-                    phi_3017_ = _e2067;
+            let _e2276 = phi_3007_;
+            if (_e2064 > 0f) {
+                if (_e2064 < 1f) {
+                    phi_3017_ = _e2064;
                 } else {
                     phi_3017_ = 1f;
                 }
-                let _e2284 = phi_3017_;
-                phi_3018_ = _e2284;
+                let _e2281 = phi_3017_;
+                phi_3018_ = _e2281;
             } else {
                 phi_3018_ = 0f;
             }
-            let _e2286 = phi_3018_;
-            let _e2289 = ((sqrt(_e2272) * 255f) + 0.5f);
-            let _e2298 = ((sqrt(_e2279) * 255f) + 0.5f);
-            let _e2310 = ((sqrt(_e2286) * 255f) + 0.5f);
-            phi_3053_ = abi_Sample(vec3<f32>(_e1849, _e1850, _e1851), _e2069, _e1962, _e2074, _e2266, ((select(select(u32(_e2289), 0u, (_e2289 < bitcast<f32>(0u))), 4294967295u, (_e2289 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2298), 0u, (_e2298 < bitcast<f32>(0u))), 4294967295u, (_e2298 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2310), 0u, (_e2310 < bitcast<f32>(0u))), 4294967295u, (_e2310 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2283 = phi_3018_;
+            let _e2286 = ((sqrt(_e2269) * 255f) + 0.5f);
+            let _e2295 = ((sqrt(_e2276) * 255f) + 0.5f);
+            let _e2307 = ((sqrt(_e2283) * 255f) + 0.5f);
+            phi_3053_ = abi_Sample(vec3<f32>(_e1846, _e1847, _e1848), _e2066, _e1959, _e2071, _e2263, ((select(select(u32(_e2286), 0u, (_e2286 < bitcast<f32>(0u))), 4294967295u, (_e2286 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2295), 0u, (_e2295 < bitcast<f32>(0u))), 4294967295u, (_e2295 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2307), 0u, (_e2307 < bitcast<f32>(0u))), 4294967295u, (_e2307 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_3053_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2324 = phi_3053_;
+        let _e2321 = phi_3053_;
         if (_e104.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e104.shift)] = _e2324;
-        if (_e1812.triangle != 4294967295u) {
-            let _e2333 = ((1f - _e1812.u) - _e1812.v);
-            if (_e1812.triangle < _e80) {
+        samples.member[(0u + _e104.shift)] = _e2321;
+        if (_e1809.triangle != 4294967295u) {
+            let _e2330 = ((1f - _e1809.u) - _e1809.v);
+            if (_e1809.triangle < _e80) {
             } else {
                 return;
             }
-            let _e2338 = triangles.member[(0u + _e1812.triangle)];
-            let _e2340 = (_e2338.i0_ & 2147483647u);
-            if (_e2340 < _e95) {
+            let _e2335 = triangles.member[(0u + _e1809.triangle)];
+            let _e2337 = (_e2335.i0_ & 2147483647u);
+            if (_e2337 < _e95) {
             } else {
                 return;
             }
-            let _e2346 = before.member[(0u + _e2340)];
-            if (_e2338.i1_ < _e95) {
+            let _e2343 = before.member[(0u + _e2337)];
+            if (_e2335.i1_ < _e95) {
             } else {
                 return;
             }
-            let _e2350 = before.member[(0u + _e2338.i1_)];
-            if (_e2338.i2_ < _e95) {
+            let _e2347 = before.member[(0u + _e2335.i1_)];
+            if (_e2335.i2_ < _e95) {
             } else {
                 return;
             }
-            let _e2354 = before.member[(0u + _e2338.i2_)];
-            let _e2359 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2346.x, _e2346.y, _e2346.z));
-            let _e2370 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2350.x, _e2350.y, _e2350.z));
-            let _e2384 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2354.x, _e2354.y, _e2354.z));
-            phi_3144_ = vec3<f32>((((_e2359.x * _e2333) + (_e2370.x * _e1812.u)) + (_e2384.x * _e1812.v)), (((_e2359.y * _e2333) + (_e2370.y * _e1812.u)) + (_e2384.y * _e1812.v)), (((_e2359.z * _e2333) + (_e2370.z * _e1812.u)) + (_e2384.z * _e1812.v)));
+            let _e2351 = before.member[(0u + _e2335.i2_)];
+            let _e2356 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2343.x, _e2343.y, _e2343.z));
+            let _e2367 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2347.x, _e2347.y, _e2347.z));
+            let _e2381 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2351.x, _e2351.y, _e2351.z));
+            phi_3144_ = vec3<f32>((((_e2356.x * _e2330) + (_e2367.x * _e1809.u)) + (_e2381.x * _e1809.v)), (((_e2356.y * _e2330) + (_e2367.y * _e1809.u)) + (_e2381.y * _e1809.v)), (((_e2356.z * _e2330) + (_e2367.z * _e1809.u)) + (_e2381.z * _e1809.v)));
         } else {
             phi_3144_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2396 = phi_3144_;
+        let _e2393 = phi_3144_;
         if (_e104.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.shift)] = vec4<f32>(_e2396.x, _e2396.y, _e2396.z, 1f);
+        past.member[(0u + _e104.shift)] = vec4<f32>(_e2393.x, _e2393.y, _e2393.z, 1f);
     }
     return;
 }

@@ -963,1334 +963,1334 @@ fn function_() {
                 } else {
                     phi_878_ = abs(_e150.direction.x);
                 }
-                let _e299 = phi_878_;
+                let _e298 = phi_878_;
                 if (_e150.direction.x < 0f) {
-                    phi_885_ = (-1f / _e299);
+                    phi_885_ = (-1f / _e298);
                 } else {
-                    phi_885_ = (1f / _e299);
+                    phi_885_ = (1f / _e298);
                 }
-                let _e304 = phi_885_;
+                let _e303 = phi_885_;
                 if (abs(_e150.direction.y) < _e292) {
                     phi_893_ = _e292;
                 } else {
                     phi_893_ = abs(_e150.direction.y);
                 }
-                let _e311 = phi_893_;
+                let _e309 = phi_893_;
                 if (_e150.direction.y < 0f) {
-                    phi_900_ = (-1f / _e311);
+                    phi_900_ = (-1f / _e309);
                 } else {
-                    phi_900_ = (1f / _e311);
+                    phi_900_ = (1f / _e309);
                 }
-                let _e316 = phi_900_;
+                let _e314 = phi_900_;
                 if (abs(_e150.direction.z) < _e292) {
                     phi_908_ = _e292;
                 } else {
                     phi_908_ = abs(_e150.direction.z);
                 }
-                let _e323 = phi_908_;
+                let _e320 = phi_908_;
                 if (_e150.direction.z < 0f) {
-                    phi_915_ = (-1f / _e323);
+                    phi_915_ = (-1f / _e320);
                 } else {
-                    phi_915_ = (1f / _e323);
+                    phi_915_ = (1f / _e320);
                 }
-                let _e328 = phi_915_;
-                let _e336 = abs((bitcast<f32>(_e228) - _e150.origin.x));
-                let _e337 = abs((bitcast<f32>(_e232) - _e150.origin.y));
-                let _e338 = abs((bitcast<f32>(_e236) - _e150.origin.z));
-                let _e346 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e252 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.x));
-                let _e347 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e252 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.y));
-                let _e348 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e252 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.z));
-                if (_e336 > _e346) {
-                    phi_940_ = _e336;
+                let _e325 = phi_915_;
+                let _e333 = abs((bitcast<f32>(_e228) - _e150.origin.x));
+                let _e334 = abs((bitcast<f32>(_e232) - _e150.origin.y));
+                let _e335 = abs((bitcast<f32>(_e236) - _e150.origin.z));
+                let _e343 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e252 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.x));
+                let _e344 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e252 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.y));
+                let _e345 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e252 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150.origin.z));
+                if (_e333 > _e343) {
+                    phi_940_ = _e333;
                 } else {
-                    phi_940_ = _e346;
+                    phi_940_ = _e343;
                 }
-                let _e351 = phi_940_;
-                if (_e337 > _e347) {
-                    phi_945_ = _e337;
+                let _e348 = phi_940_;
+                if (_e334 > _e344) {
+                    phi_945_ = _e334;
                 } else {
-                    phi_945_ = _e347;
+                    phi_945_ = _e344;
                 }
-                let _e354 = phi_945_;
-                if (_e338 > _e348) {
-                    phi_950_ = _e338;
+                let _e351 = phi_945_;
+                if (_e335 > _e345) {
+                    phi_950_ = _e335;
                 } else {
-                    phi_950_ = _e348;
+                    phi_950_ = _e345;
                 }
-                let _e357 = phi_950_;
-                let _e358 = core_intrinsics_maximum_number_nsz_f32_(_e351, _e354);
-                let _e359 = core_intrinsics_maximum_number_nsz_f32_(_e358, _e357);
-                let _e364 = (_e359 * 0.0000019073486f);
-                let _e365 = (abs(_e304) * _e364);
-                let _e366 = (abs(_e316) * _e364);
-                let _e367 = (abs(_e328) * _e364);
-                let _e371 = (_e359 * 0.0000009536743f);
-                let _e372 = (abs(_e304) * _e371);
-                let _e373 = (abs(_e316) * _e371);
-                let _e374 = (abs(_e328) * _e371);
-                let _e377 = abs(_e150.direction.x);
-                let _e379 = abs(_e150.direction.y);
-                let _e381 = abs(_e150.direction.z);
-                if (_e377 >= _e379) {
-                    if (_e377 >= _e381) {
+                let _e354 = phi_950_;
+                let _e355 = core_intrinsics_maximum_number_nsz_f32_(_e348, _e351);
+                let _e356 = core_intrinsics_maximum_number_nsz_f32_(_e355, _e354);
+                let _e361 = (_e356 * 0.0000019073486f);
+                let _e362 = (abs(_e303) * _e361);
+                let _e363 = (abs(_e314) * _e361);
+                let _e364 = (abs(_e325) * _e361);
+                let _e368 = (_e356 * 0.0000009536743f);
+                let _e369 = (abs(_e303) * _e368);
+                let _e370 = (abs(_e314) * _e368);
+                let _e371 = (abs(_e325) * _e368);
+                let _e374 = abs(_e150.direction.x);
+                let _e376 = abs(_e150.direction.y);
+                let _e378 = abs(_e150.direction.z);
+                if (_e374 >= _e376) {
+                    if (_e374 >= _e378) {
                         phi_983_ = false;
                     } else {
                         phi_983_ = true;
                     }
-                    let _e385 = phi_983_;
-                    phi_984_ = _e385;
+                    let _e382 = phi_983_;
+                    phi_984_ = _e382;
                 } else {
                     phi_984_ = true;
                 }
-                let _e387 = phi_984_;
-                if _e387 {
-                    if (_e379 >= _e381) {
+                let _e384 = phi_984_;
+                if _e384 {
+                    if (_e376 >= _e378) {
                         phi_992_ = 1u;
                     } else {
                         phi_992_ = 2u;
                     }
-                    let _e390 = phi_992_;
-                    phi_993_ = _e390;
+                    let _e387 = phi_992_;
+                    phi_993_ = _e387;
                 } else {
                     phi_993_ = 0u;
                 }
-                let _e392 = phi_993_;
-                if (_e392 == 0u) {
+                let _e389 = phi_993_;
+                if (_e389 == 0u) {
                     phi_1012_ = vec3<f32>(_e150.direction.y, _e150.direction.z, _e150.direction.x);
                 } else {
-                    if (_e392 == 1u) {
+                    if (_e389 == 1u) {
                         phi_1011_ = vec3<f32>(_e150.direction.z, _e150.direction.x, _e150.direction.y);
                     } else {
                         phi_1011_ = _e150.direction;
                     }
-                    let _e405 = phi_1011_;
-                    phi_1012_ = _e405;
+                    let _e402 = phi_1011_;
+                    phi_1012_ = _e402;
                 }
-                let _e407 = phi_1012_;
-                let _e411 = (_e407.x / _e407.z);
-                let _e414 = (_e407.y / _e407.z);
-                if (_e304 < 0f) {
+                let _e404 = phi_1012_;
+                let _e408 = (_e404.x / _e404.z);
+                let _e411 = (_e404.y / _e404.z);
+                if (_e303 < 0f) {
                     phi_1026_ = 0u;
                 } else {
                     phi_1026_ = 1u;
                 }
-                let _e419 = phi_1026_;
-                if (_e316 < 0f) {
+                let _e416 = phi_1026_;
+                if (_e314 < 0f) {
                     phi_1031_ = 0u;
                 } else {
                     phi_1031_ = 2u;
                 }
-                let _e422 = phi_1031_;
-                if (_e328 < 0f) {
+                let _e419 = phi_1031_;
+                if (_e325 < 0f) {
                     phi_1036_ = 0u;
                 } else {
                     phi_1036_ = 4u;
                 }
-                let _e425 = phi_1036_;
-                let _e427 = ((_e419 | _e422) | _e425);
-                let _e428 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e428.first[0], _e428.first[1], _e428.first[2], _e428.first[3], _e428.first[4], _e428.first[5], _e428.first[6], _e428.first[7], _e428.first[8], _e428.first[9], _e428.first[10], _e428.first[11], _e428.first[12], _e428.first[13], _e428.first[14], _e428.first[15], _e428.first[16], _e428.first[17], _e428.first[18], _e428.first[19], _e428.first[20], _e428.first[21], _e428.first[22], _e428.first[23], _e428.first[24], _e428.first[25], _e428.first[26], _e428.first[27], _e428.first[28], _e428.first[29], _e428.first[30], _e428.first[31]), array<u32, 32>(_e428.mask[0], _e428.mask[1], _e428.mask[2], _e428.mask[3], _e428.mask[4], _e428.mask[5], _e428.mask[6], _e428.mask[7], _e428.mask[8], _e428.mask[9], _e428.mask[10], _e428.mask[11], _e428.mask[12], _e428.mask[13], _e428.mask[14], _e428.mask[15], _e428.mask[16], _e428.mask[17], _e428.mask[18], _e428.mask[19], _e428.mask[20], _e428.mask[21], _e428.mask[22], _e428.mask[23], _e428.mask[24], _e428.mask[25], _e428.mask[26], _e428.mask[27], _e428.mask[28], _e428.mask[29], _e428.mask[30], _e428.mask[31]), _e428.len, _e428.group, _e428.group_mask);
-                let _e502 = local_1.group_mask;
-                if ((_e502 & 4278190080u) == 0u) {
-                    let _e506 = local_1.len;
-                    if (_e506 == 0u) {
+                let _e422 = phi_1036_;
+                let _e424 = ((_e416 | _e419) | _e422);
+                let _e425 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e425.first[0], _e425.first[1], _e425.first[2], _e425.first[3], _e425.first[4], _e425.first[5], _e425.first[6], _e425.first[7], _e425.first[8], _e425.first[9], _e425.first[10], _e425.first[11], _e425.first[12], _e425.first[13], _e425.first[14], _e425.first[15], _e425.first[16], _e425.first[17], _e425.first[18], _e425.first[19], _e425.first[20], _e425.first[21], _e425.first[22], _e425.first[23], _e425.first[24], _e425.first[25], _e425.first[26], _e425.first[27], _e425.first[28], _e425.first[29], _e425.first[30], _e425.first[31]), array<u32, 32>(_e425.mask[0], _e425.mask[1], _e425.mask[2], _e425.mask[3], _e425.mask[4], _e425.mask[5], _e425.mask[6], _e425.mask[7], _e425.mask[8], _e425.mask[9], _e425.mask[10], _e425.mask[11], _e425.mask[12], _e425.mask[13], _e425.mask[14], _e425.mask[15], _e425.mask[16], _e425.mask[17], _e425.mask[18], _e425.mask[19], _e425.mask[20], _e425.mask[21], _e425.mask[22], _e425.mask[23], _e425.mask[24], _e425.mask[25], _e425.mask[26], _e425.mask[27], _e425.mask[28], _e425.mask[29], _e425.mask[30], _e425.mask[31]), _e425.len, _e425.group, _e425.group_mask);
+                let _e499 = local_1.group_mask;
+                if ((_e499 & 4278190080u) == 0u) {
+                    let _e503 = local_1.len;
+                    if (_e503 == 0u) {
                         phi_1150_ = false;
                     } else {
+                        let _e507 = local_1.len;
+                        local_1.len = (_e507 - 1u);
                         let _e510 = local_1.len;
-                        local_1.len = (_e510 - 1u);
-                        let _e513 = local_1.len;
-                        if (_e513 < 32u) {
+                        if (_e510 < 32u) {
                         } else {
                             return;
                         }
-                        let _e518 = local_1.first[(0u + _e513)];
-                        local_1.group = _e518;
-                        let _e521 = local_1.len;
-                        if (_e521 < 32u) {
+                        let _e515 = local_1.first[(0u + _e510)];
+                        local_1.group = _e515;
+                        let _e518 = local_1.len;
+                        if (_e518 < 32u) {
                         } else {
                             return;
                         }
-                        let _e526 = local_1.mask[(0u + _e521)];
-                        local_1.group_mask = _e526;
+                        let _e523 = local_1.mask[(0u + _e518)];
+                        local_1.group_mask = _e523;
                         phi_1150_ = true;
                     }
-                    let _e529 = phi_1150_;
-                    phi_1151_ = _e529;
+                    let _e526 = phi_1150_;
+                    phi_1151_ = _e526;
                 } else {
                     phi_1151_ = true;
                 }
-                let _e531 = phi_1151_;
-                if _e531 {
-                    let _e533 = local_1.group_mask;
-                    let _e539 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e533)), 32u, (_e533 == 0u)));
-                    let _e543 = local_1.group_mask;
-                    let _e557 = local_1.group_mask;
-                    local_1.group_mask = (_e557 & ~((1u << bitcast<u32>((_e539 & 31u)))));
-                    let _e560 = local_1.group;
-                    phi_1182_ = (_e560 + countOneBits(((_e543 & ~((4294967295u << bitcast<u32>((((_e539 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e528 = phi_1151_;
+                if _e528 {
+                    let _e530 = local_1.group_mask;
+                    let _e536 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e530)), 32u, (_e530 == 0u)));
+                    let _e540 = local_1.group_mask;
+                    let _e554 = local_1.group_mask;
+                    local_1.group_mask = (_e554 & ~((1u << bitcast<u32>((_e536 & 31u)))));
+                    let _e557 = local_1.group;
+                    phi_1182_ = (_e557 + countOneBits(((_e540 & ~((4294967295u << bitcast<u32>((((_e536 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1182_ = 4294967295u;
                 }
-                let _e563 = phi_1182_;
+                let _e560 = phi_1182_;
                 phi_1184_ = _e152;
-                phi_1187_ = _e563;
+                phi_1187_ = _e560;
                 loop {
-                    let _e565 = phi_1184_;
-                    let _e567 = phi_1187_;
-                    local_6 = _e565;
-                    let _e568 = (_e567 != 4294967295u);
-                    if _e568 {
-                        if (_e567 < _e74) {
+                    let _e562 = phi_1184_;
+                    let _e564 = phi_1187_;
+                    local_6 = _e562;
+                    let _e565 = (_e564 != 4294967295u);
+                    if _e565 {
+                        if (_e564 < _e74) {
                         } else {
                             return;
                         }
-                        let _e576 = nodes.member[(0u + _e567)].frame[3u];
-                        let _e601 = (bitcast<f32>((((_e576 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e602 = (bitcast<f32>((((_e576 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
-                        let _e603 = (bitcast<f32>((((_e576 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
-                        let _e606 = nodes.member[(0u + _e567)].frame[0u];
-                        let _e610 = nodes.member[(0u + _e567)].frame[1u];
-                        let _e614 = nodes.member[(0u + _e567)].frame[2u];
-                        let _e622 = ((bitcast<f32>(_e606) - _e150.origin.x) * _e304);
-                        let _e623 = ((bitcast<f32>(_e610) - _e150.origin.y) * _e316);
-                        let _e624 = ((bitcast<f32>(_e614) - _e150.origin.z) * _e328);
-                        let _e632 = nodes.member[(0u + _e567)].x;
-                        if (_e304 < 0f) {
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.unnamed.word, _e632.w), _e643.unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e632.x, _e649.unnamed_1.shift));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e655.unnamed_1.word, _e632.y));
+                        let _e573 = nodes.member[(0u + _e564)].frame[3u];
+                        let _e598 = (bitcast<f32>((((_e573 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
+                        let _e599 = (bitcast<f32>((((_e573 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e600 = (bitcast<f32>((((_e573 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e325);
+                        let _e603 = nodes.member[(0u + _e564)].frame[0u];
+                        let _e607 = nodes.member[(0u + _e564)].frame[1u];
+                        let _e611 = nodes.member[(0u + _e564)].frame[2u];
+                        let _e619 = ((bitcast<f32>(_e603) - _e150.origin.x) * _e303);
+                        let _e620 = ((bitcast<f32>(_e607) - _e150.origin.y) * _e314);
+                        let _e621 = ((bitcast<f32>(_e611) - _e150.origin.z) * _e325);
+                        let _e629 = nodes.member[(0u + _e564)].x;
+                        if (_e303 < 0f) {
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.unnamed.word, _e629.w), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e629.x, _e646.unnamed_1.shift));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e652.unnamed_1.word, _e629.y));
                         } else {
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.unnamed.word, _e632.y), _e671.unnamed_1);
-                            let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e632.z, _e677.unnamed_1.shift));
-                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e683.unnamed, lt_mask_LightPlace(_e683.unnamed_1.word, _e632.w));
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.unnamed.word, _e629.y), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e629.z, _e674.unnamed_1.shift));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e680.unnamed_1.word, _e629.w));
                         }
-                        let _e691 = phi_1272_;
-                        let _e701 = nodes.member[(0u + _e567)].y;
-                        if (_e316 < 0f) {
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.unnamed.word, _e701.w), _e712.unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e701.x, _e718.unnamed_1.shift));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e724.unnamed_1.word, _e701.y));
+                        let _e688 = phi_1272_;
+                        let _e698 = nodes.member[(0u + _e564)].y;
+                        if (_e314 < 0f) {
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.unnamed.word, _e698.w), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e698.x, _e715.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e721.unnamed_1.word, _e698.y));
                         } else {
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.unnamed.word, _e701.y), _e740.unnamed_1);
-                            let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e701.z, _e746.unnamed_1.shift));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e752.unnamed, lt_mask_LightPlace(_e752.unnamed_1.word, _e701.w));
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.unnamed.word, _e698.y), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e698.z, _e743.unnamed_1.shift));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e749.unnamed_1.word, _e698.w));
                         }
-                        let _e760 = phi_1299_;
-                        let _e770 = nodes.member[(0u + _e567)].z;
-                        if (_e328 < 0f) {
-                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.unnamed.word, _e770.w), _e781.unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_mask_LightPlace(_e770.x, _e787.unnamed_1.shift));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e793.unnamed_1.word, _e770.y));
+                        let _e757 = phi_1299_;
+                        let _e767 = nodes.member[(0u + _e564)].z;
+                        if (_e325 < 0f) {
+                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.unnamed.word, _e767.w), _e778.unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_mask_LightPlace(_e767.x, _e784.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e790.unnamed_1.word, _e767.y));
                         } else {
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e770.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e809.unnamed.word, _e770.y), _e809.unnamed_1);
-                            let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_mask_LightPlace(_e770.z, _e815.unnamed_1.shift));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e821.unnamed, lt_mask_LightPlace(_e821.unnamed_1.word, _e770.w));
+                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e806.unnamed.word, _e767.y), _e806.unnamed_1);
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_mask_LightPlace(_e767.z, _e812.unnamed_1.shift));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_mask_LightPlace(_e818.unnamed_1.word, _e767.w));
                         }
-                        let _e829 = phi_1326_;
+                        let _e826 = phi_1326_;
                         phi_1332_ = 0u;
                         phi_1335_ = 0u;
                         loop {
-                            let _e839 = phi_1332_;
-                            let _e841 = phi_1335_;
-                            local_2 = _e841;
-                            local_3 = _e841;
-                            local_4 = _e841;
-                            let _e842 = (_e839 < 8u);
-                            if _e842 {
-                                let _e844 = (_e839 >> bitcast<u32>(2i));
-                                let _e845 = (_e839 & 3u);
-                                if (_e844 == 0u) {
-                                    phi_1349_ = _e691.unnamed.word;
+                            let _e836 = phi_1332_;
+                            let _e838 = phi_1335_;
+                            local_2 = _e838;
+                            local_3 = _e838;
+                            local_4 = _e838;
+                            let _e839 = (_e836 < 8u);
+                            if _e839 {
+                                let _e841 = (_e836 >> bitcast<u32>(2i));
+                                let _e842 = (_e836 & 3u);
+                                if (_e841 == 0u) {
+                                    phi_1349_ = _e688.unnamed.word;
                                 } else {
-                                    phi_1349_ = _e691.unnamed.shift;
+                                    phi_1349_ = _e688.unnamed.shift;
                                 }
-                                let _e848 = phi_1349_;
-                                if (_e844 == 0u) {
-                                    phi_1359_ = _e760.unnamed.word;
+                                let _e845 = phi_1349_;
+                                if (_e841 == 0u) {
+                                    phi_1359_ = _e757.unnamed.word;
                                 } else {
-                                    phi_1359_ = _e760.unnamed.shift;
+                                    phi_1359_ = _e757.unnamed.shift;
                                 }
-                                let _e857 = phi_1359_;
-                                if (_e844 == 0u) {
-                                    phi_1369_ = _e829.unnamed.word;
+                                let _e854 = phi_1359_;
+                                if (_e841 == 0u) {
+                                    phi_1369_ = _e826.unnamed.word;
                                 } else {
-                                    phi_1369_ = _e829.unnamed.shift;
+                                    phi_1369_ = _e826.unnamed.shift;
                                 }
-                                let _e866 = phi_1369_;
-                                let _e879 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e848 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 - _e365)), ((f32(((_e857 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 - _e366)));
-                                let _e880 = core_intrinsics_maximum_number_nsz_f32_(_e879, ((f32(((_e866 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 - _e367)));
-                                if (_e844 == 0u) {
-                                    phi_1387_ = _e691.unnamed_1.word;
+                                let _e863 = phi_1369_;
+                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e362)), ((f32(((_e854 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)));
+                                let _e877 = core_intrinsics_maximum_number_nsz_f32_(_e876, ((f32(((_e863 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e600) + (_e621 - _e364)));
+                                if (_e841 == 0u) {
+                                    phi_1387_ = _e688.unnamed_1.word;
                                 } else {
-                                    phi_1387_ = _e691.unnamed_1.shift;
+                                    phi_1387_ = _e688.unnamed_1.shift;
                                 }
-                                let _e883 = phi_1387_;
-                                if (_e844 == 0u) {
-                                    phi_1397_ = _e760.unnamed_1.word;
+                                let _e880 = phi_1387_;
+                                if (_e841 == 0u) {
+                                    phi_1397_ = _e757.unnamed_1.word;
                                 } else {
-                                    phi_1397_ = _e760.unnamed_1.shift;
+                                    phi_1397_ = _e757.unnamed_1.shift;
                                 }
-                                let _e892 = phi_1397_;
-                                if (_e844 == 0u) {
-                                    phi_1407_ = _e829.unnamed_1.word;
+                                let _e889 = phi_1397_;
+                                if (_e841 == 0u) {
+                                    phi_1407_ = _e826.unnamed_1.word;
                                 } else {
-                                    phi_1407_ = _e829.unnamed_1.shift;
+                                    phi_1407_ = _e826.unnamed_1.shift;
                                 }
-                                let _e901 = phi_1407_;
-                                let _e914 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e883 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e601) + (_e622 + _e365)), ((f32(((_e892 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e602) + (_e623 + _e366)));
-                                let _e915 = core_intrinsics_minimum_number_nsz_f32_(_e914, ((f32(((_e901 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u)) * _e603) + (_e624 + _e367)));
-                                if (_e880 <= _e915) {
-                                    if (_e880 <= _e565.t) {
-                                        if (_e915 >= _e150.tmin) {
-                                            if (_e844 == 0u) {
-                                                let _e922 = nodes.member[(0u + _e567)].links[2u];
+                                let _e898 = phi_1407_;
+                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e880 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e362)), ((f32(((_e889 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)));
+                                let _e912 = core_intrinsics_minimum_number_nsz_f32_(_e911, ((f32(((_e898 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u)) * _e600) + (_e621 + _e364)));
+                                if (_e877 <= _e912) {
+                                    if (_e877 <= _e562.t) {
+                                        if (_e912 >= _e150.tmin) {
+                                            if (_e841 == 0u) {
+                                                let _e919 = nodes.member[(0u + _e564)].links[2u];
+                                                phi_1443_ = _e919;
+                                            } else {
+                                                let _e922 = nodes.member[(0u + _e564)].links[3u];
                                                 phi_1443_ = _e922;
-                                            } else {
-                                                let _e925 = nodes.member[(0u + _e567)].links[3u];
-                                                phi_1443_ = _e925;
                                             }
-                                            let _e927 = phi_1443_;
-                                            let _e932 = ((_e927 >> bitcast<u32>(((_e845 * 8u) & 31u))) & 255u);
-                                            let _e933 = (_e932 & 31u);
-                                            if (_e933 >= 24u) {
-                                                phi_1456_ = (24u + ((_e933 - 24u) ^ _e427));
+                                            let _e924 = phi_1443_;
+                                            let _e929 = ((_e924 >> bitcast<u32>(((_e842 * 8u) & 31u))) & 255u);
+                                            let _e930 = (_e929 & 31u);
+                                            if (_e930 >= 24u) {
+                                                phi_1456_ = (24u + ((_e930 - 24u) ^ _e424));
                                             } else {
-                                                phi_1456_ = _e933;
+                                                phi_1456_ = _e930;
                                             }
-                                            let _e939 = phi_1456_;
-                                            phi_1461_ = (_e841 | ((_e932 >> bitcast<u32>(5i)) << bitcast<u32>((_e939 & 31u))));
+                                            let _e936 = phi_1456_;
+                                            phi_1461_ = (_e838 | ((_e929 >> bitcast<u32>(5i)) << bitcast<u32>((_e936 & 31u))));
                                         } else {
-                                            phi_1461_ = _e841;
+                                            phi_1461_ = _e838;
                                         }
-                                        let _e947 = phi_1461_;
-                                        phi_1462_ = _e947;
+                                        let _e944 = phi_1461_;
+                                        phi_1462_ = _e944;
                                     } else {
-                                        phi_1462_ = _e841;
+                                        phi_1462_ = _e838;
                                     }
-                                    let _e949 = phi_1462_;
-                                    phi_1463_ = _e949;
+                                    let _e946 = phi_1462_;
+                                    phi_1463_ = _e946;
                                 } else {
-                                    phi_1463_ = _e841;
+                                    phi_1463_ = _e838;
                                 }
-                                let _e951 = phi_1463_;
-                                phi_1333_ = (_e839 + 1u);
-                                phi_1336_ = _e951;
+                                let _e948 = phi_1463_;
+                                phi_1333_ = (_e836 + 1u);
+                                phi_1336_ = _e948;
                             } else {
                                 phi_1333_ = u32();
                                 phi_1336_ = u32();
                             }
-                            let _e954 = phi_1333_;
-                            let _e956 = phi_1336_;
+                            let _e951 = phi_1333_;
+                            let _e953 = phi_1336_;
                             continue;
                             continuing {
-                                phi_1332_ = _e954;
-                                phi_1335_ = _e956;
-                                break if !(_e842);
+                                phi_1332_ = _e951;
+                                phi_1335_ = _e953;
+                                break if !(_e839);
                             }
                         }
-                        let _e960 = nodes.member[(0u + _e567)].links[0u];
-                        let _e964 = nodes.member[(0u + _e567)].frame[3u];
-                        let _e968 = local_2;
-                        if ((_e968 & 4278190080u) == 0u) {
+                        let _e957 = nodes.member[(0u + _e564)].links[0u];
+                        let _e961 = nodes.member[(0u + _e564)].frame[3u];
+                        let _e965 = local_2;
+                        if ((_e965 & 4278190080u) == 0u) {
                         } else {
-                            let _e972 = local_1.group_mask;
-                            if ((_e972 & 4278190080u) == 0u) {
+                            let _e969 = local_1.group_mask;
+                            if ((_e969 & 4278190080u) == 0u) {
                             } else {
-                                let _e976 = local_1.len;
-                                if (_e976 < 32u) {
-                                    let _e979 = local_1.group;
-                                    let _e981 = local_1.len;
-                                    if (_e981 < 32u) {
+                                let _e973 = local_1.len;
+                                if (_e973 < 32u) {
+                                    let _e976 = local_1.group;
+                                    let _e978 = local_1.len;
+                                    if (_e978 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e981)] = _e979;
-                                    let _e987 = local_1.group_mask;
-                                    let _e989 = local_1.len;
-                                    if (_e989 < 32u) {
+                                    local_1.first[(0u + _e978)] = _e976;
+                                    let _e984 = local_1.group_mask;
+                                    let _e986 = local_1.len;
+                                    if (_e986 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e989)] = _e987;
-                                    let _e996 = local_1.len;
-                                    local_1.len = (_e996 + 1u);
+                                    local_1.mask[(0u + _e986)] = _e984;
+                                    let _e993 = local_1.len;
+                                    local_1.len = (_e993 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e960);
-                            let _e1000 = local_3;
-                            local_1.group_mask = ((_e1000 & 4278190080u) | (_e964 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e957);
+                            let _e997 = local_3;
+                            local_1.group_mask = ((_e997 & 4278190080u) | (_e961 >> bitcast<u32>(24i)));
                         }
-                        let _e1005 = local_4;
-                        phi_1521_ = _e565;
-                        phi_1524_ = (_e1005 & 16777215u);
+                        let _e1002 = local_4;
+                        phi_1521_ = _e562;
+                        phi_1524_ = (_e1002 & 16777215u);
                         loop {
-                            let _e1008 = phi_1521_;
-                            let _e1010 = phi_1524_;
-                            local_5 = _e1008;
-                            if (_e1010 == 0u) {
+                            let _e1005 = phi_1521_;
+                            let _e1007 = phi_1524_;
+                            local_5 = _e1005;
+                            if (_e1007 == 0u) {
                                 phi_1522_ = lt_bvh_Hit();
                                 phi_1525_ = u32();
                                 phi_2183_ = false;
                             } else {
-                                let _e1014 = nodes.member[(0u + _e567)].links[1u];
-                                let _e1019 = ((0u + _e1014) + select(firstTrailingBit(_e1010), 32u, (_e1010 == 0u)));
-                                if (_e1019 < _e77) {
+                                let _e1011 = nodes.member[(0u + _e564)].links[1u];
+                                let _e1016 = ((0u + _e1011) + select(firstTrailingBit(_e1007), 32u, (_e1007 == 0u)));
+                                if (_e1016 < _e77) {
                                 } else {
                                     return;
                                 }
-                                let _e1026 = triangles.member[(0u + _e1019)].v0_;
-                                let _e1029 = (_e1026.x - _e150.origin.x);
-                                let _e1032 = (_e1026.y - _e150.origin.y);
-                                let _e1035 = (_e1026.z - _e150.origin.z);
-                                if (_e392 == 0u) {
-                                    phi_1571_ = vec3<f32>(_e1032, _e1035, _e1029);
+                                let _e1023 = triangles.member[(0u + _e1016)].v0_;
+                                let _e1026 = (_e1023.x - _e150.origin.x);
+                                let _e1029 = (_e1023.y - _e150.origin.y);
+                                let _e1032 = (_e1023.z - _e150.origin.z);
+                                if (_e389 == 0u) {
+                                    phi_1571_ = vec3<f32>(_e1029, _e1032, _e1026);
                                 } else {
-                                    if (_e392 == 1u) {
-                                        phi_1570_ = vec3<f32>(_e1035, _e1029, _e1032);
+                                    if (_e389 == 1u) {
+                                        phi_1570_ = vec3<f32>(_e1032, _e1026, _e1029);
                                     } else {
-                                        phi_1570_ = (_e1026 - _e150.origin);
+                                        phi_1570_ = (_e1023 - _e150.origin);
                                     }
-                                    let _e1042 = phi_1570_;
-                                    phi_1571_ = _e1042;
+                                    let _e1039 = phi_1570_;
+                                    phi_1571_ = _e1039;
                                 }
-                                let _e1044 = phi_1571_;
-                                let _e1048 = (_e1044.x - (_e411 * _e1044.z));
-                                let _e1052 = (_e1044.y - (_e414 * _e1044.z));
-                                let _e1054 = triangles.member[(0u + _e1019)].v1_;
-                                let _e1057 = (_e1054.x - _e150.origin.x);
-                                let _e1060 = (_e1054.y - _e150.origin.y);
-                                let _e1063 = (_e1054.z - _e150.origin.z);
-                                if (_e392 == 0u) {
-                                    phi_1603_ = vec3<f32>(_e1060, _e1063, _e1057);
+                                let _e1041 = phi_1571_;
+                                let _e1045 = (_e1041.x - (_e408 * _e1041.z));
+                                let _e1049 = (_e1041.y - (_e411 * _e1041.z));
+                                let _e1051 = triangles.member[(0u + _e1016)].v1_;
+                                let _e1054 = (_e1051.x - _e150.origin.x);
+                                let _e1057 = (_e1051.y - _e150.origin.y);
+                                let _e1060 = (_e1051.z - _e150.origin.z);
+                                if (_e389 == 0u) {
+                                    phi_1603_ = vec3<f32>(_e1057, _e1060, _e1054);
                                 } else {
-                                    if (_e392 == 1u) {
-                                        phi_1602_ = vec3<f32>(_e1063, _e1057, _e1060);
+                                    if (_e389 == 1u) {
+                                        phi_1602_ = vec3<f32>(_e1060, _e1054, _e1057);
                                     } else {
-                                        phi_1602_ = (_e1054 - _e150.origin);
+                                        phi_1602_ = (_e1051 - _e150.origin);
                                     }
-                                    let _e1070 = phi_1602_;
-                                    phi_1603_ = _e1070;
+                                    let _e1067 = phi_1602_;
+                                    phi_1603_ = _e1067;
                                 }
-                                let _e1072 = phi_1603_;
-                                let _e1076 = (_e1072.x - (_e411 * _e1072.z));
-                                let _e1080 = (_e1072.y - (_e414 * _e1072.z));
-                                let _e1082 = triangles.member[(0u + _e1019)].v2_;
-                                let _e1085 = (_e1082.x - _e150.origin.x);
-                                let _e1088 = (_e1082.y - _e150.origin.y);
-                                let _e1091 = (_e1082.z - _e150.origin.z);
-                                if (_e392 == 0u) {
-                                    phi_1635_ = vec3<f32>(_e1088, _e1091, _e1085);
+                                let _e1069 = phi_1603_;
+                                let _e1073 = (_e1069.x - (_e408 * _e1069.z));
+                                let _e1077 = (_e1069.y - (_e411 * _e1069.z));
+                                let _e1079 = triangles.member[(0u + _e1016)].v2_;
+                                let _e1082 = (_e1079.x - _e150.origin.x);
+                                let _e1085 = (_e1079.y - _e150.origin.y);
+                                let _e1088 = (_e1079.z - _e150.origin.z);
+                                if (_e389 == 0u) {
+                                    phi_1635_ = vec3<f32>(_e1085, _e1088, _e1082);
                                 } else {
-                                    if (_e392 == 1u) {
-                                        phi_1634_ = vec3<f32>(_e1091, _e1085, _e1088);
+                                    if (_e389 == 1u) {
+                                        phi_1634_ = vec3<f32>(_e1088, _e1082, _e1085);
                                     } else {
-                                        phi_1634_ = (_e1082 - _e150.origin);
+                                        phi_1634_ = (_e1079 - _e150.origin);
                                     }
-                                    let _e1098 = phi_1634_;
-                                    phi_1635_ = _e1098;
+                                    let _e1095 = phi_1634_;
+                                    phi_1635_ = _e1095;
                                 }
-                                let _e1100 = phi_1635_;
-                                let _e1104 = (_e1100.x - (_e411 * _e1100.z));
-                                let _e1108 = (_e1100.y - (_e414 * _e1100.z));
-                                if (_e1076 < _e1104) {
+                                let _e1097 = phi_1635_;
+                                let _e1101 = (_e1097.x - (_e408 * _e1097.z));
+                                let _e1105 = (_e1097.y - (_e411 * _e1097.z));
+                                if (_e1073 < _e1101) {
                                     phi_1654_ = true;
                                 } else {
-                                    if (_e1076 == _e1104) {
-                                        phi_1653_ = (_e1080 < _e1108);
+                                    if (_e1073 == _e1101) {
+                                        phi_1653_ = (_e1077 < _e1105);
                                     } else {
                                         phi_1653_ = false;
                                     }
-                                    let _e1113 = phi_1653_;
-                                    phi_1654_ = _e1113;
+                                    let _e1110 = phi_1653_;
+                                    phi_1654_ = _e1110;
                                 }
-                                let _e1115 = phi_1654_;
-                                if _e1115 {
-                                    phi_1658_ = _e1108;
-                                    phi_1659_ = _e1104;
-                                    phi_1660_ = _e1080;
-                                    phi_1661_ = _e1076;
+                                let _e1112 = phi_1654_;
+                                if _e1112 {
+                                    phi_1658_ = _e1105;
+                                    phi_1659_ = _e1101;
+                                    phi_1660_ = _e1077;
+                                    phi_1661_ = _e1073;
                                 } else {
-                                    phi_1658_ = _e1080;
-                                    phi_1659_ = _e1076;
-                                    phi_1660_ = _e1108;
-                                    phi_1661_ = _e1104;
+                                    phi_1658_ = _e1077;
+                                    phi_1659_ = _e1073;
+                                    phi_1660_ = _e1105;
+                                    phi_1661_ = _e1101;
                                 }
-                                let _e1117 = phi_1658_;
-                                let _e1119 = phi_1659_;
-                                let _e1121 = phi_1660_;
-                                let _e1123 = phi_1661_;
-                                let _e1126 = ((_e1123 * _e1117) - (_e1121 * _e1119));
-                                if _e1115 {
-                                    phi_1669_ = -(_e1126);
+                                let _e1114 = phi_1658_;
+                                let _e1116 = phi_1659_;
+                                let _e1118 = phi_1660_;
+                                let _e1120 = phi_1661_;
+                                let _e1123 = ((_e1120 * _e1114) - (_e1118 * _e1116));
+                                if _e1112 {
+                                    phi_1669_ = -(_e1123);
                                 } else {
-                                    phi_1669_ = _e1126;
+                                    phi_1669_ = _e1123;
                                 }
-                                let _e1129 = phi_1669_;
-                                if (_e1104 < _e1048) {
+                                let _e1126 = phi_1669_;
+                                if (_e1101 < _e1045) {
                                     phi_1680_ = true;
                                 } else {
-                                    if (_e1104 == _e1048) {
-                                        phi_1679_ = (_e1108 < _e1052);
+                                    if (_e1101 == _e1045) {
+                                        phi_1679_ = (_e1105 < _e1049);
                                     } else {
                                         phi_1679_ = false;
                                     }
-                                    let _e1134 = phi_1679_;
-                                    phi_1680_ = _e1134;
+                                    let _e1131 = phi_1679_;
+                                    phi_1680_ = _e1131;
                                 }
-                                let _e1136 = phi_1680_;
-                                if _e1136 {
-                                    phi_1684_ = _e1052;
-                                    phi_1685_ = _e1048;
-                                    phi_1686_ = _e1108;
-                                    phi_1687_ = _e1104;
+                                let _e1133 = phi_1680_;
+                                if _e1133 {
+                                    phi_1684_ = _e1049;
+                                    phi_1685_ = _e1045;
+                                    phi_1686_ = _e1105;
+                                    phi_1687_ = _e1101;
                                 } else {
-                                    phi_1684_ = _e1108;
-                                    phi_1685_ = _e1104;
-                                    phi_1686_ = _e1052;
-                                    phi_1687_ = _e1048;
+                                    phi_1684_ = _e1105;
+                                    phi_1685_ = _e1101;
+                                    phi_1686_ = _e1049;
+                                    phi_1687_ = _e1045;
                                 }
-                                let _e1138 = phi_1684_;
-                                let _e1140 = phi_1685_;
-                                let _e1142 = phi_1686_;
-                                let _e1144 = phi_1687_;
-                                let _e1147 = ((_e1144 * _e1138) - (_e1142 * _e1140));
-                                if _e1136 {
-                                    phi_1695_ = -(_e1147);
+                                let _e1135 = phi_1684_;
+                                let _e1137 = phi_1685_;
+                                let _e1139 = phi_1686_;
+                                let _e1141 = phi_1687_;
+                                let _e1144 = ((_e1141 * _e1135) - (_e1139 * _e1137));
+                                if _e1133 {
+                                    phi_1695_ = -(_e1144);
                                 } else {
-                                    phi_1695_ = _e1147;
+                                    phi_1695_ = _e1144;
                                 }
-                                let _e1150 = phi_1695_;
-                                if (_e1048 < _e1076) {
+                                let _e1147 = phi_1695_;
+                                if (_e1045 < _e1073) {
                                     phi_1706_ = true;
                                 } else {
-                                    if (_e1048 == _e1076) {
-                                        phi_1705_ = (_e1052 < _e1080);
+                                    if (_e1045 == _e1073) {
+                                        phi_1705_ = (_e1049 < _e1077);
                                     } else {
                                         phi_1705_ = false;
                                     }
-                                    let _e1155 = phi_1705_;
-                                    phi_1706_ = _e1155;
+                                    let _e1152 = phi_1705_;
+                                    phi_1706_ = _e1152;
                                 }
-                                let _e1157 = phi_1706_;
-                                if _e1157 {
-                                    phi_1710_ = _e1080;
-                                    phi_1711_ = _e1076;
-                                    phi_1712_ = _e1052;
-                                    phi_1713_ = _e1048;
+                                let _e1154 = phi_1706_;
+                                if _e1154 {
+                                    phi_1710_ = _e1077;
+                                    phi_1711_ = _e1073;
+                                    phi_1712_ = _e1049;
+                                    phi_1713_ = _e1045;
                                 } else {
-                                    phi_1710_ = _e1052;
-                                    phi_1711_ = _e1048;
-                                    phi_1712_ = _e1080;
-                                    phi_1713_ = _e1076;
+                                    phi_1710_ = _e1049;
+                                    phi_1711_ = _e1045;
+                                    phi_1712_ = _e1077;
+                                    phi_1713_ = _e1073;
                                 }
-                                let _e1159 = phi_1710_;
-                                let _e1161 = phi_1711_;
-                                let _e1163 = phi_1712_;
-                                let _e1165 = phi_1713_;
-                                let _e1168 = ((_e1165 * _e1159) - (_e1163 * _e1161));
-                                if _e1157 {
-                                    phi_1721_ = -(_e1168);
+                                let _e1156 = phi_1710_;
+                                let _e1158 = phi_1711_;
+                                let _e1160 = phi_1712_;
+                                let _e1162 = phi_1713_;
+                                let _e1165 = ((_e1162 * _e1156) - (_e1160 * _e1158));
+                                if _e1154 {
+                                    phi_1721_ = -(_e1165);
                                 } else {
-                                    phi_1721_ = _e1168;
+                                    phi_1721_ = _e1165;
                                 }
-                                let _e1171 = phi_1721_;
-                                if (_e1129 >= 0f) {
-                                    if (_e1150 >= 0f) {
-                                        if (_e1171 >= 0f) {
-                                            phi_1736_ = ((_e1129 + _e1150) + _e1171);
+                                let _e1168 = phi_1721_;
+                                if (_e1126 >= 0f) {
+                                    if (_e1147 >= 0f) {
+                                        if (_e1168 >= 0f) {
+                                            phi_1736_ = ((_e1126 + _e1147) + _e1168);
                                             phi_1737_ = false;
                                         } else {
                                             phi_1736_ = f32();
                                             phi_1737_ = true;
                                         }
-                                        let _e1178 = phi_1736_;
-                                        let _e1180 = phi_1737_;
-                                        phi_1738_ = _e1178;
-                                        phi_1739_ = _e1180;
+                                        let _e1175 = phi_1736_;
+                                        let _e1177 = phi_1737_;
+                                        phi_1738_ = _e1175;
+                                        phi_1739_ = _e1177;
                                     } else {
                                         phi_1738_ = f32();
                                         phi_1739_ = true;
                                     }
-                                    let _e1182 = phi_1738_;
-                                    let _e1184 = phi_1739_;
-                                    phi_1740_ = _e1182;
-                                    phi_1741_ = _e1184;
+                                    let _e1179 = phi_1738_;
+                                    let _e1181 = phi_1739_;
+                                    phi_1740_ = _e1179;
+                                    phi_1741_ = _e1181;
                                 } else {
                                     phi_1740_ = f32();
                                     phi_1741_ = true;
                                 }
-                                let _e1186 = phi_1740_;
-                                let _e1188 = phi_1741_;
-                                if _e1188 {
-                                    if (_e1129 <= 0f) {
-                                        if (_e1150 <= 0f) {
-                                            let _e1191 = (_e1171 <= 0f);
-                                            if _e1191 {
+                                let _e1183 = phi_1740_;
+                                let _e1185 = phi_1741_;
+                                if _e1185 {
+                                    if (_e1126 <= 0f) {
+                                        if (_e1147 <= 0f) {
+                                            let _e1188 = (_e1168 <= 0f);
+                                            if _e1188 {
                                             }
-                                            phi_1759_ = ((_e1129 + _e1150) + _e1171);
+                                            phi_1759_ = ((_e1126 + _e1147) + _e1168);
                                             phi_1760_ = false;
-                                            phi_1761_ = _e1191;
+                                            phi_1761_ = _e1188;
                                         } else {
                                             phi_1759_ = f32();
                                             phi_1760_ = true;
                                             phi_1761_ = false;
                                         }
-                                        let _e1195 = phi_1759_;
-                                        let _e1197 = phi_1760_;
-                                        let _e1199 = phi_1761_;
-                                        phi_1762_ = _e1195;
-                                        phi_1763_ = _e1197;
-                                        phi_1764_ = _e1199;
+                                        let _e1192 = phi_1759_;
+                                        let _e1194 = phi_1760_;
+                                        let _e1196 = phi_1761_;
+                                        phi_1762_ = _e1192;
+                                        phi_1763_ = _e1194;
+                                        phi_1764_ = _e1196;
                                     } else {
                                         phi_1762_ = f32();
                                         phi_1763_ = true;
                                         phi_1764_ = false;
                                     }
-                                    let _e1201 = phi_1762_;
-                                    let _e1203 = phi_1763_;
-                                    let _e1205 = phi_1764_;
-                                    if _e1203 {
+                                    let _e1198 = phi_1762_;
+                                    let _e1200 = phi_1763_;
+                                    let _e1202 = phi_1764_;
+                                    if _e1200 {
                                         phi_1768_ = false;
                                     } else {
-                                        phi_1768_ = _e1205;
+                                        phi_1768_ = _e1202;
                                     }
-                                    let _e1207 = phi_1768_;
-                                    phi_1769_ = _e1201;
-                                    phi_1770_ = _e1207;
+                                    let _e1204 = phi_1768_;
+                                    phi_1769_ = _e1198;
+                                    phi_1770_ = _e1204;
                                 } else {
-                                    phi_1769_ = _e1186;
+                                    phi_1769_ = _e1183;
                                     phi_1770_ = true;
                                 }
-                                let _e1209 = phi_1769_;
-                                let _e1211 = phi_1770_;
-                                if _e1211 {
-                                    let _e1212 = (_e1209 == 0f);
-                                    if _e1212 {
+                                let _e1206 = phi_1769_;
+                                let _e1208 = phi_1770_;
+                                if _e1208 {
+                                    let _e1209 = (_e1206 == 0f);
+                                    if _e1209 {
                                         phi_2096_ = lt_bvh_triangle_Intersection();
                                         phi_2097_ = false;
                                     } else {
-                                        let _e1214 = triangles.member[(0u + _e1019)].v0_;
-                                        let _e1217 = (_e1214.x - _e150.origin.x);
-                                        let _e1220 = (_e1214.y - _e150.origin.y);
-                                        let _e1223 = (_e1214.z - _e150.origin.z);
-                                        if (_e392 == 0u) {
-                                            phi_1801_ = vec3<f32>(_e1220, _e1223, _e1217);
+                                        let _e1211 = triangles.member[(0u + _e1016)].v0_;
+                                        let _e1214 = (_e1211.x - _e150.origin.x);
+                                        let _e1217 = (_e1211.y - _e150.origin.y);
+                                        let _e1220 = (_e1211.z - _e150.origin.z);
+                                        if (_e389 == 0u) {
+                                            phi_1801_ = vec3<f32>(_e1217, _e1220, _e1214);
                                         } else {
-                                            if (_e392 == 1u) {
-                                                phi_1800_ = vec3<f32>(_e1223, _e1217, _e1220);
+                                            if (_e389 == 1u) {
+                                                phi_1800_ = vec3<f32>(_e1220, _e1214, _e1217);
                                             } else {
-                                                phi_1800_ = (_e1214 - _e150.origin);
+                                                phi_1800_ = (_e1211 - _e150.origin);
                                             }
-                                            let _e1230 = phi_1800_;
-                                            phi_1801_ = _e1230;
+                                            let _e1227 = phi_1800_;
+                                            phi_1801_ = _e1227;
                                         }
-                                        let _e1232 = phi_1801_;
-                                        let _e1234 = triangles.member[(0u + _e1019)].v1_;
-                                        let _e1236 = triangles.member[(0u + _e1019)].v0_;
-                                        let _e1239 = (_e1234.x - _e1236.x);
-                                        let _e1242 = (_e1234.y - _e1236.y);
-                                        let _e1245 = (_e1234.z - _e1236.z);
-                                        if (_e392 == 0u) {
-                                            phi_1827_ = vec3<f32>(_e1242, _e1245, _e1239);
+                                        let _e1229 = phi_1801_;
+                                        let _e1231 = triangles.member[(0u + _e1016)].v1_;
+                                        let _e1233 = triangles.member[(0u + _e1016)].v0_;
+                                        let _e1236 = (_e1231.x - _e1233.x);
+                                        let _e1239 = (_e1231.y - _e1233.y);
+                                        let _e1242 = (_e1231.z - _e1233.z);
+                                        if (_e389 == 0u) {
+                                            phi_1827_ = vec3<f32>(_e1239, _e1242, _e1236);
                                         } else {
-                                            if (_e392 == 1u) {
-                                                phi_1826_ = vec3<f32>(_e1245, _e1239, _e1242);
+                                            if (_e389 == 1u) {
+                                                phi_1826_ = vec3<f32>(_e1242, _e1236, _e1239);
                                             } else {
-                                                phi_1826_ = (_e1234 - _e1236);
+                                                phi_1826_ = (_e1231 - _e1233);
                                             }
-                                            let _e1252 = phi_1826_;
-                                            phi_1827_ = _e1252;
+                                            let _e1249 = phi_1826_;
+                                            phi_1827_ = _e1249;
                                         }
-                                        let _e1254 = phi_1827_;
-                                        let _e1256 = triangles.member[(0u + _e1019)].v2_;
-                                        let _e1258 = triangles.member[(0u + _e1019)].v0_;
-                                        let _e1261 = (_e1256.x - _e1258.x);
-                                        let _e1264 = (_e1256.y - _e1258.y);
-                                        let _e1267 = (_e1256.z - _e1258.z);
-                                        if (_e392 == 0u) {
-                                            phi_1853_ = vec3<f32>(_e1264, _e1267, _e1261);
+                                        let _e1251 = phi_1827_;
+                                        let _e1253 = triangles.member[(0u + _e1016)].v2_;
+                                        let _e1255 = triangles.member[(0u + _e1016)].v0_;
+                                        let _e1258 = (_e1253.x - _e1255.x);
+                                        let _e1261 = (_e1253.y - _e1255.y);
+                                        let _e1264 = (_e1253.z - _e1255.z);
+                                        if (_e389 == 0u) {
+                                            phi_1853_ = vec3<f32>(_e1261, _e1264, _e1258);
                                         } else {
-                                            if (_e392 == 1u) {
-                                                phi_1852_ = vec3<f32>(_e1267, _e1261, _e1264);
+                                            if (_e389 == 1u) {
+                                                phi_1852_ = vec3<f32>(_e1264, _e1258, _e1261);
                                             } else {
-                                                phi_1852_ = (_e1256 - _e1258);
+                                                phi_1852_ = (_e1253 - _e1255);
                                             }
-                                            let _e1274 = phi_1852_;
-                                            phi_1853_ = _e1274;
+                                            let _e1271 = phi_1852_;
+                                            phi_1853_ = _e1271;
                                         }
-                                        let _e1276 = phi_1853_;
-                                        let _e1283 = ((_e1254.y * _e1276.z) - (_e1254.z * _e1276.y));
-                                        let _e1290 = ((_e1254.z * _e1276.x) - (_e1254.x * _e1276.z));
-                                        let _e1297 = ((_e1254.x * _e1276.y) - (_e1254.y * _e1276.x));
-                                        let _e1311 = (((1f / _e407.z) * (((_e1283 * _e1232.x) + (_e1290 * _e1232.y)) + (_e1297 * _e1232.z))) / (((_e1283 * _e411) + (_e1290 * _e414)) + _e1297));
-                                        if (_e1311 > _e150.tmin) {
-                                            if (_e1311 < _e150.tmax) {
-                                                let _e1317 = triangles.member[(0u + _e1019)].v0_;
-                                                let _e1319 = triangles.member[(0u + _e1019)].v1_;
-                                                if (_e1317.x < _e1319.x) {
-                                                    phi_1911_ = _e1317.x;
+                                        let _e1273 = phi_1853_;
+                                        let _e1280 = ((_e1251.y * _e1273.z) - (_e1251.z * _e1273.y));
+                                        let _e1287 = ((_e1251.z * _e1273.x) - (_e1251.x * _e1273.z));
+                                        let _e1294 = ((_e1251.x * _e1273.y) - (_e1251.y * _e1273.x));
+                                        let _e1308 = (((1f / _e404.z) * (((_e1280 * _e1229.x) + (_e1287 * _e1229.y)) + (_e1294 * _e1229.z))) / (((_e1280 * _e408) + (_e1287 * _e411)) + _e1294));
+                                        if (_e1308 > _e150.tmin) {
+                                            if (_e1308 < _e150.tmax) {
+                                                let _e1314 = triangles.member[(0u + _e1016)].v0_;
+                                                let _e1316 = triangles.member[(0u + _e1016)].v1_;
+                                                if (_e1314.x < _e1316.x) {
+                                                    phi_1911_ = _e1314.x;
                                                 } else {
-                                                    phi_1911_ = _e1319.x;
+                                                    phi_1911_ = _e1316.x;
                                                 }
-                                                let _e1326 = phi_1911_;
-                                                if (_e1317.y < _e1319.y) {
-                                                    phi_1920_ = _e1317.y;
+                                                let _e1323 = phi_1911_;
+                                                if (_e1314.y < _e1316.y) {
+                                                    phi_1920_ = _e1314.y;
                                                 } else {
-                                                    phi_1920_ = _e1319.y;
+                                                    phi_1920_ = _e1316.y;
                                                 }
-                                                let _e1333 = phi_1920_;
-                                                if (_e1317.z < _e1319.z) {
-                                                    phi_1929_ = _e1317.z;
+                                                let _e1330 = phi_1920_;
+                                                if (_e1314.z < _e1316.z) {
+                                                    phi_1929_ = _e1314.z;
                                                 } else {
-                                                    phi_1929_ = _e1319.z;
+                                                    phi_1929_ = _e1316.z;
                                                 }
-                                                let _e1340 = phi_1929_;
-                                                let _e1342 = triangles.member[(0u + _e1019)].v2_;
-                                                if (_e1326 < _e1342.x) {
-                                                    phi_1938_ = _e1326;
+                                                let _e1337 = phi_1929_;
+                                                let _e1339 = triangles.member[(0u + _e1016)].v2_;
+                                                if (_e1323 < _e1339.x) {
+                                                    phi_1938_ = _e1323;
                                                 } else {
-                                                    phi_1938_ = _e1342.x;
+                                                    phi_1938_ = _e1339.x;
                                                 }
-                                                let _e1347 = phi_1938_;
-                                                if (_e1333 < _e1342.y) {
-                                                    phi_1945_ = _e1333;
+                                                let _e1344 = phi_1938_;
+                                                if (_e1330 < _e1339.y) {
+                                                    phi_1945_ = _e1330;
                                                 } else {
-                                                    phi_1945_ = _e1342.y;
+                                                    phi_1945_ = _e1339.y;
                                                 }
-                                                let _e1352 = phi_1945_;
-                                                if (_e1340 < _e1342.z) {
-                                                    phi_1952_ = _e1340;
+                                                let _e1349 = phi_1945_;
+                                                if (_e1337 < _e1339.z) {
+                                                    phi_1952_ = _e1337;
                                                 } else {
-                                                    phi_1952_ = _e1342.z;
+                                                    phi_1952_ = _e1339.z;
                                                 }
-                                                let _e1357 = phi_1952_;
-                                                let _e1359 = triangles.member[(0u + _e1019)].v0_;
-                                                let _e1361 = triangles.member[(0u + _e1019)].v1_;
-                                                if (_e1359.x > _e1361.x) {
-                                                    phi_1965_ = _e1359.x;
+                                                let _e1354 = phi_1952_;
+                                                let _e1356 = triangles.member[(0u + _e1016)].v0_;
+                                                let _e1358 = triangles.member[(0u + _e1016)].v1_;
+                                                if (_e1356.x > _e1358.x) {
+                                                    phi_1965_ = _e1356.x;
                                                 } else {
-                                                    phi_1965_ = _e1361.x;
+                                                    phi_1965_ = _e1358.x;
                                                 }
-                                                let _e1368 = phi_1965_;
-                                                if (_e1359.y > _e1361.y) {
-                                                    phi_1974_ = _e1359.y;
+                                                let _e1365 = phi_1965_;
+                                                if (_e1356.y > _e1358.y) {
+                                                    phi_1974_ = _e1356.y;
                                                 } else {
-                                                    phi_1974_ = _e1361.y;
+                                                    phi_1974_ = _e1358.y;
                                                 }
-                                                let _e1375 = phi_1974_;
-                                                if (_e1359.z > _e1361.z) {
-                                                    phi_1983_ = _e1359.z;
+                                                let _e1372 = phi_1974_;
+                                                if (_e1356.z > _e1358.z) {
+                                                    phi_1983_ = _e1356.z;
                                                 } else {
-                                                    phi_1983_ = _e1361.z;
+                                                    phi_1983_ = _e1358.z;
                                                 }
-                                                let _e1382 = phi_1983_;
-                                                let _e1384 = triangles.member[(0u + _e1019)].v2_;
-                                                if (_e1368 > _e1384.x) {
-                                                    phi_1992_ = _e1368;
+                                                let _e1379 = phi_1983_;
+                                                let _e1381 = triangles.member[(0u + _e1016)].v2_;
+                                                if (_e1365 > _e1381.x) {
+                                                    phi_1992_ = _e1365;
                                                 } else {
-                                                    phi_1992_ = _e1384.x;
+                                                    phi_1992_ = _e1381.x;
                                                 }
-                                                let _e1389 = phi_1992_;
-                                                if (_e1375 > _e1384.y) {
-                                                    phi_1999_ = _e1375;
+                                                let _e1386 = phi_1992_;
+                                                if (_e1372 > _e1381.y) {
+                                                    phi_1999_ = _e1372;
                                                 } else {
-                                                    phi_1999_ = _e1384.y;
+                                                    phi_1999_ = _e1381.y;
                                                 }
-                                                let _e1394 = phi_1999_;
-                                                if (_e1382 > _e1384.z) {
-                                                    phi_2006_ = _e1382;
+                                                let _e1391 = phi_1999_;
+                                                if (_e1379 > _e1381.z) {
+                                                    phi_2006_ = _e1379;
                                                 } else {
-                                                    phi_2006_ = _e1384.z;
+                                                    phi_2006_ = _e1381.z;
                                                 }
-                                                let _e1399 = phi_2006_;
-                                                let _e1406 = ((_e1347 - _e150.origin.x) * _e304);
-                                                let _e1407 = ((_e1352 - _e150.origin.y) * _e316);
-                                                let _e1408 = ((_e1357 - _e150.origin.z) * _e328);
-                                                let _e1415 = ((_e1389 - _e150.origin.x) * _e304);
-                                                let _e1416 = ((_e1394 - _e150.origin.y) * _e316);
-                                                let _e1417 = ((_e1399 - _e150.origin.z) * _e328);
-                                                if (_e1406 < _e1415) {
-                                                    phi_2029_ = _e1406;
+                                                let _e1396 = phi_2006_;
+                                                let _e1403 = ((_e1344 - _e150.origin.x) * _e303);
+                                                let _e1404 = ((_e1349 - _e150.origin.y) * _e314);
+                                                let _e1405 = ((_e1354 - _e150.origin.z) * _e325);
+                                                let _e1412 = ((_e1386 - _e150.origin.x) * _e303);
+                                                let _e1413 = ((_e1391 - _e150.origin.y) * _e314);
+                                                let _e1414 = ((_e1396 - _e150.origin.z) * _e325);
+                                                if (_e1403 < _e1412) {
+                                                    phi_2029_ = _e1403;
                                                 } else {
-                                                    phi_2029_ = _e1415;
+                                                    phi_2029_ = _e1412;
                                                 }
-                                                let _e1420 = phi_2029_;
-                                                if (_e1407 < _e1416) {
-                                                    phi_2034_ = _e1407;
+                                                let _e1417 = phi_2029_;
+                                                if (_e1404 < _e1413) {
+                                                    phi_2034_ = _e1404;
                                                 } else {
-                                                    phi_2034_ = _e1416;
+                                                    phi_2034_ = _e1413;
                                                 }
-                                                let _e1423 = phi_2034_;
-                                                if (_e1408 < _e1417) {
-                                                    phi_2039_ = _e1408;
+                                                let _e1420 = phi_2034_;
+                                                if (_e1405 < _e1414) {
+                                                    phi_2039_ = _e1405;
                                                 } else {
-                                                    phi_2039_ = _e1417;
+                                                    phi_2039_ = _e1414;
                                                 }
-                                                let _e1426 = phi_2039_;
-                                                if (_e1406 > _e1415) {
-                                                    phi_2047_ = _e1406;
+                                                let _e1423 = phi_2039_;
+                                                if (_e1403 > _e1412) {
+                                                    phi_2047_ = _e1403;
                                                 } else {
-                                                    phi_2047_ = _e1415;
+                                                    phi_2047_ = _e1412;
                                                 }
-                                                let _e1432 = phi_2047_;
-                                                if (_e1407 > _e1416) {
-                                                    phi_2052_ = _e1407;
+                                                let _e1429 = phi_2047_;
+                                                if (_e1404 > _e1413) {
+                                                    phi_2052_ = _e1404;
                                                 } else {
-                                                    phi_2052_ = _e1416;
+                                                    phi_2052_ = _e1413;
                                                 }
-                                                let _e1435 = phi_2052_;
-                                                if (_e1408 > _e1417) {
-                                                    phi_2057_ = _e1408;
+                                                let _e1432 = phi_2052_;
+                                                if (_e1405 > _e1414) {
+                                                    phi_2057_ = _e1405;
                                                 } else {
-                                                    phi_2057_ = _e1417;
+                                                    phi_2057_ = _e1414;
                                                 }
-                                                let _e1438 = phi_2057_;
-                                                let _e1442 = core_intrinsics_maximum_number_nsz_f32_((_e1420 - _e372), (_e1423 - _e373));
-                                                let _e1443 = core_intrinsics_maximum_number_nsz_f32_(_e1442, (_e1426 - _e374));
-                                                let _e1444 = core_intrinsics_minimum_number_nsz_f32_((_e1432 + _e372), (_e1435 + _e373));
-                                                let _e1445 = core_intrinsics_minimum_number_nsz_f32_(_e1444, (_e1438 + _e374));
-                                                if (_e1443 > -300000000000000000000000000000000000000f) {
-                                                    phi_2069_ = _e1443;
+                                                let _e1435 = phi_2057_;
+                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_((_e1417 - _e369), (_e1420 - _e370));
+                                                let _e1440 = core_intrinsics_maximum_number_nsz_f32_(_e1439, (_e1423 - _e371));
+                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_((_e1429 + _e369), (_e1432 + _e370));
+                                                let _e1442 = core_intrinsics_minimum_number_nsz_f32_(_e1441, (_e1435 + _e371));
+                                                if (_e1440 > -300000000000000000000000000000000000000f) {
+                                                    phi_2069_ = _e1440;
                                                 } else {
                                                     phi_2069_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1448 = phi_2069_;
-                                                if (_e1445 < 300000000000000000000000000000000000000f) {
-                                                    phi_2074_ = _e1445;
+                                                let _e1445 = phi_2069_;
+                                                if (_e1442 < 300000000000000000000000000000000000000f) {
+                                                    phi_2074_ = _e1442;
                                                 } else {
                                                     phi_2074_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1451 = phi_2074_;
-                                                if (_e1311 < _e1448) {
-                                                    phi_2079_ = _e1448;
+                                                let _e1448 = phi_2074_;
+                                                if (_e1308 < _e1445) {
+                                                    phi_2079_ = _e1445;
                                                 } else {
-                                                    phi_2079_ = _e1311;
+                                                    phi_2079_ = _e1308;
                                                 }
-                                                let _e1454 = phi_2079_;
-                                                if (_e1454 > _e1451) {
+                                                let _e1451 = phi_2079_;
+                                                if (_e1451 > _e1448) {
+                                                    phi_2084_ = _e1448;
+                                                } else {
                                                     phi_2084_ = _e1451;
-                                                } else {
-                                                    phi_2084_ = _e1454;
                                                 }
-                                                let _e1457 = phi_2084_;
-                                                phi_2089_ = lt_bvh_triangle_Intersection(_e1457, (_e1150 / _e1209), (_e1171 / _e1209), (_e1448 <= _e1451));
+                                                let _e1454 = phi_2084_;
+                                                phi_2089_ = lt_bvh_triangle_Intersection(_e1454, (_e1147 / _e1206), (_e1168 / _e1206), (_e1445 <= _e1448));
                                                 phi_2090_ = false;
                                             } else {
                                                 phi_2089_ = lt_bvh_triangle_Intersection();
                                                 phi_2090_ = true;
                                             }
-                                            let _e1463 = phi_2089_;
-                                            let _e1465 = phi_2090_;
-                                            phi_2091_ = _e1463;
-                                            phi_2092_ = _e1465;
+                                            let _e1460 = phi_2089_;
+                                            let _e1462 = phi_2090_;
+                                            phi_2091_ = _e1460;
+                                            phi_2092_ = _e1462;
                                         } else {
                                             phi_2091_ = lt_bvh_triangle_Intersection();
                                             phi_2092_ = true;
                                         }
-                                        let _e1467 = phi_2091_;
-                                        let _e1469 = phi_2092_;
-                                        if _e1469 {
+                                        let _e1464 = phi_2091_;
+                                        let _e1466 = phi_2092_;
+                                        if _e1466 {
                                         }
-                                        phi_2096_ = _e1467;
-                                        phi_2097_ = _e1469;
+                                        phi_2096_ = _e1464;
+                                        phi_2097_ = _e1466;
                                     }
-                                    let _e1471 = phi_2096_;
-                                    let _e1473 = phi_2097_;
-                                    phi_2098_ = _e1471;
-                                    phi_2099_ = _e1212;
-                                    phi_2100_ = _e1473;
+                                    let _e1468 = phi_2096_;
+                                    let _e1470 = phi_2097_;
+                                    phi_2098_ = _e1468;
+                                    phi_2099_ = _e1209;
+                                    phi_2100_ = _e1470;
                                 } else {
                                     phi_2098_ = lt_bvh_triangle_Intersection();
                                     phi_2099_ = true;
                                     phi_2100_ = false;
                                 }
-                                let _e1475 = phi_2098_;
-                                let _e1477 = phi_2099_;
-                                let _e1479 = phi_2100_;
-                                if _e1477 {
+                                let _e1472 = phi_2098_;
+                                let _e1474 = phi_2099_;
+                                let _e1476 = phi_2100_;
+                                if _e1474 {
                                     phi_2104_ = true;
                                 } else {
-                                    phi_2104_ = _e1479;
+                                    phi_2104_ = _e1476;
                                 }
-                                let _e1481 = phi_2104_;
-                                if _e1481 {
+                                let _e1478 = phi_2104_;
+                                if _e1478 {
                                     phi_2108_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2108_ = _e1475;
+                                    phi_2108_ = _e1472;
                                 }
-                                let _e1483 = phi_2108_;
-                                if _e1483.is_hit {
-                                    if (_e1483.t > _e150.tmin) {
-                                        if (_e1483.t < _e1008.t) {
+                                let _e1480 = phi_2108_;
+                                if _e1480.is_hit {
+                                    if (_e1480.t > _e150.tmin) {
+                                        if (_e1480.t < _e1005.t) {
                                             phi_2157_ = true;
                                         } else {
-                                            if (_e1483.t == _e1008.t) {
-                                                if (_e1008.triangle != 4294967295u) {
-                                                    if (_e1019 < _e1008.triangle) {
+                                            if (_e1480.t == _e1005.t) {
+                                                if (_e1005.triangle != 4294967295u) {
+                                                    if (_e1016 < _e1005.triangle) {
                                                         phi_2148_ = true;
                                                     } else {
-                                                        if (_e1019 == _e1008.triangle) {
-                                                            phi_2147_ = (4294967295u < _e1008.instance);
+                                                        if (_e1016 == _e1005.triangle) {
+                                                            phi_2147_ = (4294967295u < _e1005.instance);
                                                         } else {
                                                             phi_2147_ = false;
                                                         }
-                                                        let _e1502 = phi_2147_;
-                                                        phi_2148_ = _e1502;
+                                                        let _e1499 = phi_2147_;
+                                                        phi_2148_ = _e1499;
                                                     }
-                                                    let _e1504 = phi_2148_;
-                                                    phi_2149_ = _e1504;
+                                                    let _e1501 = phi_2148_;
+                                                    phi_2149_ = _e1501;
                                                     phi_2150_ = false;
                                                 } else {
                                                     phi_2149_ = bool();
                                                     phi_2150_ = true;
                                                 }
-                                                let _e1506 = phi_2149_;
-                                                let _e1508 = phi_2150_;
-                                                phi_2151_ = _e1506;
-                                                phi_2152_ = _e1508;
+                                                let _e1503 = phi_2149_;
+                                                let _e1505 = phi_2150_;
+                                                phi_2151_ = _e1503;
+                                                phi_2152_ = _e1505;
                                             } else {
                                                 phi_2151_ = bool();
                                                 phi_2152_ = true;
                                             }
-                                            let _e1510 = phi_2151_;
-                                            let _e1512 = phi_2152_;
-                                            if _e1512 {
+                                            let _e1507 = phi_2151_;
+                                            let _e1509 = phi_2152_;
+                                            if _e1509 {
                                                 phi_2156_ = false;
                                             } else {
-                                                phi_2156_ = _e1510;
+                                                phi_2156_ = _e1507;
                                             }
-                                            let _e1514 = phi_2156_;
-                                            phi_2157_ = _e1514;
+                                            let _e1511 = phi_2156_;
+                                            phi_2157_ = _e1511;
                                         }
-                                        let _e1516 = phi_2157_;
-                                        if _e1516 {
-                                            let _e1518 = triangles.member[(0u + _e1019)].i0_;
-                                            if ((_e1518 & 2147483648u) == 0u) {
+                                        let _e1513 = phi_2157_;
+                                        if _e1513 {
+                                            let _e1515 = triangles.member[(0u + _e1016)].i0_;
+                                            if ((_e1515 & 2147483648u) == 0u) {
                                                 phi_2171_ = true;
                                             } else {
                                                 if true {
                                                 }
                                                 phi_2171_ = true;
                                             }
-                                            let _e1522 = phi_2171_;
-                                            if _e1522 {
-                                                phi_2179_ = lt_bvh_Hit(_e1483.t, _e1483.u, _e1483.v, _e1019, 4294967295u);
+                                            let _e1519 = phi_2171_;
+                                            if _e1519 {
+                                                phi_2179_ = lt_bvh_Hit(_e1480.t, _e1480.u, _e1480.v, _e1016, 4294967295u);
                                             } else {
-                                                phi_2179_ = _e1008;
+                                                phi_2179_ = _e1005;
                                             }
-                                            let _e1528 = phi_2179_;
-                                            phi_2180_ = _e1528;
+                                            let _e1525 = phi_2179_;
+                                            phi_2180_ = _e1525;
                                         } else {
-                                            phi_2180_ = _e1008;
+                                            phi_2180_ = _e1005;
                                         }
-                                        let _e1530 = phi_2180_;
-                                        phi_2181_ = _e1530;
+                                        let _e1527 = phi_2180_;
+                                        phi_2181_ = _e1527;
                                     } else {
-                                        phi_2181_ = _e1008;
+                                        phi_2181_ = _e1005;
                                     }
-                                    let _e1532 = phi_2181_;
-                                    phi_2182_ = _e1532;
+                                    let _e1529 = phi_2181_;
+                                    phi_2182_ = _e1529;
                                 } else {
-                                    phi_2182_ = _e1008;
+                                    phi_2182_ = _e1005;
                                 }
-                                let _e1534 = phi_2182_;
-                                phi_1522_ = _e1534;
-                                phi_1525_ = (_e1010 & (_e1010 - 1u));
+                                let _e1531 = phi_2182_;
+                                phi_1522_ = _e1531;
+                                phi_1525_ = (_e1007 & (_e1007 - 1u));
                                 phi_2183_ = true;
                             }
-                            let _e1536 = phi_1522_;
-                            let _e1538 = phi_1525_;
-                            let _e1540 = phi_2183_;
+                            let _e1533 = phi_1522_;
+                            let _e1535 = phi_1525_;
+                            let _e1537 = phi_2183_;
                             continue;
                             continuing {
-                                phi_1521_ = _e1536;
-                                phi_1524_ = _e1538;
-                                break if !(_e1540);
+                                phi_1521_ = _e1533;
+                                phi_1524_ = _e1535;
+                                break if !(_e1537);
                             }
                         }
-                        let _e1543 = local_1.group_mask;
-                        if ((_e1543 & 4278190080u) == 0u) {
-                            let _e1547 = local_1.len;
-                            if (_e1547 == 0u) {
+                        let _e1540 = local_1.group_mask;
+                        if ((_e1540 & 4278190080u) == 0u) {
+                            let _e1544 = local_1.len;
+                            if (_e1544 == 0u) {
                                 phi_2222_ = false;
                             } else {
+                                let _e1548 = local_1.len;
+                                local_1.len = (_e1548 - 1u);
                                 let _e1551 = local_1.len;
-                                local_1.len = (_e1551 - 1u);
-                                let _e1554 = local_1.len;
-                                if (_e1554 < 32u) {
+                                if (_e1551 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1559 = local_1.first[(0u + _e1554)];
-                                local_1.group = _e1559;
-                                let _e1562 = local_1.len;
-                                if (_e1562 < 32u) {
+                                let _e1556 = local_1.first[(0u + _e1551)];
+                                local_1.group = _e1556;
+                                let _e1559 = local_1.len;
+                                if (_e1559 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1567 = local_1.mask[(0u + _e1562)];
-                                local_1.group_mask = _e1567;
+                                let _e1564 = local_1.mask[(0u + _e1559)];
+                                local_1.group_mask = _e1564;
                                 phi_2222_ = true;
                             }
-                            let _e1570 = phi_2222_;
-                            phi_2223_ = _e1570;
+                            let _e1567 = phi_2222_;
+                            phi_2223_ = _e1567;
                         } else {
                             phi_2223_ = true;
                         }
-                        let _e1572 = phi_2223_;
-                        if _e1572 {
-                            let _e1574 = local_1.group_mask;
-                            let _e1580 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1574)), 32u, (_e1574 == 0u)));
-                            let _e1584 = local_1.group_mask;
-                            let _e1598 = local_1.group_mask;
-                            local_1.group_mask = (_e1598 & ~((1u << bitcast<u32>((_e1580 & 31u)))));
-                            let _e1601 = local_1.group;
-                            phi_2254_ = (_e1601 + countOneBits(((_e1584 & ~((4294967295u << bitcast<u32>((((_e1580 - 24u) ^ _e427) & 31u))))) & 255u)));
+                        let _e1569 = phi_2223_;
+                        if _e1569 {
+                            let _e1571 = local_1.group_mask;
+                            let _e1577 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1571)), 32u, (_e1571 == 0u)));
+                            let _e1581 = local_1.group_mask;
+                            let _e1595 = local_1.group_mask;
+                            local_1.group_mask = (_e1595 & ~((1u << bitcast<u32>((_e1577 & 31u)))));
+                            let _e1598 = local_1.group;
+                            phi_2254_ = (_e1598 + countOneBits(((_e1581 & ~((4294967295u << bitcast<u32>((((_e1577 - 24u) ^ _e424) & 31u))))) & 255u)));
                         } else {
                             phi_2254_ = 4294967295u;
                         }
-                        let _e1604 = phi_2254_;
-                        let _e2448 = local_5;
-                        phi_1185_ = _e2448;
-                        phi_1188_ = _e1604;
+                        let _e1601 = phi_2254_;
+                        let _e2445 = local_5;
+                        phi_1185_ = _e2445;
+                        phi_1188_ = _e1601;
                     } else {
                         phi_1185_ = lt_bvh_Hit();
                         phi_1188_ = u32();
                     }
-                    let _e1606 = phi_1185_;
-                    let _e1608 = phi_1188_;
+                    let _e1603 = phi_1185_;
+                    let _e1605 = phi_1188_;
                     continue;
                     continuing {
-                        phi_1184_ = _e1606;
-                        phi_1187_ = _e1608;
-                        break if !(_e568);
+                        phi_1184_ = _e1603;
+                        phi_1187_ = _e1605;
+                        break if !(_e565);
                     }
                 }
-                let _e2452 = local_6;
-                phi_2255_ = _e2452;
+                let _e2449 = local_6;
+                phi_2255_ = _e2449;
             }
-            let _e1611 = phi_2255_;
-            phi_2256_ = _e1611;
+            let _e1608 = phi_2255_;
+            phi_2256_ = _e1608;
             phi_2257_ = _e222;
         } else {
             phi_2256_ = lt_bvh_Hit();
             phi_2257_ = true;
         }
-        let _e1613 = phi_2256_;
-        let _e1615 = phi_2257_;
-        if _e1615 {
+        let _e1610 = phi_2256_;
+        let _e1612 = phi_2257_;
+        if _e1612 {
             phi_2261_ = _e152;
         } else {
-            phi_2261_ = _e1613;
+            phi_2261_ = _e1610;
         }
-        let _e1617 = phi_2261_;
-        if (_e1617.triangle != 4294967295u) {
-            let _e1623 = ((1f - _e1617.u) - _e1617.v);
-            if (_e1617.triangle < _e77) {
+        let _e1614 = phi_2261_;
+        if (_e1614.triangle != 4294967295u) {
+            let _e1620 = ((1f - _e1614.u) - _e1614.v);
+            if (_e1614.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1628 = triangles.member[(0u + _e1617.triangle)];
-            let _e1653 = (((_e1628.v0_.x * _e1623) + (_e1628.v1_.x * _e1617.u)) + (_e1628.v2_.x * _e1617.v));
-            let _e1654 = (((_e1628.v0_.y * _e1623) + (_e1628.v1_.y * _e1617.u)) + (_e1628.v2_.y * _e1617.v));
-            let _e1655 = (((_e1628.v0_.z * _e1623) + (_e1628.v1_.z * _e1617.u)) + (_e1628.v2_.z * _e1617.v));
-            let _e1658 = abs(_e1628.v0_.x);
-            let _e1660 = abs(_e1628.v0_.y);
-            let _e1662 = abs(_e1628.v0_.z);
-            let _e1664 = abs(_e1628.v1_.x);
-            let _e1666 = abs(_e1628.v1_.y);
-            let _e1668 = abs(_e1628.v1_.z);
-            if (_e1658 > _e1664) {
-                phi_2325_ = _e1658;
+            let _e1625 = triangles.member[(0u + _e1614.triangle)];
+            let _e1650 = (((_e1625.v0_.x * _e1620) + (_e1625.v1_.x * _e1614.u)) + (_e1625.v2_.x * _e1614.v));
+            let _e1651 = (((_e1625.v0_.y * _e1620) + (_e1625.v1_.y * _e1614.u)) + (_e1625.v2_.y * _e1614.v));
+            let _e1652 = (((_e1625.v0_.z * _e1620) + (_e1625.v1_.z * _e1614.u)) + (_e1625.v2_.z * _e1614.v));
+            let _e1655 = abs(_e1625.v0_.x);
+            let _e1657 = abs(_e1625.v0_.y);
+            let _e1659 = abs(_e1625.v0_.z);
+            let _e1661 = abs(_e1625.v1_.x);
+            let _e1663 = abs(_e1625.v1_.y);
+            let _e1665 = abs(_e1625.v1_.z);
+            if (_e1655 > _e1661) {
+                phi_2325_ = _e1655;
             } else {
-                phi_2325_ = _e1664;
+                phi_2325_ = _e1661;
             }
-            let _e1671 = phi_2325_;
-            if (_e1660 > _e1666) {
-                phi_2330_ = _e1660;
+            let _e1668 = phi_2325_;
+            if (_e1657 > _e1663) {
+                phi_2330_ = _e1657;
             } else {
-                phi_2330_ = _e1666;
+                phi_2330_ = _e1663;
             }
-            let _e1674 = phi_2330_;
-            if (_e1662 > _e1668) {
-                phi_2335_ = _e1662;
+            let _e1671 = phi_2330_;
+            if (_e1659 > _e1665) {
+                phi_2335_ = _e1659;
             } else {
-                phi_2335_ = _e1668;
+                phi_2335_ = _e1665;
             }
-            let _e1677 = phi_2335_;
-            let _e1679 = abs(_e1628.v2_.x);
-            let _e1681 = abs(_e1628.v2_.y);
-            let _e1683 = abs(_e1628.v2_.z);
-            if (_e1671 > _e1679) {
-                phi_2346_ = _e1671;
+            let _e1674 = phi_2335_;
+            let _e1676 = abs(_e1625.v2_.x);
+            let _e1678 = abs(_e1625.v2_.y);
+            let _e1680 = abs(_e1625.v2_.z);
+            if (_e1668 > _e1676) {
+                phi_2346_ = _e1668;
             } else {
-                phi_2346_ = _e1679;
+                phi_2346_ = _e1676;
             }
-            let _e1686 = phi_2346_;
-            if (_e1674 > _e1681) {
-                phi_2351_ = _e1674;
+            let _e1683 = phi_2346_;
+            if (_e1671 > _e1678) {
+                phi_2351_ = _e1671;
             } else {
-                phi_2351_ = _e1681;
+                phi_2351_ = _e1678;
             }
-            let _e1689 = phi_2351_;
-            if (_e1677 > _e1683) {
-                phi_2356_ = _e1677;
+            let _e1686 = phi_2351_;
+            if (_e1674 > _e1680) {
+                phi_2356_ = _e1674;
             } else {
-                phi_2356_ = _e1683;
+                phi_2356_ = _e1680;
             }
-            let _e1692 = phi_2356_;
-            let _e1695 = (_e1628.v1_.x - _e1628.v0_.x);
-            let _e1698 = (_e1628.v1_.y - _e1628.v0_.y);
-            let _e1701 = (_e1628.v1_.z - _e1628.v0_.z);
-            let _e1704 = (_e1628.v2_.x - _e1628.v0_.x);
-            let _e1707 = (_e1628.v2_.y - _e1628.v0_.y);
-            let _e1710 = (_e1628.v2_.z - _e1628.v0_.z);
-            let _e1714 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1698), abs(_e1701));
-            let _e1715 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), _e1714);
-            let _e1716 = (_e1695 / _e1715);
-            let _e1717 = (_e1698 / _e1715);
-            let _e1718 = (_e1701 / _e1715);
-            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1707), abs(_e1710));
-            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), _e1722);
-            let _e1724 = (_e1704 / _e1723);
-            let _e1725 = (_e1707 / _e1723);
-            let _e1726 = (_e1710 / _e1723);
-            let _e1729 = ((_e1717 * _e1726) - (_e1725 * _e1718));
-            let _e1732 = ((_e1718 * _e1724) - (_e1726 * _e1716));
-            let _e1735 = ((_e1716 * _e1725) - (_e1724 * _e1717));
-            let _e1737 = p.member.eye;
-            let _e1750 = (1f / sqrt((((_e1729 * _e1729) + (_e1732 * _e1732)) + (_e1735 * _e1735))));
-            let _e1751 = (_e1729 * _e1750);
-            let _e1752 = (_e1732 * _e1750);
-            let _e1753 = (_e1735 * _e1750);
-            if ((((_e1751 * (_e1737.x - _e1653)) + (_e1752 * (_e1737.y - _e1654))) + (_e1753 * (_e1737.z - _e1655))) < 0f) {
-                phi_2432_ = vec3<f32>(-(_e1751), -(_e1752), -(_e1753));
+            let _e1689 = phi_2356_;
+            let _e1692 = (_e1625.v1_.x - _e1625.v0_.x);
+            let _e1695 = (_e1625.v1_.y - _e1625.v0_.y);
+            let _e1698 = (_e1625.v1_.z - _e1625.v0_.z);
+            let _e1701 = (_e1625.v2_.x - _e1625.v0_.x);
+            let _e1704 = (_e1625.v2_.y - _e1625.v0_.y);
+            let _e1707 = (_e1625.v2_.z - _e1625.v0_.z);
+            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), abs(_e1698));
+            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1692), _e1711);
+            let _e1713 = (_e1692 / _e1712);
+            let _e1714 = (_e1695 / _e1712);
+            let _e1715 = (_e1698 / _e1712);
+            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), abs(_e1707));
+            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1701), _e1719);
+            let _e1721 = (_e1701 / _e1720);
+            let _e1722 = (_e1704 / _e1720);
+            let _e1723 = (_e1707 / _e1720);
+            let _e1726 = ((_e1714 * _e1723) - (_e1722 * _e1715));
+            let _e1729 = ((_e1715 * _e1721) - (_e1723 * _e1713));
+            let _e1732 = ((_e1713 * _e1722) - (_e1721 * _e1714));
+            let _e1734 = p.member.eye;
+            let _e1747 = (1f / sqrt((((_e1726 * _e1726) + (_e1729 * _e1729)) + (_e1732 * _e1732))));
+            let _e1748 = (_e1726 * _e1747);
+            let _e1749 = (_e1729 * _e1747);
+            let _e1750 = (_e1732 * _e1747);
+            if ((((_e1748 * (_e1734.x - _e1650)) + (_e1749 * (_e1734.y - _e1651))) + (_e1750 * (_e1734.z - _e1652))) < 0f) {
+                phi_2432_ = vec3<f32>(-(_e1748), -(_e1749), -(_e1750));
             } else {
-                phi_2432_ = vec3<f32>(_e1751, _e1752, _e1753);
+                phi_2432_ = vec3<f32>(_e1748, _e1749, _e1750);
             }
-            let _e1766 = phi_2432_;
-            if (_e1617.triangle < _e77) {
-            } else {
-                return;
-            }
-            let _e1771 = triangles.member[(0u + _e1617.triangle)];
-            let _e1773 = (_e1771.i0_ & 2147483647u);
-            if (_e1773 < _e80) {
+            let _e1763 = phi_2432_;
+            if (_e1614.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1779 = vertices.member[(0u + _e1773)];
-            if (_e1771.i1_ < _e80) {
+            let _e1768 = triangles.member[(0u + _e1614.triangle)];
+            let _e1770 = (_e1768.i0_ & 2147483647u);
+            if (_e1770 < _e80) {
             } else {
                 return;
             }
-            let _e1783 = vertices.member[(0u + _e1771.i1_)];
-            if (_e1771.i2_ < _e80) {
+            let _e1776 = vertices.member[(0u + _e1770)];
+            if (_e1768.i1_ < _e80) {
             } else {
                 return;
             }
-            let _e1787 = vertices.member[(0u + _e1771.i2_)];
-            let _e1788 = array<abi_Vertex, 3>(_e1779, _e1783, _e1787);
-            if (_e1788[0].material < arrayLength((&materials.member))) {
+            let _e1780 = vertices.member[(0u + _e1768.i1_)];
+            if (_e1768.i2_ < _e80) {
             } else {
                 return;
             }
-            let _e1794 = materials.member[(0u + _e1788[0].material)];
-            let _e1811 = (1f / 255f);
-            let _e1830 = (1f / 255f);
-            let _e1852 = (1f / 255f);
-            if (_e1794.color_size == 0u) {
+            let _e1784 = vertices.member[(0u + _e1768.i2_)];
+            let _e1785 = array<abi_Vertex, 3>(_e1776, _e1780, _e1784);
+            if (_e1785[0].material < arrayLength((&materials.member))) {
+            } else {
+                return;
+            }
+            let _e1791 = materials.member[(0u + _e1785[0].material)];
+            let _e1808 = (1f / 255f);
+            let _e1827 = (1f / 255f);
+            let _e1849 = (1f / 255f);
+            if (_e1791.color_size == 0u) {
                 phi_2675_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1794.color_offset;
-                local.size = _e1794.color_size;
-                local.flags = _e1794.flags;
-                let _e1895 = _lt_shaders_texture_TextureView_quad((&local), (((_e1788[0].u * _e1623) + (_e1788[1].u * _e1617.u)) + (_e1788[2].u * _e1617.v)), (((_e1788[0].v * _e1623) + (_e1788[1].v * _e1617.u)) + (_e1788[2].v * _e1617.v)));
-                if (_e1895.indices[0] < _e89) {
+                local.offset = _e1791.color_offset;
+                local.size = _e1791.color_size;
+                local.flags = _e1791.flags;
+                let _e1892 = _lt_shaders_texture_TextureView_quad((&local), (((_e1785[0].u * _e1620) + (_e1785[1].u * _e1614.u)) + (_e1785[2].u * _e1614.v)), (((_e1785[0].v * _e1620) + (_e1785[1].v * _e1614.u)) + (_e1785[2].v * _e1614.v)));
+                if (_e1892.indices[0] < _e89) {
                 } else {
                     return;
                 }
-                let _e1901 = color_texels.member[(0u + _e1895.indices[0])];
-                let _e1912 = (1f / 255f);
-                if (_e1895.indices[1] < _e89) {
+                let _e1898 = color_texels.member[(0u + _e1892.indices[0])];
+                let _e1909 = (1f / 255f);
+                if (_e1892.indices[1] < _e89) {
                 } else {
                     return;
                 }
-                let _e1926 = color_texels.member[(0u + _e1895.indices[1])];
-                let _e1937 = (1f / 255f);
-                if (_e1895.indices[2] < _e89) {
+                let _e1923 = color_texels.member[(0u + _e1892.indices[1])];
+                let _e1934 = (1f / 255f);
+                if (_e1892.indices[2] < _e89) {
                 } else {
                     return;
                 }
-                let _e1954 = color_texels.member[(0u + _e1895.indices[2])];
-                let _e1965 = (1f / 255f);
-                if (_e1895.indices[3] < _e89) {
+                let _e1951 = color_texels.member[(0u + _e1892.indices[2])];
+                let _e1962 = (1f / 255f);
+                if (_e1892.indices[3] < _e89) {
                 } else {
                     return;
                 }
-                let _e1982 = color_texels.member[(0u + _e1895.indices[3])];
-                let _e1993 = (1f / 255f);
-                let _e2002 = (((((f32((_e1901 & 255u)) * _e1912) * _e1895.weights.x) + ((f32((_e1926 & 255u)) * _e1937) * _e1895.weights.y)) + ((f32((_e1954 & 255u)) * _e1965) * _e1895.weights.z)) + ((f32((_e1982 & 255u)) * _e1993) * _e1895.weights.w));
-                let _e2003 = (((((f32(((_e1901 >> bitcast<u32>(8i)) & 255u)) * _e1912) * _e1895.weights.x) + ((f32(((_e1926 >> bitcast<u32>(8i)) & 255u)) * _e1937) * _e1895.weights.y)) + ((f32(((_e1954 >> bitcast<u32>(8i)) & 255u)) * _e1965) * _e1895.weights.z)) + ((f32(((_e1982 >> bitcast<u32>(8i)) & 255u)) * _e1993) * _e1895.weights.w));
-                let _e2004 = (((((f32(((_e1901 >> bitcast<u32>(16i)) & 255u)) * _e1912) * _e1895.weights.x) + ((f32(((_e1926 >> bitcast<u32>(16i)) & 255u)) * _e1937) * _e1895.weights.y)) + ((f32(((_e1954 >> bitcast<u32>(16i)) & 255u)) * _e1965) * _e1895.weights.z)) + ((f32(((_e1982 >> bitcast<u32>(16i)) & 255u)) * _e1993) * _e1895.weights.w));
-                phi_2675_ = vec3<f32>((_e2002 * _e2002), (_e2003 * _e2003), (_e2004 * _e2004));
+                let _e1979 = color_texels.member[(0u + _e1892.indices[3])];
+                let _e1990 = (1f / 255f);
+                let _e1999 = (((((f32((_e1898 & 255u)) * _e1909) * _e1892.weights.x) + ((f32((_e1923 & 255u)) * _e1934) * _e1892.weights.y)) + ((f32((_e1951 & 255u)) * _e1962) * _e1892.weights.z)) + ((f32((_e1979 & 255u)) * _e1990) * _e1892.weights.w));
+                let _e2000 = (((((f32(((_e1898 >> bitcast<u32>(8i)) & 255u)) * _e1909) * _e1892.weights.x) + ((f32(((_e1923 >> bitcast<u32>(8i)) & 255u)) * _e1934) * _e1892.weights.y)) + ((f32(((_e1951 >> bitcast<u32>(8i)) & 255u)) * _e1962) * _e1892.weights.z)) + ((f32(((_e1979 >> bitcast<u32>(8i)) & 255u)) * _e1990) * _e1892.weights.w));
+                let _e2001 = (((((f32(((_e1898 >> bitcast<u32>(16i)) & 255u)) * _e1909) * _e1892.weights.x) + ((f32(((_e1923 >> bitcast<u32>(16i)) & 255u)) * _e1934) * _e1892.weights.y)) + ((f32(((_e1951 >> bitcast<u32>(16i)) & 255u)) * _e1962) * _e1892.weights.z)) + ((f32(((_e1979 >> bitcast<u32>(16i)) & 255u)) * _e1990) * _e1892.weights.w));
+                phi_2675_ = vec3<f32>((_e1999 * _e1999), (_e2000 * _e2000), (_e2001 * _e2001));
             }
-            let _e2010 = phi_2675_;
-            let _e2012 = ((_e1794.base_color.x * ((((f32((_e1788[0].color & 255u)) * _e1811) * _e1623) + ((f32((_e1788[1].color & 255u)) * _e1830) * _e1617.u)) + ((f32((_e1788[2].color & 255u)) * _e1852) * _e1617.v))) * _e2010.x);
-            let _e2014 = ((_e1794.base_color.y * ((((f32(((_e1788[0].color >> bitcast<u32>(8i)) & 255u)) * _e1811) * _e1623) + ((f32(((_e1788[1].color >> bitcast<u32>(8i)) & 255u)) * _e1830) * _e1617.u)) + ((f32(((_e1788[2].color >> bitcast<u32>(8i)) & 255u)) * _e1852) * _e1617.v))) * _e2010.y);
-            let _e2016 = ((_e1794.base_color.z * ((((f32(((_e1788[0].color >> bitcast<u32>(16i)) & 255u)) * _e1811) * _e1623) + ((f32(((_e1788[1].color >> bitcast<u32>(16i)) & 255u)) * _e1830) * _e1617.u)) + ((f32(((_e1788[2].color >> bitcast<u32>(16i)) & 255u)) * _e1852) * _e1617.v))) * _e2010.z);
-            let _e2017 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1689, _e1692);
-            let _e2018 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e2017);
-            if ((_e1794.flags & 2u) == 0u) {
+            let _e2007 = phi_2675_;
+            let _e2009 = ((_e1791.base_color.x * ((((f32((_e1785[0].color & 255u)) * _e1808) * _e1620) + ((f32((_e1785[1].color & 255u)) * _e1827) * _e1614.u)) + ((f32((_e1785[2].color & 255u)) * _e1849) * _e1614.v))) * _e2007.x);
+            let _e2011 = ((_e1791.base_color.y * ((((f32(((_e1785[0].color >> bitcast<u32>(8i)) & 255u)) * _e1808) * _e1620) + ((f32(((_e1785[1].color >> bitcast<u32>(8i)) & 255u)) * _e1827) * _e1614.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(8i)) & 255u)) * _e1849) * _e1614.v))) * _e2007.y);
+            let _e2013 = ((_e1791.base_color.z * ((((f32(((_e1785[0].color >> bitcast<u32>(16i)) & 255u)) * _e1808) * _e1620) + ((f32(((_e1785[1].color >> bitcast<u32>(16i)) & 255u)) * _e1827) * _e1614.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(16i)) & 255u)) * _e1849) * _e1614.v))) * _e2007.z);
+            let _e2014 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e1689);
+            let _e2015 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1683, _e2014);
+            if ((_e1791.flags & 2u) == 0u) {
                 phi_2690_ = 0u;
             } else {
                 phi_2690_ = 1u;
             }
-            let _e2023 = phi_2690_;
-            if (_e1788[0].normal == 2147516416u) {
-                phi_2893_ = _e1766;
+            let _e2020 = phi_2690_;
+            if (_e1785[0].normal == 2147516416u) {
+                phi_2893_ = _e1763;
             } else {
-                let _e2036 = (f32((bitcast<i32>((_e1788[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2042 = (f32((bitcast<i32>(_e1788[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2046 = ((1f - abs(_e2036)) - abs(_e2042));
-                if (_e2046 < 0f) {
-                    phi_2717_ = -(_e2046);
+                let _e2033 = (f32((bitcast<i32>((_e1785[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2039 = (f32((bitcast<i32>(_e1785[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2043 = ((1f - abs(_e2033)) - abs(_e2039));
+                if (_e2043 < 0f) {
+                    phi_2717_ = -(_e2043);
                 } else {
                     phi_2717_ = 0f;
                 }
-                let _e2050 = phi_2717_;
-                if (_e2036 < 0f) {
-                    phi_2724_ = (_e2036 + _e2050);
+                let _e2047 = phi_2717_;
+                if (_e2033 < 0f) {
+                    phi_2724_ = (_e2033 + _e2047);
                 } else {
-                    phi_2724_ = (_e2036 - _e2050);
+                    phi_2724_ = (_e2033 - _e2047);
                 }
-                let _e2055 = phi_2724_;
-                if (_e2042 < 0f) {
-                    phi_2731_ = (_e2042 + _e2050);
+                let _e2052 = phi_2724_;
+                if (_e2039 < 0f) {
+                    phi_2731_ = (_e2039 + _e2047);
                 } else {
-                    phi_2731_ = (_e2042 - _e2050);
+                    phi_2731_ = (_e2039 - _e2047);
                 }
-                let _e2060 = phi_2731_;
-                let _e2067 = (1f / sqrt((((_e2055 * _e2055) + (_e2060 * _e2060)) + (_e2046 * _e2046))));
-                let _e2083 = (f32((bitcast<i32>((_e1788[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2089 = (f32((bitcast<i32>(_e1788[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2093 = ((1f - abs(_e2083)) - abs(_e2089));
-                if (_e2093 < 0f) {
-                    phi_2766_ = -(_e2093);
+                let _e2057 = phi_2731_;
+                let _e2064 = (1f / sqrt((((_e2052 * _e2052) + (_e2057 * _e2057)) + (_e2043 * _e2043))));
+                let _e2080 = (f32((bitcast<i32>((_e1785[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2086 = (f32((bitcast<i32>(_e1785[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2090 = ((1f - abs(_e2080)) - abs(_e2086));
+                if (_e2090 < 0f) {
+                    phi_2766_ = -(_e2090);
                 } else {
                     phi_2766_ = 0f;
                 }
-                let _e2097 = phi_2766_;
-                if (_e2083 < 0f) {
-                    phi_2773_ = (_e2083 + _e2097);
+                let _e2094 = phi_2766_;
+                if (_e2080 < 0f) {
+                    phi_2773_ = (_e2080 + _e2094);
                 } else {
-                    phi_2773_ = (_e2083 - _e2097);
+                    phi_2773_ = (_e2080 - _e2094);
                 }
-                let _e2102 = phi_2773_;
-                if (_e2089 < 0f) {
-                    phi_2780_ = (_e2089 + _e2097);
+                let _e2099 = phi_2773_;
+                if (_e2086 < 0f) {
+                    phi_2780_ = (_e2086 + _e2094);
                 } else {
-                    phi_2780_ = (_e2089 - _e2097);
+                    phi_2780_ = (_e2086 - _e2094);
                 }
-                let _e2107 = phi_2780_;
-                let _e2114 = (1f / sqrt((((_e2102 * _e2102) + (_e2107 * _e2107)) + (_e2093 * _e2093))));
-                let _e2133 = (f32((bitcast<i32>((_e1788[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2139 = (f32((bitcast<i32>(_e1788[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2143 = ((1f - abs(_e2133)) - abs(_e2139));
-                if (_e2143 < 0f) {
-                    phi_2818_ = -(_e2143);
+                let _e2104 = phi_2780_;
+                let _e2111 = (1f / sqrt((((_e2099 * _e2099) + (_e2104 * _e2104)) + (_e2090 * _e2090))));
+                let _e2130 = (f32((bitcast<i32>((_e1785[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2136 = (f32((bitcast<i32>(_e1785[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2140 = ((1f - abs(_e2130)) - abs(_e2136));
+                if (_e2140 < 0f) {
+                    phi_2818_ = -(_e2140);
                 } else {
                     phi_2818_ = 0f;
                 }
-                let _e2147 = phi_2818_;
-                if (_e2133 < 0f) {
-                    phi_2825_ = (_e2133 + _e2147);
+                let _e2144 = phi_2818_;
+                if (_e2130 < 0f) {
+                    phi_2825_ = (_e2130 + _e2144);
                 } else {
-                    phi_2825_ = (_e2133 - _e2147);
+                    phi_2825_ = (_e2130 - _e2144);
                 }
-                let _e2152 = phi_2825_;
-                if (_e2139 < 0f) {
-                    phi_2832_ = (_e2139 + _e2147);
+                let _e2149 = phi_2825_;
+                if (_e2136 < 0f) {
+                    phi_2832_ = (_e2136 + _e2144);
                 } else {
-                    phi_2832_ = (_e2139 - _e2147);
+                    phi_2832_ = (_e2136 - _e2144);
                 }
-                let _e2157 = phi_2832_;
-                let _e2164 = (1f / sqrt((((_e2152 * _e2152) + (_e2157 * _e2157)) + (_e2143 * _e2143))));
-                let _e2175 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2055 * _e2067) * _e1623) + ((_e2102 * _e2114) * _e1617.u)) + ((_e2152 * _e2164) * _e1617.v)), ((((_e2060 * _e2067) * _e1623) + ((_e2107 * _e2114) * _e1617.u)) + ((_e2157 * _e2164) * _e1617.v)), ((((_e2046 * _e2067) * _e1623) + ((_e2093 * _e2114) * _e1617.u)) + ((_e2143 * _e2164) * _e1617.v))));
-                let _e2187 = sqrt((((_e2175.x * _e2175.x) + (_e2175.y * _e2175.y)) + (_e2175.z * _e2175.z)));
-                if (_e2187 > 0f) {
-                    let _e2190 = (_e2175.x / _e2187);
-                    let _e2192 = (_e2175.y / _e2187);
-                    let _e2194 = (_e2175.z / _e2187);
-                    if ((((_e2190 * _e1766.x) + (_e2192 * _e1766.y)) + (_e2194 * _e1766.z)) < 0f) {
-                        phi_2891_ = vec3<f32>(-(_e2190), -(_e2192), -(_e2194));
+                let _e2154 = phi_2832_;
+                let _e2161 = (1f / sqrt((((_e2149 * _e2149) + (_e2154 * _e2154)) + (_e2140 * _e2140))));
+                let _e2172 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2052 * _e2064) * _e1620) + ((_e2099 * _e2111) * _e1614.u)) + ((_e2149 * _e2161) * _e1614.v)), ((((_e2057 * _e2064) * _e1620) + ((_e2104 * _e2111) * _e1614.u)) + ((_e2154 * _e2161) * _e1614.v)), ((((_e2043 * _e2064) * _e1620) + ((_e2090 * _e2111) * _e1614.u)) + ((_e2140 * _e2161) * _e1614.v))));
+                let _e2184 = sqrt((((_e2172.x * _e2172.x) + (_e2172.y * _e2172.y)) + (_e2172.z * _e2172.z)));
+                if (_e2184 > 0f) {
+                    let _e2187 = (_e2172.x / _e2184);
+                    let _e2189 = (_e2172.y / _e2184);
+                    let _e2191 = (_e2172.z / _e2184);
+                    if ((((_e2187 * _e1763.x) + (_e2189 * _e1763.y)) + (_e2191 * _e1763.z)) < 0f) {
+                        phi_2891_ = vec3<f32>(-(_e2187), -(_e2189), -(_e2191));
                     } else {
-                        phi_2891_ = (_e2175 / vec3(_e2187));
+                        phi_2891_ = (_e2172 / vec3(_e2184));
                     }
-                    let _e2211 = phi_2891_;
-                    phi_2892_ = _e2211;
+                    let _e2208 = phi_2891_;
+                    phi_2892_ = _e2208;
                 } else {
-                    phi_2892_ = _e1766;
+                    phi_2892_ = _e1763;
                 }
-                let _e2213 = phi_2892_;
-                phi_2893_ = _e2213;
+                let _e2210 = phi_2892_;
+                phi_2893_ = _e2210;
             }
-            let _e2215 = phi_2893_;
-            if (_e2012 > 0f) {
-                if (_e2012 < 1f) {
-                    phi_2902_ = _e2012;
+            let _e2212 = phi_2893_;
+            if (_e2009 > 0f) {
+                if (_e2009 < 1f) {
+                    phi_2902_ = _e2009;
                 } else {
                     phi_2902_ = 1f;
                 }
-                let _e2219 = phi_2902_;
-                phi_2903_ = _e2219;
+                let _e2216 = phi_2902_;
+                phi_2903_ = _e2216;
             } else {
                 phi_2903_ = 0f;
             }
-            let _e2221 = phi_2903_;
-            if (_e2014 > 0f) {
-                if (_e2014 < 1f) {
-                    phi_2913_ = _e2014;
+            let _e2218 = phi_2903_;
+            if (_e2011 > 0f) {
+                if (_e2011 < 1f) {
+                    phi_2913_ = _e2011;
                 } else {
                     phi_2913_ = 1f;
                 }
-                let _e2226 = phi_2913_;
-                phi_2914_ = _e2226;
+                let _e2223 = phi_2913_;
+                phi_2914_ = _e2223;
             } else {
                 phi_2914_ = 0f;
             }
-            let _e2228 = phi_2914_;
-            if (_e2016 > 0f) {
-                if (_e2016 < 1f) {
-                    phi_2924_ = _e2016;
+            let _e2225 = phi_2914_;
+            if (_e2013 > 0f) {
+                if (_e2013 < 1f) {
+                    phi_2924_ = _e2013;
                 } else {
                     phi_2924_ = 1f;
                 }
-                let _e2233 = phi_2924_;
-                phi_2925_ = _e2233;
+                let _e2230 = phi_2924_;
+                phi_2925_ = _e2230;
             } else {
                 phi_2925_ = 0f;
             }
-            let _e2235 = phi_2925_;
-            let _e2238 = ((sqrt(_e2221) * 255f) + 0.5f);
-            let _e2247 = ((sqrt(_e2228) * 255f) + 0.5f);
-            let _e2259 = ((sqrt(_e2235) * 255f) + 0.5f);
-            phi_2960_ = abi_Sample(vec3<f32>(_e1653, _e1654, _e1655), _e2018, _e1766, _e2023, _e2215, ((select(select(u32(_e2238), 0u, (_e2238 < bitcast<f32>(0u))), 4294967295u, (_e2238 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2247), 0u, (_e2247 < bitcast<f32>(0u))), 4294967295u, (_e2247 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2259), 0u, (_e2259 < bitcast<f32>(0u))), 4294967295u, (_e2259 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2232 = phi_2925_;
+            let _e2235 = ((sqrt(_e2218) * 255f) + 0.5f);
+            let _e2244 = ((sqrt(_e2225) * 255f) + 0.5f);
+            let _e2256 = ((sqrt(_e2232) * 255f) + 0.5f);
+            phi_2960_ = abi_Sample(vec3<f32>(_e1650, _e1651, _e1652), _e2015, _e1763, _e2020, _e2212, ((select(select(u32(_e2235), 0u, (_e2235 < bitcast<f32>(0u))), 4294967295u, (_e2235 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2244), 0u, (_e2244 < bitcast<f32>(0u))), 4294967295u, (_e2244 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2256), 0u, (_e2256 < bitcast<f32>(0u))), 4294967295u, (_e2256 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_2960_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2273 = phi_2960_;
+        let _e2270 = phi_2960_;
         if (_e95.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e95.shift)] = _e2273;
+        samples.member[(0u + _e95.shift)] = _e2270;
     }
     return;
 }

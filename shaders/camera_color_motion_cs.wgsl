@@ -977,1370 +977,1370 @@ fn function_() {
                 } else {
                     phi_892_ = abs(_e158.direction.x);
                 }
-                let _e307 = phi_892_;
+                let _e306 = phi_892_;
                 if (_e158.direction.x < 0f) {
-                    phi_899_ = (-1f / _e307);
+                    phi_899_ = (-1f / _e306);
                 } else {
-                    phi_899_ = (1f / _e307);
+                    phi_899_ = (1f / _e306);
                 }
-                let _e312 = phi_899_;
+                let _e311 = phi_899_;
                 if (abs(_e158.direction.y) < _e300) {
                     phi_907_ = _e300;
                 } else {
                     phi_907_ = abs(_e158.direction.y);
                 }
-                let _e319 = phi_907_;
+                let _e317 = phi_907_;
                 if (_e158.direction.y < 0f) {
-                    phi_914_ = (-1f / _e319);
+                    phi_914_ = (-1f / _e317);
                 } else {
-                    phi_914_ = (1f / _e319);
+                    phi_914_ = (1f / _e317);
                 }
-                let _e324 = phi_914_;
+                let _e322 = phi_914_;
                 if (abs(_e158.direction.z) < _e300) {
                     phi_922_ = _e300;
                 } else {
                     phi_922_ = abs(_e158.direction.z);
                 }
-                let _e331 = phi_922_;
+                let _e328 = phi_922_;
                 if (_e158.direction.z < 0f) {
-                    phi_929_ = (-1f / _e331);
+                    phi_929_ = (-1f / _e328);
                 } else {
-                    phi_929_ = (1f / _e331);
+                    phi_929_ = (1f / _e328);
                 }
-                let _e336 = phi_929_;
-                let _e344 = abs((bitcast<f32>(_e236) - _e158.origin.x));
-                let _e345 = abs((bitcast<f32>(_e240) - _e158.origin.y));
-                let _e346 = abs((bitcast<f32>(_e244) - _e158.origin.z));
-                let _e354 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e260 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.x));
-                let _e355 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e260 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.y));
-                let _e356 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e260 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.z));
-                if (_e344 > _e354) {
-                    phi_954_ = _e344;
+                let _e333 = phi_929_;
+                let _e341 = abs((bitcast<f32>(_e236) - _e158.origin.x));
+                let _e342 = abs((bitcast<f32>(_e240) - _e158.origin.y));
+                let _e343 = abs((bitcast<f32>(_e244) - _e158.origin.z));
+                let _e351 = abs(((bitcast<f32>(_e248) + (bitcast<f32>((((_e260 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.x));
+                let _e352 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e260 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.y));
+                let _e353 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e260 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e158.origin.z));
+                if (_e341 > _e351) {
+                    phi_954_ = _e341;
                 } else {
-                    phi_954_ = _e354;
+                    phi_954_ = _e351;
                 }
-                let _e359 = phi_954_;
-                if (_e345 > _e355) {
-                    phi_959_ = _e345;
+                let _e356 = phi_954_;
+                if (_e342 > _e352) {
+                    phi_959_ = _e342;
                 } else {
-                    phi_959_ = _e355;
+                    phi_959_ = _e352;
                 }
-                let _e362 = phi_959_;
-                if (_e346 > _e356) {
-                    phi_964_ = _e346;
+                let _e359 = phi_959_;
+                if (_e343 > _e353) {
+                    phi_964_ = _e343;
                 } else {
-                    phi_964_ = _e356;
+                    phi_964_ = _e353;
                 }
-                let _e365 = phi_964_;
-                let _e366 = core_intrinsics_maximum_number_nsz_f32_(_e359, _e362);
-                let _e367 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e365);
-                let _e372 = (_e367 * 0.0000019073486f);
-                let _e373 = (abs(_e312) * _e372);
-                let _e374 = (abs(_e324) * _e372);
-                let _e375 = (abs(_e336) * _e372);
-                let _e379 = (_e367 * 0.0000009536743f);
-                let _e380 = (abs(_e312) * _e379);
-                let _e381 = (abs(_e324) * _e379);
-                let _e382 = (abs(_e336) * _e379);
-                let _e385 = abs(_e158.direction.x);
-                let _e387 = abs(_e158.direction.y);
-                let _e389 = abs(_e158.direction.z);
-                if (_e385 >= _e387) {
-                    if (_e385 >= _e389) {
+                let _e362 = phi_964_;
+                let _e363 = core_intrinsics_maximum_number_nsz_f32_(_e356, _e359);
+                let _e364 = core_intrinsics_maximum_number_nsz_f32_(_e363, _e362);
+                let _e369 = (_e364 * 0.0000019073486f);
+                let _e370 = (abs(_e311) * _e369);
+                let _e371 = (abs(_e322) * _e369);
+                let _e372 = (abs(_e333) * _e369);
+                let _e376 = (_e364 * 0.0000009536743f);
+                let _e377 = (abs(_e311) * _e376);
+                let _e378 = (abs(_e322) * _e376);
+                let _e379 = (abs(_e333) * _e376);
+                let _e382 = abs(_e158.direction.x);
+                let _e384 = abs(_e158.direction.y);
+                let _e386 = abs(_e158.direction.z);
+                if (_e382 >= _e384) {
+                    if (_e382 >= _e386) {
                         phi_997_ = false;
                     } else {
                         phi_997_ = true;
                     }
-                    let _e393 = phi_997_;
-                    phi_998_ = _e393;
+                    let _e390 = phi_997_;
+                    phi_998_ = _e390;
                 } else {
                     phi_998_ = true;
                 }
-                let _e395 = phi_998_;
-                if _e395 {
-                    if (_e387 >= _e389) {
+                let _e392 = phi_998_;
+                if _e392 {
+                    if (_e384 >= _e386) {
                         phi_1006_ = 1u;
                     } else {
                         phi_1006_ = 2u;
                     }
-                    let _e398 = phi_1006_;
-                    phi_1007_ = _e398;
+                    let _e395 = phi_1006_;
+                    phi_1007_ = _e395;
                 } else {
                     phi_1007_ = 0u;
                 }
-                let _e400 = phi_1007_;
-                if (_e400 == 0u) {
+                let _e397 = phi_1007_;
+                if (_e397 == 0u) {
                     phi_1026_ = vec3<f32>(_e158.direction.y, _e158.direction.z, _e158.direction.x);
                 } else {
-                    if (_e400 == 1u) {
+                    if (_e397 == 1u) {
                         phi_1025_ = vec3<f32>(_e158.direction.z, _e158.direction.x, _e158.direction.y);
                     } else {
                         phi_1025_ = _e158.direction;
                     }
-                    let _e413 = phi_1025_;
-                    phi_1026_ = _e413;
+                    let _e410 = phi_1025_;
+                    phi_1026_ = _e410;
                 }
-                let _e415 = phi_1026_;
-                let _e419 = (_e415.x / _e415.z);
-                let _e422 = (_e415.y / _e415.z);
-                if (_e312 < 0f) {
+                let _e412 = phi_1026_;
+                let _e416 = (_e412.x / _e412.z);
+                let _e419 = (_e412.y / _e412.z);
+                if (_e311 < 0f) {
                     phi_1040_ = 0u;
                 } else {
                     phi_1040_ = 1u;
                 }
-                let _e427 = phi_1040_;
-                if (_e324 < 0f) {
+                let _e424 = phi_1040_;
+                if (_e322 < 0f) {
                     phi_1045_ = 0u;
                 } else {
                     phi_1045_ = 2u;
                 }
-                let _e430 = phi_1045_;
-                if (_e336 < 0f) {
+                let _e427 = phi_1045_;
+                if (_e333 < 0f) {
                     phi_1050_ = 0u;
                 } else {
                     phi_1050_ = 4u;
                 }
-                let _e433 = phi_1050_;
-                let _e435 = ((_e427 | _e430) | _e433);
-                let _e436 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e436.first[0], _e436.first[1], _e436.first[2], _e436.first[3], _e436.first[4], _e436.first[5], _e436.first[6], _e436.first[7], _e436.first[8], _e436.first[9], _e436.first[10], _e436.first[11], _e436.first[12], _e436.first[13], _e436.first[14], _e436.first[15], _e436.first[16], _e436.first[17], _e436.first[18], _e436.first[19], _e436.first[20], _e436.first[21], _e436.first[22], _e436.first[23], _e436.first[24], _e436.first[25], _e436.first[26], _e436.first[27], _e436.first[28], _e436.first[29], _e436.first[30], _e436.first[31]), array<u32, 32>(_e436.mask[0], _e436.mask[1], _e436.mask[2], _e436.mask[3], _e436.mask[4], _e436.mask[5], _e436.mask[6], _e436.mask[7], _e436.mask[8], _e436.mask[9], _e436.mask[10], _e436.mask[11], _e436.mask[12], _e436.mask[13], _e436.mask[14], _e436.mask[15], _e436.mask[16], _e436.mask[17], _e436.mask[18], _e436.mask[19], _e436.mask[20], _e436.mask[21], _e436.mask[22], _e436.mask[23], _e436.mask[24], _e436.mask[25], _e436.mask[26], _e436.mask[27], _e436.mask[28], _e436.mask[29], _e436.mask[30], _e436.mask[31]), _e436.len, _e436.group, _e436.group_mask);
-                let _e510 = local_1.group_mask;
-                if ((_e510 & 4278190080u) == 0u) {
-                    let _e514 = local_1.len;
-                    if (_e514 == 0u) {
+                let _e430 = phi_1050_;
+                let _e432 = ((_e424 | _e427) | _e430);
+                let _e433 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e433.first[0], _e433.first[1], _e433.first[2], _e433.first[3], _e433.first[4], _e433.first[5], _e433.first[6], _e433.first[7], _e433.first[8], _e433.first[9], _e433.first[10], _e433.first[11], _e433.first[12], _e433.first[13], _e433.first[14], _e433.first[15], _e433.first[16], _e433.first[17], _e433.first[18], _e433.first[19], _e433.first[20], _e433.first[21], _e433.first[22], _e433.first[23], _e433.first[24], _e433.first[25], _e433.first[26], _e433.first[27], _e433.first[28], _e433.first[29], _e433.first[30], _e433.first[31]), array<u32, 32>(_e433.mask[0], _e433.mask[1], _e433.mask[2], _e433.mask[3], _e433.mask[4], _e433.mask[5], _e433.mask[6], _e433.mask[7], _e433.mask[8], _e433.mask[9], _e433.mask[10], _e433.mask[11], _e433.mask[12], _e433.mask[13], _e433.mask[14], _e433.mask[15], _e433.mask[16], _e433.mask[17], _e433.mask[18], _e433.mask[19], _e433.mask[20], _e433.mask[21], _e433.mask[22], _e433.mask[23], _e433.mask[24], _e433.mask[25], _e433.mask[26], _e433.mask[27], _e433.mask[28], _e433.mask[29], _e433.mask[30], _e433.mask[31]), _e433.len, _e433.group, _e433.group_mask);
+                let _e507 = local_1.group_mask;
+                if ((_e507 & 4278190080u) == 0u) {
+                    let _e511 = local_1.len;
+                    if (_e511 == 0u) {
                         phi_1164_ = false;
                     } else {
+                        let _e515 = local_1.len;
+                        local_1.len = (_e515 - 1u);
                         let _e518 = local_1.len;
-                        local_1.len = (_e518 - 1u);
-                        let _e521 = local_1.len;
-                        if (_e521 < 32u) {
+                        if (_e518 < 32u) {
                         } else {
                             return;
                         }
-                        let _e526 = local_1.first[(0u + _e521)];
-                        local_1.group = _e526;
-                        let _e529 = local_1.len;
-                        if (_e529 < 32u) {
+                        let _e523 = local_1.first[(0u + _e518)];
+                        local_1.group = _e523;
+                        let _e526 = local_1.len;
+                        if (_e526 < 32u) {
                         } else {
                             return;
                         }
-                        let _e534 = local_1.mask[(0u + _e529)];
-                        local_1.group_mask = _e534;
+                        let _e531 = local_1.mask[(0u + _e526)];
+                        local_1.group_mask = _e531;
                         phi_1164_ = true;
                     }
-                    let _e537 = phi_1164_;
-                    phi_1165_ = _e537;
+                    let _e534 = phi_1164_;
+                    phi_1165_ = _e534;
                 } else {
                     phi_1165_ = true;
                 }
-                let _e539 = phi_1165_;
-                if _e539 {
-                    let _e541 = local_1.group_mask;
-                    let _e547 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e541)), 32u, (_e541 == 0u)));
-                    let _e551 = local_1.group_mask;
-                    let _e565 = local_1.group_mask;
-                    local_1.group_mask = (_e565 & ~((1u << bitcast<u32>((_e547 & 31u)))));
-                    let _e568 = local_1.group;
-                    phi_1196_ = (_e568 + countOneBits(((_e551 & ~((4294967295u << bitcast<u32>((((_e547 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e536 = phi_1165_;
+                if _e536 {
+                    let _e538 = local_1.group_mask;
+                    let _e544 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e538)), 32u, (_e538 == 0u)));
+                    let _e548 = local_1.group_mask;
+                    let _e562 = local_1.group_mask;
+                    local_1.group_mask = (_e562 & ~((1u << bitcast<u32>((_e544 & 31u)))));
+                    let _e565 = local_1.group;
+                    phi_1196_ = (_e565 + countOneBits(((_e548 & ~((4294967295u << bitcast<u32>((((_e544 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1196_ = 4294967295u;
                 }
-                let _e571 = phi_1196_;
+                let _e568 = phi_1196_;
                 phi_1198_ = _e160;
-                phi_1201_ = _e571;
+                phi_1201_ = _e568;
                 loop {
-                    let _e573 = phi_1198_;
-                    let _e575 = phi_1201_;
-                    local_6 = _e573;
-                    let _e576 = (_e575 != 4294967295u);
-                    if _e576 {
-                        if (_e575 < _e76) {
+                    let _e570 = phi_1198_;
+                    let _e572 = phi_1201_;
+                    local_6 = _e570;
+                    let _e573 = (_e572 != 4294967295u);
+                    if _e573 {
+                        if (_e572 < _e76) {
                         } else {
                             return;
                         }
-                        let _e584 = nodes.member[(0u + _e575)].frame[3u];
-                        let _e609 = (bitcast<f32>((((_e584 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e312);
-                        let _e610 = (bitcast<f32>((((_e584 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e611 = (bitcast<f32>((((_e584 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e336);
-                        let _e614 = nodes.member[(0u + _e575)].frame[0u];
-                        let _e618 = nodes.member[(0u + _e575)].frame[1u];
-                        let _e622 = nodes.member[(0u + _e575)].frame[2u];
-                        let _e630 = ((bitcast<f32>(_e614) - _e158.origin.x) * _e312);
-                        let _e631 = ((bitcast<f32>(_e618) - _e158.origin.y) * _e324);
-                        let _e632 = ((bitcast<f32>(_e622) - _e158.origin.z) * _e336);
-                        let _e640 = nodes.member[(0u + _e575)].x;
-                        if (_e312 < 0f) {
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.unnamed.word, _e640.w), _e651.unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_mask_LightPlace(_e640.x, _e657.unnamed_1.shift));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e663.unnamed_1.word, _e640.y));
+                        let _e581 = nodes.member[(0u + _e572)].frame[3u];
+                        let _e606 = (bitcast<f32>((((_e581 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
+                        let _e607 = (bitcast<f32>((((_e581 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e322);
+                        let _e608 = (bitcast<f32>((((_e581 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e333);
+                        let _e611 = nodes.member[(0u + _e572)].frame[0u];
+                        let _e615 = nodes.member[(0u + _e572)].frame[1u];
+                        let _e619 = nodes.member[(0u + _e572)].frame[2u];
+                        let _e627 = ((bitcast<f32>(_e611) - _e158.origin.x) * _e311);
+                        let _e628 = ((bitcast<f32>(_e615) - _e158.origin.y) * _e322);
+                        let _e629 = ((bitcast<f32>(_e619) - _e158.origin.z) * _e333);
+                        let _e637 = nodes.member[(0u + _e572)].x;
+                        if (_e311 < 0f) {
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.unnamed.word, _e637.w), _e648.unnamed_1);
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e654.unnamed, lt_mask_LightPlace(_e637.x, _e654.unnamed_1.shift));
+                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e660.unnamed, lt_mask_LightPlace(_e660.unnamed_1.word, _e637.y));
                         } else {
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.unnamed.word, _e640.y), _e679.unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e640.z, _e685.unnamed_1.shift));
-                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e691.unnamed_1.word, _e640.w));
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.unnamed.word, _e637.y), _e676.unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e682.unnamed, lt_mask_LightPlace(_e637.z, _e682.unnamed_1.shift));
+                            phi_1286_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e688.unnamed_1.word, _e637.w));
                         }
-                        let _e699 = phi_1286_;
-                        let _e709 = nodes.member[(0u + _e575)].y;
-                        if (_e324 < 0f) {
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.unnamed.word, _e709.w), _e720.unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_mask_LightPlace(_e709.x, _e726.unnamed_1.shift));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e732.unnamed_1.word, _e709.y));
+                        let _e696 = phi_1286_;
+                        let _e706 = nodes.member[(0u + _e572)].y;
+                        if (_e322 < 0f) {
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.unnamed.word, _e706.w), _e717.unnamed_1);
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_mask_LightPlace(_e706.x, _e723.unnamed_1.shift));
+                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_mask_LightPlace(_e729.unnamed_1.word, _e706.y));
                         } else {
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.unnamed.word, _e709.y), _e748.unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e709.z, _e754.unnamed_1.shift));
-                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e760.unnamed_1.word, _e709.w));
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.unnamed.word, _e706.y), _e745.unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e751.unnamed, lt_mask_LightPlace(_e706.z, _e751.unnamed_1.shift));
+                            phi_1313_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e757.unnamed_1.word, _e706.w));
                         }
-                        let _e768 = phi_1313_;
-                        let _e778 = nodes.member[(0u + _e575)].z;
-                        if (_e336 < 0f) {
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e789.unnamed.word, _e778.w), _e789.unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e778.x, _e795.unnamed_1.shift));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e801.unnamed_1.word, _e778.y));
+                        let _e765 = phi_1313_;
+                        let _e775 = nodes.member[(0u + _e572)].z;
+                        if (_e333 < 0f) {
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e775.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e786.unnamed.word, _e775.w), _e786.unnamed_1);
+                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e792.unnamed, lt_mask_LightPlace(_e775.x, _e792.unnamed_1.shift));
+                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_mask_LightPlace(_e798.unnamed_1.word, _e775.y));
                         } else {
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e817.unnamed.word, _e778.y), _e817.unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_mask_LightPlace(_e778.z, _e823.unnamed_1.shift));
-                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e829.unnamed_1.word, _e778.w));
+                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e775.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e814.unnamed.word, _e775.y), _e814.unnamed_1);
+                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e820.unnamed, lt_mask_LightPlace(_e775.z, _e820.unnamed_1.shift));
+                            phi_1340_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_mask_LightPlace(_e826.unnamed_1.word, _e775.w));
                         }
-                        let _e837 = phi_1340_;
+                        let _e834 = phi_1340_;
                         phi_1346_ = 0u;
                         phi_1349_ = 0u;
                         loop {
-                            let _e847 = phi_1346_;
-                            let _e849 = phi_1349_;
-                            local_2 = _e849;
-                            local_3 = _e849;
-                            local_4 = _e849;
-                            let _e850 = (_e847 < 8u);
-                            if _e850 {
-                                let _e852 = (_e847 >> bitcast<u32>(2i));
-                                let _e853 = (_e847 & 3u);
-                                if (_e852 == 0u) {
-                                    phi_1363_ = _e699.unnamed.word;
+                            let _e844 = phi_1346_;
+                            let _e846 = phi_1349_;
+                            local_2 = _e846;
+                            local_3 = _e846;
+                            local_4 = _e846;
+                            let _e847 = (_e844 < 8u);
+                            if _e847 {
+                                let _e849 = (_e844 >> bitcast<u32>(2i));
+                                let _e850 = (_e844 & 3u);
+                                if (_e849 == 0u) {
+                                    phi_1363_ = _e696.unnamed.word;
                                 } else {
-                                    phi_1363_ = _e699.unnamed.shift;
+                                    phi_1363_ = _e696.unnamed.shift;
                                 }
-                                let _e856 = phi_1363_;
-                                if (_e852 == 0u) {
-                                    phi_1373_ = _e768.unnamed.word;
+                                let _e853 = phi_1363_;
+                                if (_e849 == 0u) {
+                                    phi_1373_ = _e765.unnamed.word;
                                 } else {
-                                    phi_1373_ = _e768.unnamed.shift;
+                                    phi_1373_ = _e765.unnamed.shift;
                                 }
-                                let _e865 = phi_1373_;
-                                if (_e852 == 0u) {
-                                    phi_1383_ = _e837.unnamed.word;
+                                let _e862 = phi_1373_;
+                                if (_e849 == 0u) {
+                                    phi_1383_ = _e834.unnamed.word;
                                 } else {
-                                    phi_1383_ = _e837.unnamed.shift;
+                                    phi_1383_ = _e834.unnamed.shift;
                                 }
-                                let _e874 = phi_1383_;
-                                let _e887 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e373)), ((f32(((_e865 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e374)));
-                                let _e888 = core_intrinsics_maximum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e375)));
-                                if (_e852 == 0u) {
-                                    phi_1401_ = _e699.unnamed_1.word;
+                                let _e871 = phi_1383_;
+                                let _e884 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e370)), ((f32(((_e862 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e371)));
+                                let _e885 = core_intrinsics_maximum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e608) + (_e629 - _e372)));
+                                if (_e849 == 0u) {
+                                    phi_1401_ = _e696.unnamed_1.word;
                                 } else {
-                                    phi_1401_ = _e699.unnamed_1.shift;
+                                    phi_1401_ = _e696.unnamed_1.shift;
                                 }
-                                let _e891 = phi_1401_;
-                                if (_e852 == 0u) {
-                                    phi_1411_ = _e768.unnamed_1.word;
+                                let _e888 = phi_1401_;
+                                if (_e849 == 0u) {
+                                    phi_1411_ = _e765.unnamed_1.word;
                                 } else {
-                                    phi_1411_ = _e768.unnamed_1.shift;
+                                    phi_1411_ = _e765.unnamed_1.shift;
                                 }
-                                let _e900 = phi_1411_;
-                                if (_e852 == 0u) {
-                                    phi_1421_ = _e837.unnamed_1.word;
+                                let _e897 = phi_1411_;
+                                if (_e849 == 0u) {
+                                    phi_1421_ = _e834.unnamed_1.word;
                                 } else {
-                                    phi_1421_ = _e837.unnamed_1.shift;
+                                    phi_1421_ = _e834.unnamed_1.shift;
                                 }
-                                let _e909 = phi_1421_;
-                                let _e922 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e891 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e373)), ((f32(((_e900 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e374)));
-                                let _e923 = core_intrinsics_minimum_number_nsz_f32_(_e922, ((f32(((_e909 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e375)));
-                                if (_e888 <= _e923) {
-                                    if (_e888 <= _e573.t) {
-                                        if (_e923 >= _e158.tmin) {
-                                            if (_e852 == 0u) {
-                                                let _e930 = nodes.member[(0u + _e575)].links[2u];
+                                let _e906 = phi_1421_;
+                                let _e919 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e888 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e370)), ((f32(((_e897 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e607) + (_e628 + _e371)));
+                                let _e920 = core_intrinsics_minimum_number_nsz_f32_(_e919, ((f32(((_e906 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u)) * _e608) + (_e629 + _e372)));
+                                if (_e885 <= _e920) {
+                                    if (_e885 <= _e570.t) {
+                                        if (_e920 >= _e158.tmin) {
+                                            if (_e849 == 0u) {
+                                                let _e927 = nodes.member[(0u + _e572)].links[2u];
+                                                phi_1457_ = _e927;
+                                            } else {
+                                                let _e930 = nodes.member[(0u + _e572)].links[3u];
                                                 phi_1457_ = _e930;
-                                            } else {
-                                                let _e933 = nodes.member[(0u + _e575)].links[3u];
-                                                phi_1457_ = _e933;
                                             }
-                                            let _e935 = phi_1457_;
-                                            let _e940 = ((_e935 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u);
-                                            let _e941 = (_e940 & 31u);
-                                            if (_e941 >= 24u) {
-                                                phi_1470_ = (24u + ((_e941 - 24u) ^ _e435));
+                                            let _e932 = phi_1457_;
+                                            let _e937 = ((_e932 >> bitcast<u32>(((_e850 * 8u) & 31u))) & 255u);
+                                            let _e938 = (_e937 & 31u);
+                                            if (_e938 >= 24u) {
+                                                phi_1470_ = (24u + ((_e938 - 24u) ^ _e432));
                                             } else {
-                                                phi_1470_ = _e941;
+                                                phi_1470_ = _e938;
                                             }
-                                            let _e947 = phi_1470_;
-                                            phi_1475_ = (_e849 | ((_e940 >> bitcast<u32>(5i)) << bitcast<u32>((_e947 & 31u))));
+                                            let _e944 = phi_1470_;
+                                            phi_1475_ = (_e846 | ((_e937 >> bitcast<u32>(5i)) << bitcast<u32>((_e944 & 31u))));
                                         } else {
-                                            phi_1475_ = _e849;
+                                            phi_1475_ = _e846;
                                         }
-                                        let _e955 = phi_1475_;
-                                        phi_1476_ = _e955;
+                                        let _e952 = phi_1475_;
+                                        phi_1476_ = _e952;
                                     } else {
-                                        phi_1476_ = _e849;
+                                        phi_1476_ = _e846;
                                     }
-                                    let _e957 = phi_1476_;
-                                    phi_1477_ = _e957;
+                                    let _e954 = phi_1476_;
+                                    phi_1477_ = _e954;
                                 } else {
-                                    phi_1477_ = _e849;
+                                    phi_1477_ = _e846;
                                 }
-                                let _e959 = phi_1477_;
-                                phi_1347_ = (_e847 + 1u);
-                                phi_1350_ = _e959;
+                                let _e956 = phi_1477_;
+                                phi_1347_ = (_e844 + 1u);
+                                phi_1350_ = _e956;
                             } else {
                                 phi_1347_ = u32();
                                 phi_1350_ = u32();
                             }
-                            let _e962 = phi_1347_;
-                            let _e964 = phi_1350_;
+                            let _e959 = phi_1347_;
+                            let _e961 = phi_1350_;
                             continue;
                             continuing {
-                                phi_1346_ = _e962;
-                                phi_1349_ = _e964;
-                                break if !(_e850);
+                                phi_1346_ = _e959;
+                                phi_1349_ = _e961;
+                                break if !(_e847);
                             }
                         }
-                        let _e968 = nodes.member[(0u + _e575)].links[0u];
-                        let _e972 = nodes.member[(0u + _e575)].frame[3u];
-                        let _e976 = local_2;
-                        if ((_e976 & 4278190080u) == 0u) {
+                        let _e965 = nodes.member[(0u + _e572)].links[0u];
+                        let _e969 = nodes.member[(0u + _e572)].frame[3u];
+                        let _e973 = local_2;
+                        if ((_e973 & 4278190080u) == 0u) {
                         } else {
-                            let _e980 = local_1.group_mask;
-                            if ((_e980 & 4278190080u) == 0u) {
+                            let _e977 = local_1.group_mask;
+                            if ((_e977 & 4278190080u) == 0u) {
                             } else {
-                                let _e984 = local_1.len;
-                                if (_e984 < 32u) {
-                                    let _e987 = local_1.group;
-                                    let _e989 = local_1.len;
-                                    if (_e989 < 32u) {
+                                let _e981 = local_1.len;
+                                if (_e981 < 32u) {
+                                    let _e984 = local_1.group;
+                                    let _e986 = local_1.len;
+                                    if (_e986 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e989)] = _e987;
-                                    let _e995 = local_1.group_mask;
-                                    let _e997 = local_1.len;
-                                    if (_e997 < 32u) {
+                                    local_1.first[(0u + _e986)] = _e984;
+                                    let _e992 = local_1.group_mask;
+                                    let _e994 = local_1.len;
+                                    if (_e994 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e997)] = _e995;
-                                    let _e1004 = local_1.len;
-                                    local_1.len = (_e1004 + 1u);
+                                    local_1.mask[(0u + _e994)] = _e992;
+                                    let _e1001 = local_1.len;
+                                    local_1.len = (_e1001 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e968);
-                            let _e1008 = local_3;
-                            local_1.group_mask = ((_e1008 & 4278190080u) | (_e972 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e965);
+                            let _e1005 = local_3;
+                            local_1.group_mask = ((_e1005 & 4278190080u) | (_e969 >> bitcast<u32>(24i)));
                         }
-                        let _e1013 = local_4;
-                        phi_1535_ = _e573;
-                        phi_1538_ = (_e1013 & 16777215u);
+                        let _e1010 = local_4;
+                        phi_1535_ = _e570;
+                        phi_1538_ = (_e1010 & 16777215u);
                         loop {
-                            let _e1016 = phi_1535_;
-                            let _e1018 = phi_1538_;
-                            local_5 = _e1016;
-                            if (_e1018 == 0u) {
+                            let _e1013 = phi_1535_;
+                            let _e1015 = phi_1538_;
+                            local_5 = _e1013;
+                            if (_e1015 == 0u) {
                                 phi_1536_ = lt_bvh_Hit();
                                 phi_1539_ = u32();
                                 phi_2197_ = false;
                             } else {
-                                let _e1022 = nodes.member[(0u + _e575)].links[1u];
-                                let _e1027 = ((0u + _e1022) + select(firstTrailingBit(_e1018), 32u, (_e1018 == 0u)));
-                                if (_e1027 < _e79) {
+                                let _e1019 = nodes.member[(0u + _e572)].links[1u];
+                                let _e1024 = ((0u + _e1019) + select(firstTrailingBit(_e1015), 32u, (_e1015 == 0u)));
+                                if (_e1024 < _e79) {
                                 } else {
                                     return;
                                 }
-                                let _e1034 = triangles.member[(0u + _e1027)].v0_;
-                                let _e1037 = (_e1034.x - _e158.origin.x);
-                                let _e1040 = (_e1034.y - _e158.origin.y);
-                                let _e1043 = (_e1034.z - _e158.origin.z);
-                                if (_e400 == 0u) {
-                                    phi_1585_ = vec3<f32>(_e1040, _e1043, _e1037);
+                                let _e1031 = triangles.member[(0u + _e1024)].v0_;
+                                let _e1034 = (_e1031.x - _e158.origin.x);
+                                let _e1037 = (_e1031.y - _e158.origin.y);
+                                let _e1040 = (_e1031.z - _e158.origin.z);
+                                if (_e397 == 0u) {
+                                    phi_1585_ = vec3<f32>(_e1037, _e1040, _e1034);
                                 } else {
-                                    if (_e400 == 1u) {
-                                        phi_1584_ = vec3<f32>(_e1043, _e1037, _e1040);
+                                    if (_e397 == 1u) {
+                                        phi_1584_ = vec3<f32>(_e1040, _e1034, _e1037);
                                     } else {
-                                        phi_1584_ = (_e1034 - _e158.origin);
+                                        phi_1584_ = (_e1031 - _e158.origin);
                                     }
-                                    let _e1050 = phi_1584_;
-                                    phi_1585_ = _e1050;
+                                    let _e1047 = phi_1584_;
+                                    phi_1585_ = _e1047;
                                 }
-                                let _e1052 = phi_1585_;
-                                let _e1056 = (_e1052.x - (_e419 * _e1052.z));
-                                let _e1060 = (_e1052.y - (_e422 * _e1052.z));
-                                let _e1062 = triangles.member[(0u + _e1027)].v1_;
-                                let _e1065 = (_e1062.x - _e158.origin.x);
-                                let _e1068 = (_e1062.y - _e158.origin.y);
-                                let _e1071 = (_e1062.z - _e158.origin.z);
-                                if (_e400 == 0u) {
-                                    phi_1617_ = vec3<f32>(_e1068, _e1071, _e1065);
+                                let _e1049 = phi_1585_;
+                                let _e1053 = (_e1049.x - (_e416 * _e1049.z));
+                                let _e1057 = (_e1049.y - (_e419 * _e1049.z));
+                                let _e1059 = triangles.member[(0u + _e1024)].v1_;
+                                let _e1062 = (_e1059.x - _e158.origin.x);
+                                let _e1065 = (_e1059.y - _e158.origin.y);
+                                let _e1068 = (_e1059.z - _e158.origin.z);
+                                if (_e397 == 0u) {
+                                    phi_1617_ = vec3<f32>(_e1065, _e1068, _e1062);
                                 } else {
-                                    if (_e400 == 1u) {
-                                        phi_1616_ = vec3<f32>(_e1071, _e1065, _e1068);
+                                    if (_e397 == 1u) {
+                                        phi_1616_ = vec3<f32>(_e1068, _e1062, _e1065);
                                     } else {
-                                        phi_1616_ = (_e1062 - _e158.origin);
+                                        phi_1616_ = (_e1059 - _e158.origin);
                                     }
-                                    let _e1078 = phi_1616_;
-                                    phi_1617_ = _e1078;
+                                    let _e1075 = phi_1616_;
+                                    phi_1617_ = _e1075;
                                 }
-                                let _e1080 = phi_1617_;
-                                let _e1084 = (_e1080.x - (_e419 * _e1080.z));
-                                let _e1088 = (_e1080.y - (_e422 * _e1080.z));
-                                let _e1090 = triangles.member[(0u + _e1027)].v2_;
-                                let _e1093 = (_e1090.x - _e158.origin.x);
-                                let _e1096 = (_e1090.y - _e158.origin.y);
-                                let _e1099 = (_e1090.z - _e158.origin.z);
-                                if (_e400 == 0u) {
-                                    phi_1649_ = vec3<f32>(_e1096, _e1099, _e1093);
+                                let _e1077 = phi_1617_;
+                                let _e1081 = (_e1077.x - (_e416 * _e1077.z));
+                                let _e1085 = (_e1077.y - (_e419 * _e1077.z));
+                                let _e1087 = triangles.member[(0u + _e1024)].v2_;
+                                let _e1090 = (_e1087.x - _e158.origin.x);
+                                let _e1093 = (_e1087.y - _e158.origin.y);
+                                let _e1096 = (_e1087.z - _e158.origin.z);
+                                if (_e397 == 0u) {
+                                    phi_1649_ = vec3<f32>(_e1093, _e1096, _e1090);
                                 } else {
-                                    if (_e400 == 1u) {
-                                        phi_1648_ = vec3<f32>(_e1099, _e1093, _e1096);
+                                    if (_e397 == 1u) {
+                                        phi_1648_ = vec3<f32>(_e1096, _e1090, _e1093);
                                     } else {
-                                        phi_1648_ = (_e1090 - _e158.origin);
+                                        phi_1648_ = (_e1087 - _e158.origin);
                                     }
-                                    let _e1106 = phi_1648_;
-                                    phi_1649_ = _e1106;
+                                    let _e1103 = phi_1648_;
+                                    phi_1649_ = _e1103;
                                 }
-                                let _e1108 = phi_1649_;
-                                let _e1112 = (_e1108.x - (_e419 * _e1108.z));
-                                let _e1116 = (_e1108.y - (_e422 * _e1108.z));
-                                if (_e1084 < _e1112) {
+                                let _e1105 = phi_1649_;
+                                let _e1109 = (_e1105.x - (_e416 * _e1105.z));
+                                let _e1113 = (_e1105.y - (_e419 * _e1105.z));
+                                if (_e1081 < _e1109) {
                                     phi_1668_ = true;
                                 } else {
-                                    if (_e1084 == _e1112) {
-                                        phi_1667_ = (_e1088 < _e1116);
+                                    if (_e1081 == _e1109) {
+                                        phi_1667_ = (_e1085 < _e1113);
                                     } else {
                                         phi_1667_ = false;
                                     }
-                                    let _e1121 = phi_1667_;
-                                    phi_1668_ = _e1121;
+                                    let _e1118 = phi_1667_;
+                                    phi_1668_ = _e1118;
                                 }
-                                let _e1123 = phi_1668_;
-                                if _e1123 {
-                                    phi_1672_ = _e1116;
-                                    phi_1673_ = _e1112;
-                                    phi_1674_ = _e1088;
-                                    phi_1675_ = _e1084;
+                                let _e1120 = phi_1668_;
+                                if _e1120 {
+                                    phi_1672_ = _e1113;
+                                    phi_1673_ = _e1109;
+                                    phi_1674_ = _e1085;
+                                    phi_1675_ = _e1081;
                                 } else {
-                                    phi_1672_ = _e1088;
-                                    phi_1673_ = _e1084;
-                                    phi_1674_ = _e1116;
-                                    phi_1675_ = _e1112;
+                                    phi_1672_ = _e1085;
+                                    phi_1673_ = _e1081;
+                                    phi_1674_ = _e1113;
+                                    phi_1675_ = _e1109;
                                 }
-                                let _e1125 = phi_1672_;
-                                let _e1127 = phi_1673_;
-                                let _e1129 = phi_1674_;
-                                let _e1131 = phi_1675_;
-                                let _e1134 = ((_e1131 * _e1125) - (_e1129 * _e1127));
-                                if _e1123 {
-                                    phi_1683_ = -(_e1134);
+                                let _e1122 = phi_1672_;
+                                let _e1124 = phi_1673_;
+                                let _e1126 = phi_1674_;
+                                let _e1128 = phi_1675_;
+                                let _e1131 = ((_e1128 * _e1122) - (_e1126 * _e1124));
+                                if _e1120 {
+                                    phi_1683_ = -(_e1131);
                                 } else {
-                                    phi_1683_ = _e1134;
+                                    phi_1683_ = _e1131;
                                 }
-                                let _e1137 = phi_1683_;
-                                if (_e1112 < _e1056) {
+                                let _e1134 = phi_1683_;
+                                if (_e1109 < _e1053) {
                                     phi_1694_ = true;
                                 } else {
-                                    if (_e1112 == _e1056) {
-                                        phi_1693_ = (_e1116 < _e1060);
+                                    if (_e1109 == _e1053) {
+                                        phi_1693_ = (_e1113 < _e1057);
                                     } else {
                                         phi_1693_ = false;
                                     }
-                                    let _e1142 = phi_1693_;
-                                    phi_1694_ = _e1142;
+                                    let _e1139 = phi_1693_;
+                                    phi_1694_ = _e1139;
                                 }
-                                let _e1144 = phi_1694_;
-                                if _e1144 {
-                                    phi_1698_ = _e1060;
-                                    phi_1699_ = _e1056;
-                                    phi_1700_ = _e1116;
-                                    phi_1701_ = _e1112;
+                                let _e1141 = phi_1694_;
+                                if _e1141 {
+                                    phi_1698_ = _e1057;
+                                    phi_1699_ = _e1053;
+                                    phi_1700_ = _e1113;
+                                    phi_1701_ = _e1109;
                                 } else {
-                                    phi_1698_ = _e1116;
-                                    phi_1699_ = _e1112;
-                                    phi_1700_ = _e1060;
-                                    phi_1701_ = _e1056;
+                                    phi_1698_ = _e1113;
+                                    phi_1699_ = _e1109;
+                                    phi_1700_ = _e1057;
+                                    phi_1701_ = _e1053;
                                 }
-                                let _e1146 = phi_1698_;
-                                let _e1148 = phi_1699_;
-                                let _e1150 = phi_1700_;
-                                let _e1152 = phi_1701_;
-                                let _e1155 = ((_e1152 * _e1146) - (_e1150 * _e1148));
-                                if _e1144 {
-                                    phi_1709_ = -(_e1155);
+                                let _e1143 = phi_1698_;
+                                let _e1145 = phi_1699_;
+                                let _e1147 = phi_1700_;
+                                let _e1149 = phi_1701_;
+                                let _e1152 = ((_e1149 * _e1143) - (_e1147 * _e1145));
+                                if _e1141 {
+                                    phi_1709_ = -(_e1152);
                                 } else {
-                                    phi_1709_ = _e1155;
+                                    phi_1709_ = _e1152;
                                 }
-                                let _e1158 = phi_1709_;
-                                if (_e1056 < _e1084) {
+                                let _e1155 = phi_1709_;
+                                if (_e1053 < _e1081) {
                                     phi_1720_ = true;
                                 } else {
-                                    if (_e1056 == _e1084) {
-                                        phi_1719_ = (_e1060 < _e1088);
+                                    if (_e1053 == _e1081) {
+                                        phi_1719_ = (_e1057 < _e1085);
                                     } else {
                                         phi_1719_ = false;
                                     }
-                                    let _e1163 = phi_1719_;
-                                    phi_1720_ = _e1163;
+                                    let _e1160 = phi_1719_;
+                                    phi_1720_ = _e1160;
                                 }
-                                let _e1165 = phi_1720_;
-                                if _e1165 {
-                                    phi_1724_ = _e1088;
-                                    phi_1725_ = _e1084;
-                                    phi_1726_ = _e1060;
-                                    phi_1727_ = _e1056;
+                                let _e1162 = phi_1720_;
+                                if _e1162 {
+                                    phi_1724_ = _e1085;
+                                    phi_1725_ = _e1081;
+                                    phi_1726_ = _e1057;
+                                    phi_1727_ = _e1053;
                                 } else {
-                                    phi_1724_ = _e1060;
-                                    phi_1725_ = _e1056;
-                                    phi_1726_ = _e1088;
-                                    phi_1727_ = _e1084;
+                                    phi_1724_ = _e1057;
+                                    phi_1725_ = _e1053;
+                                    phi_1726_ = _e1085;
+                                    phi_1727_ = _e1081;
                                 }
-                                let _e1167 = phi_1724_;
-                                let _e1169 = phi_1725_;
-                                let _e1171 = phi_1726_;
-                                let _e1173 = phi_1727_;
-                                let _e1176 = ((_e1173 * _e1167) - (_e1171 * _e1169));
-                                if _e1165 {
-                                    phi_1735_ = -(_e1176);
+                                let _e1164 = phi_1724_;
+                                let _e1166 = phi_1725_;
+                                let _e1168 = phi_1726_;
+                                let _e1170 = phi_1727_;
+                                let _e1173 = ((_e1170 * _e1164) - (_e1168 * _e1166));
+                                if _e1162 {
+                                    phi_1735_ = -(_e1173);
                                 } else {
-                                    phi_1735_ = _e1176;
+                                    phi_1735_ = _e1173;
                                 }
-                                let _e1179 = phi_1735_;
-                                if (_e1137 >= 0f) {
-                                    if (_e1158 >= 0f) {
-                                        if (_e1179 >= 0f) {
-                                            phi_1750_ = ((_e1137 + _e1158) + _e1179);
+                                let _e1176 = phi_1735_;
+                                if (_e1134 >= 0f) {
+                                    if (_e1155 >= 0f) {
+                                        if (_e1176 >= 0f) {
+                                            phi_1750_ = ((_e1134 + _e1155) + _e1176);
                                             phi_1751_ = false;
                                         } else {
                                             phi_1750_ = f32();
                                             phi_1751_ = true;
                                         }
-                                        let _e1186 = phi_1750_;
-                                        let _e1188 = phi_1751_;
-                                        phi_1752_ = _e1186;
-                                        phi_1753_ = _e1188;
+                                        let _e1183 = phi_1750_;
+                                        let _e1185 = phi_1751_;
+                                        phi_1752_ = _e1183;
+                                        phi_1753_ = _e1185;
                                     } else {
                                         phi_1752_ = f32();
                                         phi_1753_ = true;
                                     }
-                                    let _e1190 = phi_1752_;
-                                    let _e1192 = phi_1753_;
-                                    phi_1754_ = _e1190;
-                                    phi_1755_ = _e1192;
+                                    let _e1187 = phi_1752_;
+                                    let _e1189 = phi_1753_;
+                                    phi_1754_ = _e1187;
+                                    phi_1755_ = _e1189;
                                 } else {
                                     phi_1754_ = f32();
                                     phi_1755_ = true;
                                 }
-                                let _e1194 = phi_1754_;
-                                let _e1196 = phi_1755_;
-                                if _e1196 {
-                                    if (_e1137 <= 0f) {
-                                        if (_e1158 <= 0f) {
-                                            let _e1199 = (_e1179 <= 0f);
-                                            if _e1199 {
+                                let _e1191 = phi_1754_;
+                                let _e1193 = phi_1755_;
+                                if _e1193 {
+                                    if (_e1134 <= 0f) {
+                                        if (_e1155 <= 0f) {
+                                            let _e1196 = (_e1176 <= 0f);
+                                            if _e1196 {
                                             }
-                                            phi_1773_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1773_ = ((_e1134 + _e1155) + _e1176);
                                             phi_1774_ = false;
-                                            phi_1775_ = _e1199;
+                                            phi_1775_ = _e1196;
                                         } else {
                                             phi_1773_ = f32();
                                             phi_1774_ = true;
                                             phi_1775_ = false;
                                         }
-                                        let _e1203 = phi_1773_;
-                                        let _e1205 = phi_1774_;
-                                        let _e1207 = phi_1775_;
-                                        phi_1776_ = _e1203;
-                                        phi_1777_ = _e1205;
-                                        phi_1778_ = _e1207;
+                                        let _e1200 = phi_1773_;
+                                        let _e1202 = phi_1774_;
+                                        let _e1204 = phi_1775_;
+                                        phi_1776_ = _e1200;
+                                        phi_1777_ = _e1202;
+                                        phi_1778_ = _e1204;
                                     } else {
                                         phi_1776_ = f32();
                                         phi_1777_ = true;
                                         phi_1778_ = false;
                                     }
-                                    let _e1209 = phi_1776_;
-                                    let _e1211 = phi_1777_;
-                                    let _e1213 = phi_1778_;
-                                    if _e1211 {
+                                    let _e1206 = phi_1776_;
+                                    let _e1208 = phi_1777_;
+                                    let _e1210 = phi_1778_;
+                                    if _e1208 {
                                         phi_1782_ = false;
                                     } else {
-                                        phi_1782_ = _e1213;
+                                        phi_1782_ = _e1210;
                                     }
-                                    let _e1215 = phi_1782_;
-                                    phi_1783_ = _e1209;
-                                    phi_1784_ = _e1215;
+                                    let _e1212 = phi_1782_;
+                                    phi_1783_ = _e1206;
+                                    phi_1784_ = _e1212;
                                 } else {
-                                    phi_1783_ = _e1194;
+                                    phi_1783_ = _e1191;
                                     phi_1784_ = true;
                                 }
-                                let _e1217 = phi_1783_;
-                                let _e1219 = phi_1784_;
-                                if _e1219 {
-                                    let _e1220 = (_e1217 == 0f);
-                                    if _e1220 {
+                                let _e1214 = phi_1783_;
+                                let _e1216 = phi_1784_;
+                                if _e1216 {
+                                    let _e1217 = (_e1214 == 0f);
+                                    if _e1217 {
                                         phi_2110_ = lt_bvh_triangle_Intersection();
                                         phi_2111_ = false;
                                     } else {
-                                        let _e1222 = triangles.member[(0u + _e1027)].v0_;
-                                        let _e1225 = (_e1222.x - _e158.origin.x);
-                                        let _e1228 = (_e1222.y - _e158.origin.y);
-                                        let _e1231 = (_e1222.z - _e158.origin.z);
-                                        if (_e400 == 0u) {
-                                            phi_1815_ = vec3<f32>(_e1228, _e1231, _e1225);
+                                        let _e1219 = triangles.member[(0u + _e1024)].v0_;
+                                        let _e1222 = (_e1219.x - _e158.origin.x);
+                                        let _e1225 = (_e1219.y - _e158.origin.y);
+                                        let _e1228 = (_e1219.z - _e158.origin.z);
+                                        if (_e397 == 0u) {
+                                            phi_1815_ = vec3<f32>(_e1225, _e1228, _e1222);
                                         } else {
-                                            if (_e400 == 1u) {
-                                                phi_1814_ = vec3<f32>(_e1231, _e1225, _e1228);
+                                            if (_e397 == 1u) {
+                                                phi_1814_ = vec3<f32>(_e1228, _e1222, _e1225);
                                             } else {
-                                                phi_1814_ = (_e1222 - _e158.origin);
+                                                phi_1814_ = (_e1219 - _e158.origin);
                                             }
-                                            let _e1238 = phi_1814_;
-                                            phi_1815_ = _e1238;
+                                            let _e1235 = phi_1814_;
+                                            phi_1815_ = _e1235;
                                         }
-                                        let _e1240 = phi_1815_;
-                                        let _e1242 = triangles.member[(0u + _e1027)].v1_;
-                                        let _e1244 = triangles.member[(0u + _e1027)].v0_;
-                                        let _e1247 = (_e1242.x - _e1244.x);
-                                        let _e1250 = (_e1242.y - _e1244.y);
-                                        let _e1253 = (_e1242.z - _e1244.z);
-                                        if (_e400 == 0u) {
-                                            phi_1841_ = vec3<f32>(_e1250, _e1253, _e1247);
+                                        let _e1237 = phi_1815_;
+                                        let _e1239 = triangles.member[(0u + _e1024)].v1_;
+                                        let _e1241 = triangles.member[(0u + _e1024)].v0_;
+                                        let _e1244 = (_e1239.x - _e1241.x);
+                                        let _e1247 = (_e1239.y - _e1241.y);
+                                        let _e1250 = (_e1239.z - _e1241.z);
+                                        if (_e397 == 0u) {
+                                            phi_1841_ = vec3<f32>(_e1247, _e1250, _e1244);
                                         } else {
-                                            if (_e400 == 1u) {
-                                                phi_1840_ = vec3<f32>(_e1253, _e1247, _e1250);
+                                            if (_e397 == 1u) {
+                                                phi_1840_ = vec3<f32>(_e1250, _e1244, _e1247);
                                             } else {
-                                                phi_1840_ = (_e1242 - _e1244);
+                                                phi_1840_ = (_e1239 - _e1241);
                                             }
-                                            let _e1260 = phi_1840_;
-                                            phi_1841_ = _e1260;
+                                            let _e1257 = phi_1840_;
+                                            phi_1841_ = _e1257;
                                         }
-                                        let _e1262 = phi_1841_;
-                                        let _e1264 = triangles.member[(0u + _e1027)].v2_;
-                                        let _e1266 = triangles.member[(0u + _e1027)].v0_;
-                                        let _e1269 = (_e1264.x - _e1266.x);
-                                        let _e1272 = (_e1264.y - _e1266.y);
-                                        let _e1275 = (_e1264.z - _e1266.z);
-                                        if (_e400 == 0u) {
-                                            phi_1867_ = vec3<f32>(_e1272, _e1275, _e1269);
+                                        let _e1259 = phi_1841_;
+                                        let _e1261 = triangles.member[(0u + _e1024)].v2_;
+                                        let _e1263 = triangles.member[(0u + _e1024)].v0_;
+                                        let _e1266 = (_e1261.x - _e1263.x);
+                                        let _e1269 = (_e1261.y - _e1263.y);
+                                        let _e1272 = (_e1261.z - _e1263.z);
+                                        if (_e397 == 0u) {
+                                            phi_1867_ = vec3<f32>(_e1269, _e1272, _e1266);
                                         } else {
-                                            if (_e400 == 1u) {
-                                                phi_1866_ = vec3<f32>(_e1275, _e1269, _e1272);
+                                            if (_e397 == 1u) {
+                                                phi_1866_ = vec3<f32>(_e1272, _e1266, _e1269);
                                             } else {
-                                                phi_1866_ = (_e1264 - _e1266);
+                                                phi_1866_ = (_e1261 - _e1263);
                                             }
-                                            let _e1282 = phi_1866_;
-                                            phi_1867_ = _e1282;
+                                            let _e1279 = phi_1866_;
+                                            phi_1867_ = _e1279;
                                         }
-                                        let _e1284 = phi_1867_;
-                                        let _e1291 = ((_e1262.y * _e1284.z) - (_e1262.z * _e1284.y));
-                                        let _e1298 = ((_e1262.z * _e1284.x) - (_e1262.x * _e1284.z));
-                                        let _e1305 = ((_e1262.x * _e1284.y) - (_e1262.y * _e1284.x));
-                                        let _e1319 = (((1f / _e415.z) * (((_e1291 * _e1240.x) + (_e1298 * _e1240.y)) + (_e1305 * _e1240.z))) / (((_e1291 * _e419) + (_e1298 * _e422)) + _e1305));
-                                        if (_e1319 > _e158.tmin) {
-                                            if (_e1319 < _e158.tmax) {
-                                                let _e1325 = triangles.member[(0u + _e1027)].v0_;
-                                                let _e1327 = triangles.member[(0u + _e1027)].v1_;
-                                                if (_e1325.x < _e1327.x) {
-                                                    phi_1925_ = _e1325.x;
+                                        let _e1281 = phi_1867_;
+                                        let _e1288 = ((_e1259.y * _e1281.z) - (_e1259.z * _e1281.y));
+                                        let _e1295 = ((_e1259.z * _e1281.x) - (_e1259.x * _e1281.z));
+                                        let _e1302 = ((_e1259.x * _e1281.y) - (_e1259.y * _e1281.x));
+                                        let _e1316 = (((1f / _e412.z) * (((_e1288 * _e1237.x) + (_e1295 * _e1237.y)) + (_e1302 * _e1237.z))) / (((_e1288 * _e416) + (_e1295 * _e419)) + _e1302));
+                                        if (_e1316 > _e158.tmin) {
+                                            if (_e1316 < _e158.tmax) {
+                                                let _e1322 = triangles.member[(0u + _e1024)].v0_;
+                                                let _e1324 = triangles.member[(0u + _e1024)].v1_;
+                                                if (_e1322.x < _e1324.x) {
+                                                    phi_1925_ = _e1322.x;
                                                 } else {
-                                                    phi_1925_ = _e1327.x;
+                                                    phi_1925_ = _e1324.x;
                                                 }
-                                                let _e1334 = phi_1925_;
-                                                if (_e1325.y < _e1327.y) {
-                                                    phi_1934_ = _e1325.y;
+                                                let _e1331 = phi_1925_;
+                                                if (_e1322.y < _e1324.y) {
+                                                    phi_1934_ = _e1322.y;
                                                 } else {
-                                                    phi_1934_ = _e1327.y;
+                                                    phi_1934_ = _e1324.y;
                                                 }
-                                                let _e1341 = phi_1934_;
-                                                if (_e1325.z < _e1327.z) {
-                                                    phi_1943_ = _e1325.z;
+                                                let _e1338 = phi_1934_;
+                                                if (_e1322.z < _e1324.z) {
+                                                    phi_1943_ = _e1322.z;
                                                 } else {
-                                                    phi_1943_ = _e1327.z;
+                                                    phi_1943_ = _e1324.z;
                                                 }
-                                                let _e1348 = phi_1943_;
-                                                let _e1350 = triangles.member[(0u + _e1027)].v2_;
-                                                if (_e1334 < _e1350.x) {
-                                                    phi_1952_ = _e1334;
+                                                let _e1345 = phi_1943_;
+                                                let _e1347 = triangles.member[(0u + _e1024)].v2_;
+                                                if (_e1331 < _e1347.x) {
+                                                    phi_1952_ = _e1331;
                                                 } else {
-                                                    phi_1952_ = _e1350.x;
+                                                    phi_1952_ = _e1347.x;
                                                 }
-                                                let _e1355 = phi_1952_;
-                                                if (_e1341 < _e1350.y) {
-                                                    phi_1959_ = _e1341;
+                                                let _e1352 = phi_1952_;
+                                                if (_e1338 < _e1347.y) {
+                                                    phi_1959_ = _e1338;
                                                 } else {
-                                                    phi_1959_ = _e1350.y;
+                                                    phi_1959_ = _e1347.y;
                                                 }
-                                                let _e1360 = phi_1959_;
-                                                if (_e1348 < _e1350.z) {
-                                                    phi_1966_ = _e1348;
+                                                let _e1357 = phi_1959_;
+                                                if (_e1345 < _e1347.z) {
+                                                    phi_1966_ = _e1345;
                                                 } else {
-                                                    phi_1966_ = _e1350.z;
+                                                    phi_1966_ = _e1347.z;
                                                 }
-                                                let _e1365 = phi_1966_;
-                                                let _e1367 = triangles.member[(0u + _e1027)].v0_;
-                                                let _e1369 = triangles.member[(0u + _e1027)].v1_;
-                                                if (_e1367.x > _e1369.x) {
-                                                    phi_1979_ = _e1367.x;
+                                                let _e1362 = phi_1966_;
+                                                let _e1364 = triangles.member[(0u + _e1024)].v0_;
+                                                let _e1366 = triangles.member[(0u + _e1024)].v1_;
+                                                if (_e1364.x > _e1366.x) {
+                                                    phi_1979_ = _e1364.x;
                                                 } else {
-                                                    phi_1979_ = _e1369.x;
+                                                    phi_1979_ = _e1366.x;
                                                 }
-                                                let _e1376 = phi_1979_;
-                                                if (_e1367.y > _e1369.y) {
-                                                    phi_1988_ = _e1367.y;
+                                                let _e1373 = phi_1979_;
+                                                if (_e1364.y > _e1366.y) {
+                                                    phi_1988_ = _e1364.y;
                                                 } else {
-                                                    phi_1988_ = _e1369.y;
+                                                    phi_1988_ = _e1366.y;
                                                 }
-                                                let _e1383 = phi_1988_;
-                                                if (_e1367.z > _e1369.z) {
-                                                    phi_1997_ = _e1367.z;
+                                                let _e1380 = phi_1988_;
+                                                if (_e1364.z > _e1366.z) {
+                                                    phi_1997_ = _e1364.z;
                                                 } else {
-                                                    phi_1997_ = _e1369.z;
+                                                    phi_1997_ = _e1366.z;
                                                 }
-                                                let _e1390 = phi_1997_;
-                                                let _e1392 = triangles.member[(0u + _e1027)].v2_;
-                                                if (_e1376 > _e1392.x) {
-                                                    phi_2006_ = _e1376;
+                                                let _e1387 = phi_1997_;
+                                                let _e1389 = triangles.member[(0u + _e1024)].v2_;
+                                                if (_e1373 > _e1389.x) {
+                                                    phi_2006_ = _e1373;
                                                 } else {
-                                                    phi_2006_ = _e1392.x;
+                                                    phi_2006_ = _e1389.x;
                                                 }
-                                                let _e1397 = phi_2006_;
-                                                if (_e1383 > _e1392.y) {
-                                                    phi_2013_ = _e1383;
+                                                let _e1394 = phi_2006_;
+                                                if (_e1380 > _e1389.y) {
+                                                    phi_2013_ = _e1380;
                                                 } else {
-                                                    phi_2013_ = _e1392.y;
+                                                    phi_2013_ = _e1389.y;
                                                 }
-                                                let _e1402 = phi_2013_;
-                                                if (_e1390 > _e1392.z) {
-                                                    phi_2020_ = _e1390;
+                                                let _e1399 = phi_2013_;
+                                                if (_e1387 > _e1389.z) {
+                                                    phi_2020_ = _e1387;
                                                 } else {
-                                                    phi_2020_ = _e1392.z;
+                                                    phi_2020_ = _e1389.z;
                                                 }
-                                                let _e1407 = phi_2020_;
-                                                let _e1414 = ((_e1355 - _e158.origin.x) * _e312);
-                                                let _e1415 = ((_e1360 - _e158.origin.y) * _e324);
-                                                let _e1416 = ((_e1365 - _e158.origin.z) * _e336);
-                                                let _e1423 = ((_e1397 - _e158.origin.x) * _e312);
-                                                let _e1424 = ((_e1402 - _e158.origin.y) * _e324);
-                                                let _e1425 = ((_e1407 - _e158.origin.z) * _e336);
-                                                if (_e1414 < _e1423) {
-                                                    phi_2043_ = _e1414;
+                                                let _e1404 = phi_2020_;
+                                                let _e1411 = ((_e1352 - _e158.origin.x) * _e311);
+                                                let _e1412 = ((_e1357 - _e158.origin.y) * _e322);
+                                                let _e1413 = ((_e1362 - _e158.origin.z) * _e333);
+                                                let _e1420 = ((_e1394 - _e158.origin.x) * _e311);
+                                                let _e1421 = ((_e1399 - _e158.origin.y) * _e322);
+                                                let _e1422 = ((_e1404 - _e158.origin.z) * _e333);
+                                                if (_e1411 < _e1420) {
+                                                    phi_2043_ = _e1411;
                                                 } else {
-                                                    phi_2043_ = _e1423;
+                                                    phi_2043_ = _e1420;
                                                 }
-                                                let _e1428 = phi_2043_;
-                                                if (_e1415 < _e1424) {
-                                                    phi_2048_ = _e1415;
+                                                let _e1425 = phi_2043_;
+                                                if (_e1412 < _e1421) {
+                                                    phi_2048_ = _e1412;
                                                 } else {
-                                                    phi_2048_ = _e1424;
+                                                    phi_2048_ = _e1421;
                                                 }
-                                                let _e1431 = phi_2048_;
-                                                if (_e1416 < _e1425) {
-                                                    phi_2053_ = _e1416;
+                                                let _e1428 = phi_2048_;
+                                                if (_e1413 < _e1422) {
+                                                    phi_2053_ = _e1413;
                                                 } else {
-                                                    phi_2053_ = _e1425;
+                                                    phi_2053_ = _e1422;
                                                 }
-                                                let _e1434 = phi_2053_;
-                                                if (_e1414 > _e1423) {
-                                                    phi_2061_ = _e1414;
+                                                let _e1431 = phi_2053_;
+                                                if (_e1411 > _e1420) {
+                                                    phi_2061_ = _e1411;
                                                 } else {
-                                                    phi_2061_ = _e1423;
+                                                    phi_2061_ = _e1420;
                                                 }
-                                                let _e1440 = phi_2061_;
-                                                if (_e1415 > _e1424) {
-                                                    phi_2066_ = _e1415;
+                                                let _e1437 = phi_2061_;
+                                                if (_e1412 > _e1421) {
+                                                    phi_2066_ = _e1412;
                                                 } else {
-                                                    phi_2066_ = _e1424;
+                                                    phi_2066_ = _e1421;
                                                 }
-                                                let _e1443 = phi_2066_;
-                                                if (_e1416 > _e1425) {
-                                                    phi_2071_ = _e1416;
+                                                let _e1440 = phi_2066_;
+                                                if (_e1413 > _e1422) {
+                                                    phi_2071_ = _e1413;
                                                 } else {
-                                                    phi_2071_ = _e1425;
+                                                    phi_2071_ = _e1422;
                                                 }
-                                                let _e1446 = phi_2071_;
-                                                let _e1450 = core_intrinsics_maximum_number_nsz_f32_((_e1428 - _e380), (_e1431 - _e381));
-                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_(_e1450, (_e1434 - _e382));
-                                                let _e1452 = core_intrinsics_minimum_number_nsz_f32_((_e1440 + _e380), (_e1443 + _e381));
-                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_(_e1452, (_e1446 + _e382));
-                                                if (_e1451 > -300000000000000000000000000000000000000f) {
-                                                    phi_2083_ = _e1451;
+                                                let _e1443 = phi_2071_;
+                                                let _e1447 = core_intrinsics_maximum_number_nsz_f32_((_e1425 - _e377), (_e1428 - _e378));
+                                                let _e1448 = core_intrinsics_maximum_number_nsz_f32_(_e1447, (_e1431 - _e379));
+                                                let _e1449 = core_intrinsics_minimum_number_nsz_f32_((_e1437 + _e377), (_e1440 + _e378));
+                                                let _e1450 = core_intrinsics_minimum_number_nsz_f32_(_e1449, (_e1443 + _e379));
+                                                if (_e1448 > -300000000000000000000000000000000000000f) {
+                                                    phi_2083_ = _e1448;
                                                 } else {
                                                     phi_2083_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1456 = phi_2083_;
-                                                if (_e1453 < 300000000000000000000000000000000000000f) {
-                                                    phi_2088_ = _e1453;
+                                                let _e1453 = phi_2083_;
+                                                if (_e1450 < 300000000000000000000000000000000000000f) {
+                                                    phi_2088_ = _e1450;
                                                 } else {
                                                     phi_2088_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1459 = phi_2088_;
-                                                if (_e1319 < _e1456) {
-                                                    phi_2093_ = _e1456;
+                                                let _e1456 = phi_2088_;
+                                                if (_e1316 < _e1453) {
+                                                    phi_2093_ = _e1453;
                                                 } else {
-                                                    phi_2093_ = _e1319;
+                                                    phi_2093_ = _e1316;
                                                 }
-                                                let _e1462 = phi_2093_;
-                                                if (_e1462 > _e1459) {
+                                                let _e1459 = phi_2093_;
+                                                if (_e1459 > _e1456) {
+                                                    phi_2098_ = _e1456;
+                                                } else {
                                                     phi_2098_ = _e1459;
-                                                } else {
-                                                    phi_2098_ = _e1462;
                                                 }
-                                                let _e1465 = phi_2098_;
-                                                phi_2103_ = lt_bvh_triangle_Intersection(_e1465, (_e1158 / _e1217), (_e1179 / _e1217), (_e1456 <= _e1459));
+                                                let _e1462 = phi_2098_;
+                                                phi_2103_ = lt_bvh_triangle_Intersection(_e1462, (_e1155 / _e1214), (_e1176 / _e1214), (_e1453 <= _e1456));
                                                 phi_2104_ = false;
                                             } else {
                                                 phi_2103_ = lt_bvh_triangle_Intersection();
                                                 phi_2104_ = true;
                                             }
-                                            let _e1471 = phi_2103_;
-                                            let _e1473 = phi_2104_;
-                                            phi_2105_ = _e1471;
-                                            phi_2106_ = _e1473;
+                                            let _e1468 = phi_2103_;
+                                            let _e1470 = phi_2104_;
+                                            phi_2105_ = _e1468;
+                                            phi_2106_ = _e1470;
                                         } else {
                                             phi_2105_ = lt_bvh_triangle_Intersection();
                                             phi_2106_ = true;
                                         }
-                                        let _e1475 = phi_2105_;
-                                        let _e1477 = phi_2106_;
-                                        if _e1477 {
+                                        let _e1472 = phi_2105_;
+                                        let _e1474 = phi_2106_;
+                                        if _e1474 {
                                         }
-                                        phi_2110_ = _e1475;
-                                        phi_2111_ = _e1477;
+                                        phi_2110_ = _e1472;
+                                        phi_2111_ = _e1474;
                                     }
-                                    let _e1479 = phi_2110_;
-                                    let _e1481 = phi_2111_;
-                                    phi_2112_ = _e1479;
-                                    phi_2113_ = _e1220;
-                                    phi_2114_ = _e1481;
+                                    let _e1476 = phi_2110_;
+                                    let _e1478 = phi_2111_;
+                                    phi_2112_ = _e1476;
+                                    phi_2113_ = _e1217;
+                                    phi_2114_ = _e1478;
                                 } else {
                                     phi_2112_ = lt_bvh_triangle_Intersection();
                                     phi_2113_ = true;
                                     phi_2114_ = false;
                                 }
-                                let _e1483 = phi_2112_;
-                                let _e1485 = phi_2113_;
-                                let _e1487 = phi_2114_;
-                                if _e1485 {
+                                let _e1480 = phi_2112_;
+                                let _e1482 = phi_2113_;
+                                let _e1484 = phi_2114_;
+                                if _e1482 {
                                     phi_2118_ = true;
                                 } else {
-                                    phi_2118_ = _e1487;
+                                    phi_2118_ = _e1484;
                                 }
-                                let _e1489 = phi_2118_;
-                                if _e1489 {
+                                let _e1486 = phi_2118_;
+                                if _e1486 {
                                     phi_2122_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2122_ = _e1483;
+                                    phi_2122_ = _e1480;
                                 }
-                                let _e1491 = phi_2122_;
-                                if _e1491.is_hit {
-                                    if (_e1491.t > _e158.tmin) {
-                                        if (_e1491.t < _e1016.t) {
+                                let _e1488 = phi_2122_;
+                                if _e1488.is_hit {
+                                    if (_e1488.t > _e158.tmin) {
+                                        if (_e1488.t < _e1013.t) {
                                             phi_2171_ = true;
                                         } else {
-                                            if (_e1491.t == _e1016.t) {
-                                                if (_e1016.triangle != 4294967295u) {
-                                                    if (_e1027 < _e1016.triangle) {
+                                            if (_e1488.t == _e1013.t) {
+                                                if (_e1013.triangle != 4294967295u) {
+                                                    if (_e1024 < _e1013.triangle) {
                                                         phi_2162_ = true;
                                                     } else {
-                                                        if (_e1027 == _e1016.triangle) {
-                                                            phi_2161_ = (4294967295u < _e1016.instance);
+                                                        if (_e1024 == _e1013.triangle) {
+                                                            phi_2161_ = (4294967295u < _e1013.instance);
                                                         } else {
                                                             phi_2161_ = false;
                                                         }
-                                                        let _e1510 = phi_2161_;
-                                                        phi_2162_ = _e1510;
+                                                        let _e1507 = phi_2161_;
+                                                        phi_2162_ = _e1507;
                                                     }
-                                                    let _e1512 = phi_2162_;
-                                                    phi_2163_ = _e1512;
+                                                    let _e1509 = phi_2162_;
+                                                    phi_2163_ = _e1509;
                                                     phi_2164_ = false;
                                                 } else {
                                                     phi_2163_ = bool();
                                                     phi_2164_ = true;
                                                 }
-                                                let _e1514 = phi_2163_;
-                                                let _e1516 = phi_2164_;
-                                                phi_2165_ = _e1514;
-                                                phi_2166_ = _e1516;
+                                                let _e1511 = phi_2163_;
+                                                let _e1513 = phi_2164_;
+                                                phi_2165_ = _e1511;
+                                                phi_2166_ = _e1513;
                                             } else {
                                                 phi_2165_ = bool();
                                                 phi_2166_ = true;
                                             }
-                                            let _e1518 = phi_2165_;
-                                            let _e1520 = phi_2166_;
-                                            if _e1520 {
+                                            let _e1515 = phi_2165_;
+                                            let _e1517 = phi_2166_;
+                                            if _e1517 {
                                                 phi_2170_ = false;
                                             } else {
-                                                phi_2170_ = _e1518;
+                                                phi_2170_ = _e1515;
                                             }
-                                            let _e1522 = phi_2170_;
-                                            phi_2171_ = _e1522;
+                                            let _e1519 = phi_2170_;
+                                            phi_2171_ = _e1519;
                                         }
-                                        let _e1524 = phi_2171_;
-                                        if _e1524 {
-                                            let _e1526 = triangles.member[(0u + _e1027)].i0_;
-                                            if ((_e1526 & 2147483648u) == 0u) {
+                                        let _e1521 = phi_2171_;
+                                        if _e1521 {
+                                            let _e1523 = triangles.member[(0u + _e1024)].i0_;
+                                            if ((_e1523 & 2147483648u) == 0u) {
                                                 phi_2185_ = true;
                                             } else {
                                                 if true {
                                                 }
                                                 phi_2185_ = true;
                                             }
-                                            let _e1530 = phi_2185_;
-                                            if _e1530 {
-                                                phi_2193_ = lt_bvh_Hit(_e1491.t, _e1491.u, _e1491.v, _e1027, 4294967295u);
+                                            let _e1527 = phi_2185_;
+                                            if _e1527 {
+                                                phi_2193_ = lt_bvh_Hit(_e1488.t, _e1488.u, _e1488.v, _e1024, 4294967295u);
                                             } else {
-                                                phi_2193_ = _e1016;
+                                                phi_2193_ = _e1013;
                                             }
-                                            let _e1536 = phi_2193_;
-                                            phi_2194_ = _e1536;
+                                            let _e1533 = phi_2193_;
+                                            phi_2194_ = _e1533;
                                         } else {
-                                            phi_2194_ = _e1016;
+                                            phi_2194_ = _e1013;
                                         }
-                                        let _e1538 = phi_2194_;
-                                        phi_2195_ = _e1538;
+                                        let _e1535 = phi_2194_;
+                                        phi_2195_ = _e1535;
                                     } else {
-                                        phi_2195_ = _e1016;
+                                        phi_2195_ = _e1013;
                                     }
-                                    let _e1540 = phi_2195_;
-                                    phi_2196_ = _e1540;
+                                    let _e1537 = phi_2195_;
+                                    phi_2196_ = _e1537;
                                 } else {
-                                    phi_2196_ = _e1016;
+                                    phi_2196_ = _e1013;
                                 }
-                                let _e1542 = phi_2196_;
-                                phi_1536_ = _e1542;
-                                phi_1539_ = (_e1018 & (_e1018 - 1u));
+                                let _e1539 = phi_2196_;
+                                phi_1536_ = _e1539;
+                                phi_1539_ = (_e1015 & (_e1015 - 1u));
                                 phi_2197_ = true;
                             }
-                            let _e1544 = phi_1536_;
-                            let _e1546 = phi_1539_;
-                            let _e1548 = phi_2197_;
+                            let _e1541 = phi_1536_;
+                            let _e1543 = phi_1539_;
+                            let _e1545 = phi_2197_;
                             continue;
                             continuing {
-                                phi_1535_ = _e1544;
-                                phi_1538_ = _e1546;
-                                break if !(_e1548);
+                                phi_1535_ = _e1541;
+                                phi_1538_ = _e1543;
+                                break if !(_e1545);
                             }
                         }
-                        let _e1551 = local_1.group_mask;
-                        if ((_e1551 & 4278190080u) == 0u) {
-                            let _e1555 = local_1.len;
-                            if (_e1555 == 0u) {
+                        let _e1548 = local_1.group_mask;
+                        if ((_e1548 & 4278190080u) == 0u) {
+                            let _e1552 = local_1.len;
+                            if (_e1552 == 0u) {
                                 phi_2236_ = false;
                             } else {
+                                let _e1556 = local_1.len;
+                                local_1.len = (_e1556 - 1u);
                                 let _e1559 = local_1.len;
-                                local_1.len = (_e1559 - 1u);
-                                let _e1562 = local_1.len;
-                                if (_e1562 < 32u) {
+                                if (_e1559 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1567 = local_1.first[(0u + _e1562)];
-                                local_1.group = _e1567;
-                                let _e1570 = local_1.len;
-                                if (_e1570 < 32u) {
+                                let _e1564 = local_1.first[(0u + _e1559)];
+                                local_1.group = _e1564;
+                                let _e1567 = local_1.len;
+                                if (_e1567 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1575 = local_1.mask[(0u + _e1570)];
-                                local_1.group_mask = _e1575;
+                                let _e1572 = local_1.mask[(0u + _e1567)];
+                                local_1.group_mask = _e1572;
                                 phi_2236_ = true;
                             }
-                            let _e1578 = phi_2236_;
-                            phi_2237_ = _e1578;
+                            let _e1575 = phi_2236_;
+                            phi_2237_ = _e1575;
                         } else {
                             phi_2237_ = true;
                         }
-                        let _e1580 = phi_2237_;
-                        if _e1580 {
-                            let _e1582 = local_1.group_mask;
-                            let _e1588 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1582)), 32u, (_e1582 == 0u)));
-                            let _e1592 = local_1.group_mask;
-                            let _e1606 = local_1.group_mask;
-                            local_1.group_mask = (_e1606 & ~((1u << bitcast<u32>((_e1588 & 31u)))));
-                            let _e1609 = local_1.group;
-                            phi_2268_ = (_e1609 + countOneBits(((_e1592 & ~((4294967295u << bitcast<u32>((((_e1588 - 24u) ^ _e435) & 31u))))) & 255u)));
+                        let _e1577 = phi_2237_;
+                        if _e1577 {
+                            let _e1579 = local_1.group_mask;
+                            let _e1585 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1579)), 32u, (_e1579 == 0u)));
+                            let _e1589 = local_1.group_mask;
+                            let _e1603 = local_1.group_mask;
+                            local_1.group_mask = (_e1603 & ~((1u << bitcast<u32>((_e1585 & 31u)))));
+                            let _e1606 = local_1.group;
+                            phi_2268_ = (_e1606 + countOneBits(((_e1589 & ~((4294967295u << bitcast<u32>((((_e1585 - 24u) ^ _e432) & 31u))))) & 255u)));
                         } else {
                             phi_2268_ = 4294967295u;
                         }
-                        let _e1612 = phi_2268_;
-                        let _e2532 = local_5;
-                        phi_1199_ = _e2532;
-                        phi_1202_ = _e1612;
+                        let _e1609 = phi_2268_;
+                        let _e2529 = local_5;
+                        phi_1199_ = _e2529;
+                        phi_1202_ = _e1609;
                     } else {
                         phi_1199_ = lt_bvh_Hit();
                         phi_1202_ = u32();
                     }
-                    let _e1614 = phi_1199_;
-                    let _e1616 = phi_1202_;
+                    let _e1611 = phi_1199_;
+                    let _e1613 = phi_1202_;
                     continue;
                     continuing {
-                        phi_1198_ = _e1614;
-                        phi_1201_ = _e1616;
-                        break if !(_e576);
+                        phi_1198_ = _e1611;
+                        phi_1201_ = _e1613;
+                        break if !(_e573);
                     }
                 }
-                let _e2536 = local_6;
-                phi_2269_ = _e2536;
+                let _e2533 = local_6;
+                phi_2269_ = _e2533;
             }
-            let _e1619 = phi_2269_;
-            phi_2270_ = _e1619;
+            let _e1616 = phi_2269_;
+            phi_2270_ = _e1616;
             phi_2271_ = _e230;
         } else {
             phi_2270_ = lt_bvh_Hit();
             phi_2271_ = true;
         }
-        let _e1621 = phi_2270_;
-        let _e1623 = phi_2271_;
-        if _e1623 {
+        let _e1618 = phi_2270_;
+        let _e1620 = phi_2271_;
+        if _e1620 {
             phi_2275_ = _e160;
         } else {
-            phi_2275_ = _e1621;
+            phi_2275_ = _e1618;
         }
-        let _e1625 = phi_2275_;
-        if (_e1625.triangle != 4294967295u) {
-            let _e1631 = ((1f - _e1625.u) - _e1625.v);
-            if (_e1625.triangle < _e79) {
+        let _e1622 = phi_2275_;
+        if (_e1622.triangle != 4294967295u) {
+            let _e1628 = ((1f - _e1622.u) - _e1622.v);
+            if (_e1622.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1636 = triangles.member[(0u + _e1625.triangle)];
-            let _e1661 = (((_e1636.v0_.x * _e1631) + (_e1636.v1_.x * _e1625.u)) + (_e1636.v2_.x * _e1625.v));
-            let _e1662 = (((_e1636.v0_.y * _e1631) + (_e1636.v1_.y * _e1625.u)) + (_e1636.v2_.y * _e1625.v));
-            let _e1663 = (((_e1636.v0_.z * _e1631) + (_e1636.v1_.z * _e1625.u)) + (_e1636.v2_.z * _e1625.v));
-            let _e1666 = abs(_e1636.v0_.x);
-            let _e1668 = abs(_e1636.v0_.y);
-            let _e1670 = abs(_e1636.v0_.z);
-            let _e1672 = abs(_e1636.v1_.x);
-            let _e1674 = abs(_e1636.v1_.y);
-            let _e1676 = abs(_e1636.v1_.z);
-            if (_e1666 > _e1672) {
-                phi_2339_ = _e1666;
+            let _e1633 = triangles.member[(0u + _e1622.triangle)];
+            let _e1658 = (((_e1633.v0_.x * _e1628) + (_e1633.v1_.x * _e1622.u)) + (_e1633.v2_.x * _e1622.v));
+            let _e1659 = (((_e1633.v0_.y * _e1628) + (_e1633.v1_.y * _e1622.u)) + (_e1633.v2_.y * _e1622.v));
+            let _e1660 = (((_e1633.v0_.z * _e1628) + (_e1633.v1_.z * _e1622.u)) + (_e1633.v2_.z * _e1622.v));
+            let _e1663 = abs(_e1633.v0_.x);
+            let _e1665 = abs(_e1633.v0_.y);
+            let _e1667 = abs(_e1633.v0_.z);
+            let _e1669 = abs(_e1633.v1_.x);
+            let _e1671 = abs(_e1633.v1_.y);
+            let _e1673 = abs(_e1633.v1_.z);
+            if (_e1663 > _e1669) {
+                phi_2339_ = _e1663;
             } else {
-                phi_2339_ = _e1672;
+                phi_2339_ = _e1669;
             }
-            let _e1679 = phi_2339_;
-            if (_e1668 > _e1674) {
-                phi_2344_ = _e1668;
+            let _e1676 = phi_2339_;
+            if (_e1665 > _e1671) {
+                phi_2344_ = _e1665;
             } else {
-                phi_2344_ = _e1674;
+                phi_2344_ = _e1671;
             }
-            let _e1682 = phi_2344_;
-            if (_e1670 > _e1676) {
-                phi_2349_ = _e1670;
+            let _e1679 = phi_2344_;
+            if (_e1667 > _e1673) {
+                phi_2349_ = _e1667;
             } else {
-                phi_2349_ = _e1676;
+                phi_2349_ = _e1673;
             }
-            let _e1685 = phi_2349_;
-            let _e1687 = abs(_e1636.v2_.x);
-            let _e1689 = abs(_e1636.v2_.y);
-            let _e1691 = abs(_e1636.v2_.z);
-            if (_e1679 > _e1687) {
-                phi_2360_ = _e1679;
+            let _e1682 = phi_2349_;
+            let _e1684 = abs(_e1633.v2_.x);
+            let _e1686 = abs(_e1633.v2_.y);
+            let _e1688 = abs(_e1633.v2_.z);
+            if (_e1676 > _e1684) {
+                phi_2360_ = _e1676;
             } else {
-                phi_2360_ = _e1687;
+                phi_2360_ = _e1684;
             }
-            let _e1694 = phi_2360_;
-            if (_e1682 > _e1689) {
-                phi_2365_ = _e1682;
+            let _e1691 = phi_2360_;
+            if (_e1679 > _e1686) {
+                phi_2365_ = _e1679;
             } else {
-                phi_2365_ = _e1689;
+                phi_2365_ = _e1686;
             }
-            let _e1697 = phi_2365_;
-            if (_e1685 > _e1691) {
-                phi_2370_ = _e1685;
+            let _e1694 = phi_2365_;
+            if (_e1682 > _e1688) {
+                phi_2370_ = _e1682;
             } else {
-                phi_2370_ = _e1691;
+                phi_2370_ = _e1688;
             }
-            let _e1700 = phi_2370_;
-            let _e1703 = (_e1636.v1_.x - _e1636.v0_.x);
-            let _e1706 = (_e1636.v1_.y - _e1636.v0_.y);
-            let _e1709 = (_e1636.v1_.z - _e1636.v0_.z);
-            let _e1712 = (_e1636.v2_.x - _e1636.v0_.x);
-            let _e1715 = (_e1636.v2_.y - _e1636.v0_.y);
-            let _e1718 = (_e1636.v2_.z - _e1636.v0_.z);
-            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1706), abs(_e1709));
-            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1703), _e1722);
-            let _e1724 = (_e1703 / _e1723);
-            let _e1725 = (_e1706 / _e1723);
-            let _e1726 = (_e1709 / _e1723);
-            let _e1730 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1715), abs(_e1718));
-            let _e1731 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1712), _e1730);
-            let _e1732 = (_e1712 / _e1731);
-            let _e1733 = (_e1715 / _e1731);
-            let _e1734 = (_e1718 / _e1731);
-            let _e1737 = ((_e1725 * _e1734) - (_e1733 * _e1726));
-            let _e1740 = ((_e1726 * _e1732) - (_e1734 * _e1724));
-            let _e1743 = ((_e1724 * _e1733) - (_e1732 * _e1725));
-            let _e1745 = p.member.eye;
-            let _e1758 = (1f / sqrt((((_e1737 * _e1737) + (_e1740 * _e1740)) + (_e1743 * _e1743))));
-            let _e1759 = (_e1737 * _e1758);
-            let _e1760 = (_e1740 * _e1758);
-            let _e1761 = (_e1743 * _e1758);
-            if ((((_e1759 * (_e1745.x - _e1661)) + (_e1760 * (_e1745.y - _e1662))) + (_e1761 * (_e1745.z - _e1663))) < 0f) {
-                phi_2446_ = vec3<f32>(-(_e1759), -(_e1760), -(_e1761));
+            let _e1697 = phi_2370_;
+            let _e1700 = (_e1633.v1_.x - _e1633.v0_.x);
+            let _e1703 = (_e1633.v1_.y - _e1633.v0_.y);
+            let _e1706 = (_e1633.v1_.z - _e1633.v0_.z);
+            let _e1709 = (_e1633.v2_.x - _e1633.v0_.x);
+            let _e1712 = (_e1633.v2_.y - _e1633.v0_.y);
+            let _e1715 = (_e1633.v2_.z - _e1633.v0_.z);
+            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1703), abs(_e1706));
+            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1700), _e1719);
+            let _e1721 = (_e1700 / _e1720);
+            let _e1722 = (_e1703 / _e1720);
+            let _e1723 = (_e1706 / _e1720);
+            let _e1727 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1712), abs(_e1715));
+            let _e1728 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1709), _e1727);
+            let _e1729 = (_e1709 / _e1728);
+            let _e1730 = (_e1712 / _e1728);
+            let _e1731 = (_e1715 / _e1728);
+            let _e1734 = ((_e1722 * _e1731) - (_e1730 * _e1723));
+            let _e1737 = ((_e1723 * _e1729) - (_e1731 * _e1721));
+            let _e1740 = ((_e1721 * _e1730) - (_e1729 * _e1722));
+            let _e1742 = p.member.eye;
+            let _e1755 = (1f / sqrt((((_e1734 * _e1734) + (_e1737 * _e1737)) + (_e1740 * _e1740))));
+            let _e1756 = (_e1734 * _e1755);
+            let _e1757 = (_e1737 * _e1755);
+            let _e1758 = (_e1740 * _e1755);
+            if ((((_e1756 * (_e1742.x - _e1658)) + (_e1757 * (_e1742.y - _e1659))) + (_e1758 * (_e1742.z - _e1660))) < 0f) {
+                phi_2446_ = vec3<f32>(-(_e1756), -(_e1757), -(_e1758));
             } else {
-                phi_2446_ = vec3<f32>(_e1759, _e1760, _e1761);
+                phi_2446_ = vec3<f32>(_e1756, _e1757, _e1758);
             }
-            let _e1774 = phi_2446_;
-            if (_e1625.triangle < _e79) {
-            } else {
-                return;
-            }
-            let _e1779 = triangles.member[(0u + _e1625.triangle)];
-            let _e1781 = (_e1779.i0_ & 2147483647u);
-            if (_e1781 < _e82) {
+            let _e1771 = phi_2446_;
+            if (_e1622.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1787 = vertices.member[(0u + _e1781)];
-            if (_e1779.i1_ < _e82) {
+            let _e1776 = triangles.member[(0u + _e1622.triangle)];
+            let _e1778 = (_e1776.i0_ & 2147483647u);
+            if (_e1778 < _e82) {
             } else {
                 return;
             }
-            let _e1791 = vertices.member[(0u + _e1779.i1_)];
-            if (_e1779.i2_ < _e82) {
+            let _e1784 = vertices.member[(0u + _e1778)];
+            if (_e1776.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e1795 = vertices.member[(0u + _e1779.i2_)];
-            let _e1796 = array<abi_Vertex, 3>(_e1787, _e1791, _e1795);
-            if (_e1796[0].material < arrayLength((&materials.member))) {
+            let _e1788 = vertices.member[(0u + _e1776.i1_)];
+            if (_e1776.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e1802 = materials.member[(0u + _e1796[0].material)];
-            let _e1819 = (1f / 255f);
-            let _e1838 = (1f / 255f);
-            let _e1860 = (1f / 255f);
-            if (_e1802.color_size == 0u) {
+            let _e1792 = vertices.member[(0u + _e1776.i2_)];
+            let _e1793 = array<abi_Vertex, 3>(_e1784, _e1788, _e1792);
+            if (_e1793[0].material < arrayLength((&materials.member))) {
+            } else {
+                return;
+            }
+            let _e1799 = materials.member[(0u + _e1793[0].material)];
+            let _e1816 = (1f / 255f);
+            let _e1835 = (1f / 255f);
+            let _e1857 = (1f / 255f);
+            if (_e1799.color_size == 0u) {
                 phi_2689_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1802.color_offset;
-                local.size = _e1802.color_size;
-                local.flags = _e1802.flags;
-                let _e1903 = _lt_shaders_texture_TextureView_quad((&local), (((_e1796[0].u * _e1631) + (_e1796[1].u * _e1625.u)) + (_e1796[2].u * _e1625.v)), (((_e1796[0].v * _e1631) + (_e1796[1].v * _e1625.u)) + (_e1796[2].v * _e1625.v)));
-                if (_e1903.indices[0] < _e91) {
+                local.offset = _e1799.color_offset;
+                local.size = _e1799.color_size;
+                local.flags = _e1799.flags;
+                let _e1900 = _lt_shaders_texture_TextureView_quad((&local), (((_e1793[0].u * _e1628) + (_e1793[1].u * _e1622.u)) + (_e1793[2].u * _e1622.v)), (((_e1793[0].v * _e1628) + (_e1793[1].v * _e1622.u)) + (_e1793[2].v * _e1622.v)));
+                if (_e1900.indices[0] < _e91) {
                 } else {
                     return;
                 }
-                let _e1909 = color_texels.member[(0u + _e1903.indices[0])];
-                let _e1920 = (1f / 255f);
-                if (_e1903.indices[1] < _e91) {
+                let _e1906 = color_texels.member[(0u + _e1900.indices[0])];
+                let _e1917 = (1f / 255f);
+                if (_e1900.indices[1] < _e91) {
                 } else {
                     return;
                 }
-                let _e1934 = color_texels.member[(0u + _e1903.indices[1])];
-                let _e1945 = (1f / 255f);
-                if (_e1903.indices[2] < _e91) {
+                let _e1931 = color_texels.member[(0u + _e1900.indices[1])];
+                let _e1942 = (1f / 255f);
+                if (_e1900.indices[2] < _e91) {
                 } else {
                     return;
                 }
-                let _e1962 = color_texels.member[(0u + _e1903.indices[2])];
-                let _e1973 = (1f / 255f);
-                if (_e1903.indices[3] < _e91) {
+                let _e1959 = color_texels.member[(0u + _e1900.indices[2])];
+                let _e1970 = (1f / 255f);
+                if (_e1900.indices[3] < _e91) {
                 } else {
                     return;
                 }
-                let _e1990 = color_texels.member[(0u + _e1903.indices[3])];
-                let _e2001 = (1f / 255f);
-                let _e2010 = (((((f32((_e1909 & 255u)) * _e1920) * _e1903.weights.x) + ((f32((_e1934 & 255u)) * _e1945) * _e1903.weights.y)) + ((f32((_e1962 & 255u)) * _e1973) * _e1903.weights.z)) + ((f32((_e1990 & 255u)) * _e2001) * _e1903.weights.w));
-                let _e2011 = (((((f32(((_e1909 >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(8i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(8i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1903.weights.w));
-                let _e2012 = (((((f32(((_e1909 >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(16i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(16i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1903.weights.w));
-                phi_2689_ = vec3<f32>((_e2010 * _e2010), (_e2011 * _e2011), (_e2012 * _e2012));
+                let _e1987 = color_texels.member[(0u + _e1900.indices[3])];
+                let _e1998 = (1f / 255f);
+                let _e2007 = (((((f32((_e1906 & 255u)) * _e1917) * _e1900.weights.x) + ((f32((_e1931 & 255u)) * _e1942) * _e1900.weights.y)) + ((f32((_e1959 & 255u)) * _e1970) * _e1900.weights.z)) + ((f32((_e1987 & 255u)) * _e1998) * _e1900.weights.w));
+                let _e2008 = (((((f32(((_e1906 >> bitcast<u32>(8i)) & 255u)) * _e1917) * _e1900.weights.x) + ((f32(((_e1931 >> bitcast<u32>(8i)) & 255u)) * _e1942) * _e1900.weights.y)) + ((f32(((_e1959 >> bitcast<u32>(8i)) & 255u)) * _e1970) * _e1900.weights.z)) + ((f32(((_e1987 >> bitcast<u32>(8i)) & 255u)) * _e1998) * _e1900.weights.w));
+                let _e2009 = (((((f32(((_e1906 >> bitcast<u32>(16i)) & 255u)) * _e1917) * _e1900.weights.x) + ((f32(((_e1931 >> bitcast<u32>(16i)) & 255u)) * _e1942) * _e1900.weights.y)) + ((f32(((_e1959 >> bitcast<u32>(16i)) & 255u)) * _e1970) * _e1900.weights.z)) + ((f32(((_e1987 >> bitcast<u32>(16i)) & 255u)) * _e1998) * _e1900.weights.w));
+                phi_2689_ = vec3<f32>((_e2007 * _e2007), (_e2008 * _e2008), (_e2009 * _e2009));
             }
-            let _e2018 = phi_2689_;
-            let _e2020 = ((_e1802.base_color.x * ((((f32((_e1796[0].color & 255u)) * _e1819) * _e1631) + ((f32((_e1796[1].color & 255u)) * _e1838) * _e1625.u)) + ((f32((_e1796[2].color & 255u)) * _e1860) * _e1625.v))) * _e2018.x);
-            let _e2022 = ((_e1802.base_color.y * ((((f32(((_e1796[0].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(8i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(8i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.y);
-            let _e2024 = ((_e1802.base_color.z * ((((f32(((_e1796[0].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(16i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(16i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.z);
-            let _e2025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1697, _e1700);
-            let _e2026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1694, _e2025);
-            if ((_e1802.flags & 2u) == 0u) {
+            let _e2015 = phi_2689_;
+            let _e2017 = ((_e1799.base_color.x * ((((f32((_e1793[0].color & 255u)) * _e1816) * _e1628) + ((f32((_e1793[1].color & 255u)) * _e1835) * _e1622.u)) + ((f32((_e1793[2].color & 255u)) * _e1857) * _e1622.v))) * _e2015.x);
+            let _e2019 = ((_e1799.base_color.y * ((((f32(((_e1793[0].color >> bitcast<u32>(8i)) & 255u)) * _e1816) * _e1628) + ((f32(((_e1793[1].color >> bitcast<u32>(8i)) & 255u)) * _e1835) * _e1622.u)) + ((f32(((_e1793[2].color >> bitcast<u32>(8i)) & 255u)) * _e1857) * _e1622.v))) * _e2015.y);
+            let _e2021 = ((_e1799.base_color.z * ((((f32(((_e1793[0].color >> bitcast<u32>(16i)) & 255u)) * _e1816) * _e1628) + ((f32(((_e1793[1].color >> bitcast<u32>(16i)) & 255u)) * _e1835) * _e1622.u)) + ((f32(((_e1793[2].color >> bitcast<u32>(16i)) & 255u)) * _e1857) * _e1622.v))) * _e2015.z);
+            let _e2022 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1694, _e1697);
+            let _e2023 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1691, _e2022);
+            if ((_e1799.flags & 2u) == 0u) {
                 phi_2704_ = 0u;
             } else {
                 phi_2704_ = 1u;
             }
-            let _e2031 = phi_2704_;
-            if (_e1796[0].normal == 2147516416u) {
-                phi_2907_ = _e1774;
+            let _e2028 = phi_2704_;
+            if (_e1793[0].normal == 2147516416u) {
+                phi_2907_ = _e1771;
             } else {
-                let _e2044 = (f32((bitcast<i32>((_e1796[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2050 = (f32((bitcast<i32>(_e1796[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2054 = ((1f - abs(_e2044)) - abs(_e2050));
-                if (_e2054 < 0f) {
-                    phi_2731_ = -(_e2054);
+                let _e2041 = (f32((bitcast<i32>((_e1793[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2047 = (f32((bitcast<i32>(_e1793[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2051 = ((1f - abs(_e2041)) - abs(_e2047));
+                if (_e2051 < 0f) {
+                    phi_2731_ = -(_e2051);
                 } else {
                     phi_2731_ = 0f;
                 }
-                let _e2058 = phi_2731_;
-                if (_e2044 < 0f) {
-                    phi_2738_ = (_e2044 + _e2058);
+                let _e2055 = phi_2731_;
+                if (_e2041 < 0f) {
+                    phi_2738_ = (_e2041 + _e2055);
                 } else {
-                    phi_2738_ = (_e2044 - _e2058);
+                    phi_2738_ = (_e2041 - _e2055);
                 }
-                let _e2063 = phi_2738_;
-                if (_e2050 < 0f) {
-                    phi_2745_ = (_e2050 + _e2058);
+                let _e2060 = phi_2738_;
+                if (_e2047 < 0f) {
+                    phi_2745_ = (_e2047 + _e2055);
                 } else {
-                    phi_2745_ = (_e2050 - _e2058);
+                    phi_2745_ = (_e2047 - _e2055);
                 }
-                let _e2068 = phi_2745_;
-                let _e2075 = (1f / sqrt((((_e2063 * _e2063) + (_e2068 * _e2068)) + (_e2054 * _e2054))));
-                let _e2091 = (f32((bitcast<i32>((_e1796[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2097 = (f32((bitcast<i32>(_e1796[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2101 = ((1f - abs(_e2091)) - abs(_e2097));
-                if (_e2101 < 0f) {
-                    phi_2780_ = -(_e2101);
+                let _e2065 = phi_2745_;
+                let _e2072 = (1f / sqrt((((_e2060 * _e2060) + (_e2065 * _e2065)) + (_e2051 * _e2051))));
+                let _e2088 = (f32((bitcast<i32>((_e1793[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2094 = (f32((bitcast<i32>(_e1793[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2098 = ((1f - abs(_e2088)) - abs(_e2094));
+                if (_e2098 < 0f) {
+                    phi_2780_ = -(_e2098);
                 } else {
                     phi_2780_ = 0f;
                 }
-                let _e2105 = phi_2780_;
-                if (_e2091 < 0f) {
-                    phi_2787_ = (_e2091 + _e2105);
+                let _e2102 = phi_2780_;
+                if (_e2088 < 0f) {
+                    phi_2787_ = (_e2088 + _e2102);
                 } else {
-                    phi_2787_ = (_e2091 - _e2105);
+                    phi_2787_ = (_e2088 - _e2102);
                 }
-                let _e2110 = phi_2787_;
-                if (_e2097 < 0f) {
-                    phi_2794_ = (_e2097 + _e2105);
+                let _e2107 = phi_2787_;
+                if (_e2094 < 0f) {
+                    phi_2794_ = (_e2094 + _e2102);
                 } else {
-                    phi_2794_ = (_e2097 - _e2105);
+                    phi_2794_ = (_e2094 - _e2102);
                 }
-                let _e2115 = phi_2794_;
-                let _e2122 = (1f / sqrt((((_e2110 * _e2110) + (_e2115 * _e2115)) + (_e2101 * _e2101))));
-                let _e2141 = (f32((bitcast<i32>((_e1796[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2147 = (f32((bitcast<i32>(_e1796[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2151 = ((1f - abs(_e2141)) - abs(_e2147));
-                if (_e2151 < 0f) {
-                    phi_2832_ = -(_e2151);
+                let _e2112 = phi_2794_;
+                let _e2119 = (1f / sqrt((((_e2107 * _e2107) + (_e2112 * _e2112)) + (_e2098 * _e2098))));
+                let _e2138 = (f32((bitcast<i32>((_e1793[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2144 = (f32((bitcast<i32>(_e1793[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2148 = ((1f - abs(_e2138)) - abs(_e2144));
+                if (_e2148 < 0f) {
+                    phi_2832_ = -(_e2148);
                 } else {
                     phi_2832_ = 0f;
                 }
-                let _e2155 = phi_2832_;
-                if (_e2141 < 0f) {
-                    phi_2839_ = (_e2141 + _e2155);
+                let _e2152 = phi_2832_;
+                if (_e2138 < 0f) {
+                    phi_2839_ = (_e2138 + _e2152);
                 } else {
-                    phi_2839_ = (_e2141 - _e2155);
+                    phi_2839_ = (_e2138 - _e2152);
                 }
-                let _e2160 = phi_2839_;
-                if (_e2147 < 0f) {
-                    phi_2846_ = (_e2147 + _e2155);
+                let _e2157 = phi_2839_;
+                if (_e2144 < 0f) {
+                    phi_2846_ = (_e2144 + _e2152);
                 } else {
-                    phi_2846_ = (_e2147 - _e2155);
+                    phi_2846_ = (_e2144 - _e2152);
                 }
-                let _e2165 = phi_2846_;
-                let _e2172 = (1f / sqrt((((_e2160 * _e2160) + (_e2165 * _e2165)) + (_e2151 * _e2151))));
-                let _e2183 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2063 * _e2075) * _e1631) + ((_e2110 * _e2122) * _e1625.u)) + ((_e2160 * _e2172) * _e1625.v)), ((((_e2068 * _e2075) * _e1631) + ((_e2115 * _e2122) * _e1625.u)) + ((_e2165 * _e2172) * _e1625.v)), ((((_e2054 * _e2075) * _e1631) + ((_e2101 * _e2122) * _e1625.u)) + ((_e2151 * _e2172) * _e1625.v))));
-                let _e2195 = sqrt((((_e2183.x * _e2183.x) + (_e2183.y * _e2183.y)) + (_e2183.z * _e2183.z)));
-                if (_e2195 > 0f) {
-                    let _e2198 = (_e2183.x / _e2195);
-                    let _e2200 = (_e2183.y / _e2195);
-                    let _e2202 = (_e2183.z / _e2195);
-                    if ((((_e2198 * _e1774.x) + (_e2200 * _e1774.y)) + (_e2202 * _e1774.z)) < 0f) {
-                        phi_2905_ = vec3<f32>(-(_e2198), -(_e2200), -(_e2202));
+                let _e2162 = phi_2846_;
+                let _e2169 = (1f / sqrt((((_e2157 * _e2157) + (_e2162 * _e2162)) + (_e2148 * _e2148))));
+                let _e2180 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2060 * _e2072) * _e1628) + ((_e2107 * _e2119) * _e1622.u)) + ((_e2157 * _e2169) * _e1622.v)), ((((_e2065 * _e2072) * _e1628) + ((_e2112 * _e2119) * _e1622.u)) + ((_e2162 * _e2169) * _e1622.v)), ((((_e2051 * _e2072) * _e1628) + ((_e2098 * _e2119) * _e1622.u)) + ((_e2148 * _e2169) * _e1622.v))));
+                let _e2192 = sqrt((((_e2180.x * _e2180.x) + (_e2180.y * _e2180.y)) + (_e2180.z * _e2180.z)));
+                if (_e2192 > 0f) {
+                    let _e2195 = (_e2180.x / _e2192);
+                    let _e2197 = (_e2180.y / _e2192);
+                    let _e2199 = (_e2180.z / _e2192);
+                    if ((((_e2195 * _e1771.x) + (_e2197 * _e1771.y)) + (_e2199 * _e1771.z)) < 0f) {
+                        phi_2905_ = vec3<f32>(-(_e2195), -(_e2197), -(_e2199));
                     } else {
-                        phi_2905_ = (_e2183 / vec3(_e2195));
+                        phi_2905_ = (_e2180 / vec3(_e2192));
                     }
-                    let _e2219 = phi_2905_;
-                    phi_2906_ = _e2219;
+                    let _e2216 = phi_2905_;
+                    phi_2906_ = _e2216;
                 } else {
-                    phi_2906_ = _e1774;
+                    phi_2906_ = _e1771;
                 }
-                let _e2221 = phi_2906_;
-                phi_2907_ = _e2221;
+                let _e2218 = phi_2906_;
+                phi_2907_ = _e2218;
             }
-            let _e2223 = phi_2907_;
-            if (_e2020 > 0f) {
-                if (_e2020 < 1f) {
-                    phi_2916_ = _e2020;
+            let _e2220 = phi_2907_;
+            if (_e2017 > 0f) {
+                if (_e2017 < 1f) {
+                    phi_2916_ = _e2017;
                 } else {
                     phi_2916_ = 1f;
                 }
-                let _e2227 = phi_2916_;
-                phi_2917_ = _e2227;
+                let _e2224 = phi_2916_;
+                phi_2917_ = _e2224;
             } else {
                 phi_2917_ = 0f;
             }
-            let _e2229 = phi_2917_;
-            if (_e2022 > 0f) {
-                if (_e2022 < 1f) {
-                    phi_2927_ = _e2022;
+            let _e2226 = phi_2917_;
+            if (_e2019 > 0f) {
+                if (_e2019 < 1f) {
+                    phi_2927_ = _e2019;
                 } else {
                     phi_2927_ = 1f;
                 }
-                let _e2234 = phi_2927_;
-                phi_2928_ = _e2234;
+                let _e2231 = phi_2927_;
+                phi_2928_ = _e2231;
             } else {
                 phi_2928_ = 0f;
             }
-            let _e2236 = phi_2928_;
-            if (_e2024 > 0f) {
-                if (_e2024 < 1f) {
-                    phi_2938_ = _e2024;
+            let _e2233 = phi_2928_;
+            if (_e2021 > 0f) {
+                if (_e2021 < 1f) {
+                    phi_2938_ = _e2021;
                 } else {
                     phi_2938_ = 1f;
                 }
-                let _e2241 = phi_2938_;
-                phi_2939_ = _e2241;
+                let _e2238 = phi_2938_;
+                phi_2939_ = _e2238;
             } else {
                 phi_2939_ = 0f;
             }
-            let _e2243 = phi_2939_;
-            let _e2246 = ((sqrt(_e2229) * 255f) + 0.5f);
-            let _e2255 = ((sqrt(_e2236) * 255f) + 0.5f);
-            let _e2267 = ((sqrt(_e2243) * 255f) + 0.5f);
-            phi_2974_ = abi_Sample(vec3<f32>(_e1661, _e1662, _e1663), _e2026, _e1774, _e2031, _e2223, ((select(select(u32(_e2246), 0u, (_e2246 < bitcast<f32>(0u))), 4294967295u, (_e2246 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2255), 0u, (_e2255 < bitcast<f32>(0u))), 4294967295u, (_e2255 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2267), 0u, (_e2267 < bitcast<f32>(0u))), 4294967295u, (_e2267 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2240 = phi_2939_;
+            let _e2243 = ((sqrt(_e2226) * 255f) + 0.5f);
+            let _e2252 = ((sqrt(_e2233) * 255f) + 0.5f);
+            let _e2264 = ((sqrt(_e2240) * 255f) + 0.5f);
+            phi_2974_ = abi_Sample(vec3<f32>(_e1658, _e1659, _e1660), _e2023, _e1771, _e2028, _e2220, ((select(select(u32(_e2243), 0u, (_e2243 < bitcast<f32>(0u))), 4294967295u, (_e2243 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2252), 0u, (_e2252 < bitcast<f32>(0u))), 4294967295u, (_e2252 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2264), 0u, (_e2264 < bitcast<f32>(0u))), 4294967295u, (_e2264 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_2974_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2281 = phi_2974_;
+        let _e2278 = phi_2974_;
         if (_e103.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e103.shift)] = _e2281;
-        if (_e1625.triangle != 4294967295u) {
-            let _e2290 = ((1f - _e1625.u) - _e1625.v);
-            if (_e1625.triangle < _e79) {
+        samples.member[(0u + _e103.shift)] = _e2278;
+        if (_e1622.triangle != 4294967295u) {
+            let _e2287 = ((1f - _e1622.u) - _e1622.v);
+            if (_e1622.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2295 = triangles.member[(0u + _e1625.triangle)];
-            let _e2297 = (_e2295.i0_ & 2147483647u);
-            if (_e2297 < _e94) {
+            let _e2292 = triangles.member[(0u + _e1622.triangle)];
+            let _e2294 = (_e2292.i0_ & 2147483647u);
+            if (_e2294 < _e94) {
             } else {
                 return;
             }
-            let _e2303 = before.member[(0u + _e2297)];
-            if (_e2295.i1_ < _e94) {
+            let _e2300 = before.member[(0u + _e2294)];
+            if (_e2292.i1_ < _e94) {
             } else {
                 return;
             }
-            let _e2307 = before.member[(0u + _e2295.i1_)];
-            if (_e2295.i2_ < _e94) {
+            let _e2304 = before.member[(0u + _e2292.i1_)];
+            if (_e2292.i2_ < _e94) {
             } else {
                 return;
             }
-            let _e2311 = before.member[(0u + _e2295.i2_)];
-            let _e2316 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2303.x, _e2303.y, _e2303.z));
-            let _e2327 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2307.x, _e2307.y, _e2307.z));
-            let _e2341 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2311.x, _e2311.y, _e2311.z));
-            phi_3065_ = vec3<f32>((((_e2316.x * _e2290) + (_e2327.x * _e1625.u)) + (_e2341.x * _e1625.v)), (((_e2316.y * _e2290) + (_e2327.y * _e1625.u)) + (_e2341.y * _e1625.v)), (((_e2316.z * _e2290) + (_e2327.z * _e1625.u)) + (_e2341.z * _e1625.v)));
+            let _e2308 = before.member[(0u + _e2292.i2_)];
+            let _e2313 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2300.x, _e2300.y, _e2300.z));
+            let _e2324 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2304.x, _e2304.y, _e2304.z));
+            let _e2338 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2308.x, _e2308.y, _e2308.z));
+            phi_3065_ = vec3<f32>((((_e2313.x * _e2287) + (_e2324.x * _e1622.u)) + (_e2338.x * _e1622.v)), (((_e2313.y * _e2287) + (_e2324.y * _e1622.u)) + (_e2338.y * _e1622.v)), (((_e2313.z * _e2287) + (_e2324.z * _e1622.u)) + (_e2338.z * _e1622.v)));
         } else {
             phi_3065_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2353 = phi_3065_;
+        let _e2350 = phi_3065_;
         if (_e103.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.shift)] = vec4<f32>(_e2353.x, _e2353.y, _e2353.z, 1f);
+        past.member[(0u + _e103.shift)] = vec4<f32>(_e2350.x, _e2350.y, _e2350.z, 1f);
     }
     return;
 }

@@ -592,1298 +592,1298 @@ fn function_() {
                 } else {
                     phi_485_ = abs(_e138.direction.x);
                 }
-                let _e287 = phi_485_;
+                let _e286 = phi_485_;
                 if (_e138.direction.x < 0f) {
-                    phi_492_ = (-1f / _e287);
+                    phi_492_ = (-1f / _e286);
                 } else {
-                    phi_492_ = (1f / _e287);
+                    phi_492_ = (1f / _e286);
                 }
-                let _e292 = phi_492_;
+                let _e291 = phi_492_;
                 if (abs(_e138.direction.y) < _e280) {
                     phi_500_ = _e280;
                 } else {
                     phi_500_ = abs(_e138.direction.y);
                 }
-                let _e299 = phi_500_;
+                let _e297 = phi_500_;
                 if (_e138.direction.y < 0f) {
-                    phi_507_ = (-1f / _e299);
+                    phi_507_ = (-1f / _e297);
                 } else {
-                    phi_507_ = (1f / _e299);
+                    phi_507_ = (1f / _e297);
                 }
-                let _e304 = phi_507_;
+                let _e302 = phi_507_;
                 if (abs(_e138.direction.z) < _e280) {
                     phi_515_ = _e280;
                 } else {
                     phi_515_ = abs(_e138.direction.z);
                 }
-                let _e311 = phi_515_;
+                let _e308 = phi_515_;
                 if (_e138.direction.z < 0f) {
-                    phi_522_ = (-1f / _e311);
+                    phi_522_ = (-1f / _e308);
                 } else {
-                    phi_522_ = (1f / _e311);
+                    phi_522_ = (1f / _e308);
                 }
-                let _e316 = phi_522_;
-                let _e324 = abs((bitcast<f32>(_e216) - _e138.origin.x));
-                let _e325 = abs((bitcast<f32>(_e220) - _e138.origin.y));
-                let _e326 = abs((bitcast<f32>(_e224) - _e138.origin.z));
-                let _e334 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e240 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.x));
-                let _e335 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e240 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.y));
-                let _e336 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e240 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.z));
-                if (_e324 > _e334) {
-                    phi_547_ = _e324;
+                let _e313 = phi_522_;
+                let _e321 = abs((bitcast<f32>(_e216) - _e138.origin.x));
+                let _e322 = abs((bitcast<f32>(_e220) - _e138.origin.y));
+                let _e323 = abs((bitcast<f32>(_e224) - _e138.origin.z));
+                let _e331 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e240 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.x));
+                let _e332 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e240 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.y));
+                let _e333 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e240 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138.origin.z));
+                if (_e321 > _e331) {
+                    phi_547_ = _e321;
                 } else {
-                    phi_547_ = _e334;
+                    phi_547_ = _e331;
                 }
-                let _e339 = phi_547_;
-                if (_e325 > _e335) {
-                    phi_552_ = _e325;
+                let _e336 = phi_547_;
+                if (_e322 > _e332) {
+                    phi_552_ = _e322;
                 } else {
-                    phi_552_ = _e335;
+                    phi_552_ = _e332;
                 }
-                let _e342 = phi_552_;
-                if (_e326 > _e336) {
-                    phi_557_ = _e326;
+                let _e339 = phi_552_;
+                if (_e323 > _e333) {
+                    phi_557_ = _e323;
                 } else {
-                    phi_557_ = _e336;
+                    phi_557_ = _e333;
                 }
-                let _e345 = phi_557_;
-                let _e346 = core_intrinsics_maximum_number_nsz_f32_(_e339, _e342);
-                let _e347 = core_intrinsics_maximum_number_nsz_f32_(_e346, _e345);
-                let _e352 = (_e347 * 0.0000019073486f);
-                let _e353 = (abs(_e292) * _e352);
-                let _e354 = (abs(_e304) * _e352);
-                let _e355 = (abs(_e316) * _e352);
-                let _e359 = (_e347 * 0.0000009536743f);
-                let _e360 = (abs(_e292) * _e359);
-                let _e361 = (abs(_e304) * _e359);
-                let _e362 = (abs(_e316) * _e359);
-                let _e365 = abs(_e138.direction.x);
-                let _e367 = abs(_e138.direction.y);
-                let _e369 = abs(_e138.direction.z);
-                if (_e365 >= _e367) {
-                    if (_e365 >= _e369) {
+                let _e342 = phi_557_;
+                let _e343 = core_intrinsics_maximum_number_nsz_f32_(_e336, _e339);
+                let _e344 = core_intrinsics_maximum_number_nsz_f32_(_e343, _e342);
+                let _e349 = (_e344 * 0.0000019073486f);
+                let _e350 = (abs(_e291) * _e349);
+                let _e351 = (abs(_e302) * _e349);
+                let _e352 = (abs(_e313) * _e349);
+                let _e356 = (_e344 * 0.0000009536743f);
+                let _e357 = (abs(_e291) * _e356);
+                let _e358 = (abs(_e302) * _e356);
+                let _e359 = (abs(_e313) * _e356);
+                let _e362 = abs(_e138.direction.x);
+                let _e364 = abs(_e138.direction.y);
+                let _e366 = abs(_e138.direction.z);
+                if (_e362 >= _e364) {
+                    if (_e362 >= _e366) {
                         phi_590_ = false;
                     } else {
                         phi_590_ = true;
                     }
-                    let _e373 = phi_590_;
-                    phi_591_ = _e373;
+                    let _e370 = phi_590_;
+                    phi_591_ = _e370;
                 } else {
                     phi_591_ = true;
                 }
-                let _e375 = phi_591_;
-                if _e375 {
-                    if (_e367 >= _e369) {
+                let _e372 = phi_591_;
+                if _e372 {
+                    if (_e364 >= _e366) {
                         phi_599_ = 1u;
                     } else {
                         phi_599_ = 2u;
                     }
-                    let _e378 = phi_599_;
-                    phi_600_ = _e378;
+                    let _e375 = phi_599_;
+                    phi_600_ = _e375;
                 } else {
                     phi_600_ = 0u;
                 }
-                let _e380 = phi_600_;
-                if (_e380 == 0u) {
+                let _e377 = phi_600_;
+                if (_e377 == 0u) {
                     phi_619_ = vec3<f32>(_e138.direction.y, _e138.direction.z, _e138.direction.x);
                 } else {
-                    if (_e380 == 1u) {
+                    if (_e377 == 1u) {
                         phi_618_ = vec3<f32>(_e138.direction.z, _e138.direction.x, _e138.direction.y);
                     } else {
                         phi_618_ = _e138.direction;
                     }
-                    let _e393 = phi_618_;
-                    phi_619_ = _e393;
+                    let _e390 = phi_618_;
+                    phi_619_ = _e390;
                 }
-                let _e395 = phi_619_;
-                let _e399 = (_e395.x / _e395.z);
-                let _e402 = (_e395.y / _e395.z);
-                if (_e292 < 0f) {
+                let _e392 = phi_619_;
+                let _e396 = (_e392.x / _e392.z);
+                let _e399 = (_e392.y / _e392.z);
+                if (_e291 < 0f) {
                     phi_633_ = 0u;
                 } else {
                     phi_633_ = 1u;
                 }
-                let _e407 = phi_633_;
-                if (_e304 < 0f) {
+                let _e404 = phi_633_;
+                if (_e302 < 0f) {
                     phi_638_ = 0u;
                 } else {
                     phi_638_ = 2u;
                 }
-                let _e410 = phi_638_;
-                if (_e316 < 0f) {
+                let _e407 = phi_638_;
+                if (_e313 < 0f) {
                     phi_643_ = 0u;
                 } else {
                     phi_643_ = 4u;
                 }
-                let _e413 = phi_643_;
-                let _e415 = ((_e407 | _e410) | _e413);
-                let _e416 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e416.first[0], _e416.first[1], _e416.first[2], _e416.first[3], _e416.first[4], _e416.first[5], _e416.first[6], _e416.first[7], _e416.first[8], _e416.first[9], _e416.first[10], _e416.first[11], _e416.first[12], _e416.first[13], _e416.first[14], _e416.first[15], _e416.first[16], _e416.first[17], _e416.first[18], _e416.first[19], _e416.first[20], _e416.first[21], _e416.first[22], _e416.first[23], _e416.first[24], _e416.first[25], _e416.first[26], _e416.first[27], _e416.first[28], _e416.first[29], _e416.first[30], _e416.first[31]), array<u32, 32>(_e416.mask[0], _e416.mask[1], _e416.mask[2], _e416.mask[3], _e416.mask[4], _e416.mask[5], _e416.mask[6], _e416.mask[7], _e416.mask[8], _e416.mask[9], _e416.mask[10], _e416.mask[11], _e416.mask[12], _e416.mask[13], _e416.mask[14], _e416.mask[15], _e416.mask[16], _e416.mask[17], _e416.mask[18], _e416.mask[19], _e416.mask[20], _e416.mask[21], _e416.mask[22], _e416.mask[23], _e416.mask[24], _e416.mask[25], _e416.mask[26], _e416.mask[27], _e416.mask[28], _e416.mask[29], _e416.mask[30], _e416.mask[31]), _e416.len, _e416.group, _e416.group_mask);
-                let _e490 = local.group_mask;
-                if ((_e490 & 4278190080u) == 0u) {
-                    let _e494 = local.len;
-                    if (_e494 == 0u) {
+                let _e410 = phi_643_;
+                let _e412 = ((_e404 | _e407) | _e410);
+                let _e413 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e413.first[0], _e413.first[1], _e413.first[2], _e413.first[3], _e413.first[4], _e413.first[5], _e413.first[6], _e413.first[7], _e413.first[8], _e413.first[9], _e413.first[10], _e413.first[11], _e413.first[12], _e413.first[13], _e413.first[14], _e413.first[15], _e413.first[16], _e413.first[17], _e413.first[18], _e413.first[19], _e413.first[20], _e413.first[21], _e413.first[22], _e413.first[23], _e413.first[24], _e413.first[25], _e413.first[26], _e413.first[27], _e413.first[28], _e413.first[29], _e413.first[30], _e413.first[31]), array<u32, 32>(_e413.mask[0], _e413.mask[1], _e413.mask[2], _e413.mask[3], _e413.mask[4], _e413.mask[5], _e413.mask[6], _e413.mask[7], _e413.mask[8], _e413.mask[9], _e413.mask[10], _e413.mask[11], _e413.mask[12], _e413.mask[13], _e413.mask[14], _e413.mask[15], _e413.mask[16], _e413.mask[17], _e413.mask[18], _e413.mask[19], _e413.mask[20], _e413.mask[21], _e413.mask[22], _e413.mask[23], _e413.mask[24], _e413.mask[25], _e413.mask[26], _e413.mask[27], _e413.mask[28], _e413.mask[29], _e413.mask[30], _e413.mask[31]), _e413.len, _e413.group, _e413.group_mask);
+                let _e487 = local.group_mask;
+                if ((_e487 & 4278190080u) == 0u) {
+                    let _e491 = local.len;
+                    if (_e491 == 0u) {
                         phi_757_ = false;
                     } else {
+                        let _e495 = local.len;
+                        local.len = (_e495 - 1u);
                         let _e498 = local.len;
-                        local.len = (_e498 - 1u);
-                        let _e501 = local.len;
-                        if (_e501 < 32u) {
+                        if (_e498 < 32u) {
                         } else {
                             return;
                         }
-                        let _e506 = local.first[(0u + _e501)];
-                        local.group = _e506;
-                        let _e509 = local.len;
-                        if (_e509 < 32u) {
+                        let _e503 = local.first[(0u + _e498)];
+                        local.group = _e503;
+                        let _e506 = local.len;
+                        if (_e506 < 32u) {
                         } else {
                             return;
                         }
-                        let _e514 = local.mask[(0u + _e509)];
-                        local.group_mask = _e514;
+                        let _e511 = local.mask[(0u + _e506)];
+                        local.group_mask = _e511;
                         phi_757_ = true;
                     }
-                    let _e517 = phi_757_;
-                    phi_758_ = _e517;
+                    let _e514 = phi_757_;
+                    phi_758_ = _e514;
                 } else {
                     phi_758_ = true;
                 }
-                let _e519 = phi_758_;
-                if _e519 {
-                    let _e521 = local.group_mask;
-                    let _e527 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e521)), 32u, (_e521 == 0u)));
-                    let _e531 = local.group_mask;
-                    let _e545 = local.group_mask;
-                    local.group_mask = (_e545 & ~((1u << bitcast<u32>((_e527 & 31u)))));
-                    let _e548 = local.group;
-                    phi_789_ = (_e548 + countOneBits(((_e531 & ~((4294967295u << bitcast<u32>((((_e527 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e516 = phi_758_;
+                if _e516 {
+                    let _e518 = local.group_mask;
+                    let _e524 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e518)), 32u, (_e518 == 0u)));
+                    let _e528 = local.group_mask;
+                    let _e542 = local.group_mask;
+                    local.group_mask = (_e542 & ~((1u << bitcast<u32>((_e524 & 31u)))));
+                    let _e545 = local.group;
+                    phi_789_ = (_e545 + countOneBits(((_e528 & ~((4294967295u << bitcast<u32>((((_e524 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_789_ = 4294967295u;
                 }
-                let _e551 = phi_789_;
+                let _e548 = phi_789_;
                 phi_791_ = _e140;
-                phi_794_ = _e551;
+                phi_794_ = _e548;
                 loop {
-                    let _e553 = phi_791_;
-                    let _e555 = phi_794_;
-                    local_5 = _e553;
-                    let _e556 = (_e555 != 4294967295u);
-                    if _e556 {
-                        if (_e555 < _e65) {
+                    let _e550 = phi_791_;
+                    let _e552 = phi_794_;
+                    local_5 = _e550;
+                    let _e553 = (_e552 != 4294967295u);
+                    if _e553 {
+                        if (_e552 < _e65) {
                         } else {
                             return;
                         }
-                        let _e564 = nodes.member[(0u + _e555)].frame[3u];
-                        let _e589 = (bitcast<f32>((((_e564 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
-                        let _e590 = (bitcast<f32>((((_e564 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e591 = (bitcast<f32>((((_e564 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
-                        let _e594 = nodes.member[(0u + _e555)].frame[0u];
-                        let _e598 = nodes.member[(0u + _e555)].frame[1u];
-                        let _e602 = nodes.member[(0u + _e555)].frame[2u];
-                        let _e610 = ((bitcast<f32>(_e594) - _e138.origin.x) * _e292);
-                        let _e611 = ((bitcast<f32>(_e598) - _e138.origin.y) * _e304);
-                        let _e612 = ((bitcast<f32>(_e602) - _e138.origin.z) * _e316);
-                        let _e620 = nodes.member[(0u + _e555)].x;
-                        if (_e292 < 0f) {
-                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e620.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e631.unnamed.word, _e620.w), _e631.unnamed_1);
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_mask_LightPlace(_e620.x, _e637.unnamed_1.shift));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_mask_LightPlace(_e643.unnamed_1.word, _e620.y));
+                        let _e561 = nodes.member[(0u + _e552)].frame[3u];
+                        let _e586 = (bitcast<f32>((((_e561 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e291);
+                        let _e587 = (bitcast<f32>((((_e561 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
+                        let _e588 = (bitcast<f32>((((_e561 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
+                        let _e591 = nodes.member[(0u + _e552)].frame[0u];
+                        let _e595 = nodes.member[(0u + _e552)].frame[1u];
+                        let _e599 = nodes.member[(0u + _e552)].frame[2u];
+                        let _e607 = ((bitcast<f32>(_e591) - _e138.origin.x) * _e291);
+                        let _e608 = ((bitcast<f32>(_e595) - _e138.origin.y) * _e302);
+                        let _e609 = ((bitcast<f32>(_e599) - _e138.origin.z) * _e313);
+                        let _e617 = nodes.member[(0u + _e552)].x;
+                        if (_e291 < 0f) {
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e617.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.unnamed.word, _e617.w), _e628.unnamed_1);
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_mask_LightPlace(_e617.x, _e634.unnamed_1.shift));
+                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_mask_LightPlace(_e640.unnamed_1.word, _e617.y));
                         } else {
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e620.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.unnamed.word, _e620.y), _e659.unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e620.z, _e665.unnamed_1.shift));
-                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e671.unnamed_1.word, _e620.w));
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e617.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e656.unnamed.word, _e617.y), _e656.unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_mask_LightPlace(_e617.z, _e662.unnamed_1.shift));
+                            phi_879_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e668.unnamed_1.word, _e617.w));
                         }
-                        let _e679 = phi_879_;
-                        let _e689 = nodes.member[(0u + _e555)].y;
-                        if (_e304 < 0f) {
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e689.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e700.unnamed.word, _e689.w), _e700.unnamed_1);
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_mask_LightPlace(_e689.x, _e706.unnamed_1.shift));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_mask_LightPlace(_e712.unnamed_1.word, _e689.y));
+                        let _e676 = phi_879_;
+                        let _e686 = nodes.member[(0u + _e552)].y;
+                        if (_e302 < 0f) {
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.unnamed.word, _e686.w), _e697.unnamed_1);
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e686.x, _e703.unnamed_1.shift));
+                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e709.unnamed_1.word, _e686.y));
                         } else {
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e689.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.unnamed.word, _e689.y), _e728.unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e689.z, _e734.unnamed_1.shift));
-                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e740.unnamed_1.word, _e689.w));
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e725.unnamed.word, _e686.y), _e725.unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e686.z, _e731.unnamed_1.shift));
+                            phi_906_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e737.unnamed_1.word, _e686.w));
                         }
-                        let _e748 = phi_906_;
-                        let _e758 = nodes.member[(0u + _e555)].z;
-                        if (_e316 < 0f) {
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e758.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e769.unnamed.word, _e758.w), _e769.unnamed_1);
-                            let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_mask_LightPlace(_e758.x, _e775.unnamed_1.shift));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e781.unnamed, lt_mask_LightPlace(_e781.unnamed_1.word, _e758.y));
+                        let _e745 = phi_906_;
+                        let _e755 = nodes.member[(0u + _e552)].z;
+                        if (_e313 < 0f) {
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.unnamed.word, _e755.w), _e766.unnamed_1);
+                            let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e755.x, _e772.unnamed_1.shift));
+                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_mask_LightPlace(_e778.unnamed_1.word, _e755.y));
                         } else {
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e758.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e797.unnamed.word, _e758.y), _e797.unnamed_1);
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_mask_LightPlace(_e758.z, _e803.unnamed_1.shift));
-                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_mask_LightPlace(_e809.unnamed_1.word, _e758.w));
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e794.unnamed.word, _e755.y), _e794.unnamed_1);
+                            let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_mask_LightPlace(_e755.z, _e800.unnamed_1.shift));
+                            phi_933_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_mask_LightPlace(_e806.unnamed_1.word, _e755.w));
                         }
-                        let _e817 = phi_933_;
+                        let _e814 = phi_933_;
                         phi_939_ = 0u;
                         phi_942_ = 0u;
                         loop {
-                            let _e827 = phi_939_;
-                            let _e829 = phi_942_;
-                            local_1 = _e829;
-                            local_2 = _e829;
-                            local_3 = _e829;
-                            let _e830 = (_e827 < 8u);
-                            if _e830 {
-                                let _e832 = (_e827 >> bitcast<u32>(2i));
-                                let _e833 = (_e827 & 3u);
-                                if (_e832 == 0u) {
-                                    phi_956_ = _e679.unnamed.word;
+                            let _e824 = phi_939_;
+                            let _e826 = phi_942_;
+                            local_1 = _e826;
+                            local_2 = _e826;
+                            local_3 = _e826;
+                            let _e827 = (_e824 < 8u);
+                            if _e827 {
+                                let _e829 = (_e824 >> bitcast<u32>(2i));
+                                let _e830 = (_e824 & 3u);
+                                if (_e829 == 0u) {
+                                    phi_956_ = _e676.unnamed.word;
                                 } else {
-                                    phi_956_ = _e679.unnamed.shift;
+                                    phi_956_ = _e676.unnamed.shift;
                                 }
-                                let _e836 = phi_956_;
-                                if (_e832 == 0u) {
-                                    phi_966_ = _e748.unnamed.word;
+                                let _e833 = phi_956_;
+                                if (_e829 == 0u) {
+                                    phi_966_ = _e745.unnamed.word;
                                 } else {
-                                    phi_966_ = _e748.unnamed.shift;
+                                    phi_966_ = _e745.unnamed.shift;
                                 }
-                                let _e845 = phi_966_;
-                                if (_e832 == 0u) {
-                                    phi_976_ = _e817.unnamed.word;
+                                let _e842 = phi_966_;
+                                if (_e829 == 0u) {
+                                    phi_976_ = _e814.unnamed.word;
                                 } else {
-                                    phi_976_ = _e817.unnamed.shift;
+                                    phi_976_ = _e814.unnamed.shift;
                                 }
-                                let _e854 = phi_976_;
-                                let _e867 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e589) + (_e610 - _e353)), ((f32(((_e845 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e590) + (_e611 - _e354)));
-                                let _e868 = core_intrinsics_maximum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e591) + (_e612 - _e355)));
-                                if (_e832 == 0u) {
-                                    phi_994_ = _e679.unnamed_1.word;
+                                let _e851 = phi_976_;
+                                let _e864 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e586) + (_e607 - _e350)), ((f32(((_e842 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e587) + (_e608 - _e351)));
+                                let _e865 = core_intrinsics_maximum_number_nsz_f32_(_e864, ((f32(((_e851 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e588) + (_e609 - _e352)));
+                                if (_e829 == 0u) {
+                                    phi_994_ = _e676.unnamed_1.word;
                                 } else {
-                                    phi_994_ = _e679.unnamed_1.shift;
+                                    phi_994_ = _e676.unnamed_1.shift;
                                 }
-                                let _e871 = phi_994_;
-                                if (_e832 == 0u) {
-                                    phi_1004_ = _e748.unnamed_1.word;
+                                let _e868 = phi_994_;
+                                if (_e829 == 0u) {
+                                    phi_1004_ = _e745.unnamed_1.word;
                                 } else {
-                                    phi_1004_ = _e748.unnamed_1.shift;
+                                    phi_1004_ = _e745.unnamed_1.shift;
                                 }
-                                let _e880 = phi_1004_;
-                                if (_e832 == 0u) {
-                                    phi_1014_ = _e817.unnamed_1.word;
+                                let _e877 = phi_1004_;
+                                if (_e829 == 0u) {
+                                    phi_1014_ = _e814.unnamed_1.word;
                                 } else {
-                                    phi_1014_ = _e817.unnamed_1.shift;
+                                    phi_1014_ = _e814.unnamed_1.shift;
                                 }
-                                let _e889 = phi_1014_;
-                                let _e902 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e871 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e589) + (_e610 + _e353)), ((f32(((_e880 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e590) + (_e611 + _e354)));
-                                let _e903 = core_intrinsics_minimum_number_nsz_f32_(_e902, ((f32(((_e889 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u)) * _e591) + (_e612 + _e355)));
-                                if (_e868 <= _e903) {
-                                    if (_e868 <= _e553.t) {
-                                        if (_e903 >= _e138.tmin) {
-                                            if (_e832 == 0u) {
-                                                let _e910 = nodes.member[(0u + _e555)].links[2u];
+                                let _e886 = phi_1014_;
+                                let _e899 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e868 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e586) + (_e607 + _e350)), ((f32(((_e877 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e587) + (_e608 + _e351)));
+                                let _e900 = core_intrinsics_minimum_number_nsz_f32_(_e899, ((f32(((_e886 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u)) * _e588) + (_e609 + _e352)));
+                                if (_e865 <= _e900) {
+                                    if (_e865 <= _e550.t) {
+                                        if (_e900 >= _e138.tmin) {
+                                            if (_e829 == 0u) {
+                                                let _e907 = nodes.member[(0u + _e552)].links[2u];
+                                                phi_1050_ = _e907;
+                                            } else {
+                                                let _e910 = nodes.member[(0u + _e552)].links[3u];
                                                 phi_1050_ = _e910;
-                                            } else {
-                                                let _e913 = nodes.member[(0u + _e555)].links[3u];
-                                                phi_1050_ = _e913;
                                             }
-                                            let _e915 = phi_1050_;
-                                            let _e920 = ((_e915 >> bitcast<u32>(((_e833 * 8u) & 31u))) & 255u);
-                                            let _e921 = (_e920 & 31u);
-                                            if (_e921 >= 24u) {
-                                                phi_1063_ = (24u + ((_e921 - 24u) ^ _e415));
+                                            let _e912 = phi_1050_;
+                                            let _e917 = ((_e912 >> bitcast<u32>(((_e830 * 8u) & 31u))) & 255u);
+                                            let _e918 = (_e917 & 31u);
+                                            if (_e918 >= 24u) {
+                                                phi_1063_ = (24u + ((_e918 - 24u) ^ _e412));
                                             } else {
-                                                phi_1063_ = _e921;
+                                                phi_1063_ = _e918;
                                             }
-                                            let _e927 = phi_1063_;
-                                            phi_1068_ = (_e829 | ((_e920 >> bitcast<u32>(5i)) << bitcast<u32>((_e927 & 31u))));
+                                            let _e924 = phi_1063_;
+                                            phi_1068_ = (_e826 | ((_e917 >> bitcast<u32>(5i)) << bitcast<u32>((_e924 & 31u))));
                                         } else {
-                                            phi_1068_ = _e829;
+                                            phi_1068_ = _e826;
                                         }
-                                        let _e935 = phi_1068_;
-                                        phi_1069_ = _e935;
+                                        let _e932 = phi_1068_;
+                                        phi_1069_ = _e932;
                                     } else {
-                                        phi_1069_ = _e829;
+                                        phi_1069_ = _e826;
                                     }
-                                    let _e937 = phi_1069_;
-                                    phi_1070_ = _e937;
+                                    let _e934 = phi_1069_;
+                                    phi_1070_ = _e934;
                                 } else {
-                                    phi_1070_ = _e829;
+                                    phi_1070_ = _e826;
                                 }
-                                let _e939 = phi_1070_;
-                                phi_940_ = (_e827 + 1u);
-                                phi_943_ = _e939;
+                                let _e936 = phi_1070_;
+                                phi_940_ = (_e824 + 1u);
+                                phi_943_ = _e936;
                             } else {
                                 phi_940_ = u32();
                                 phi_943_ = u32();
                             }
-                            let _e942 = phi_940_;
-                            let _e944 = phi_943_;
+                            let _e939 = phi_940_;
+                            let _e941 = phi_943_;
                             continue;
                             continuing {
-                                phi_939_ = _e942;
-                                phi_942_ = _e944;
-                                break if !(_e830);
+                                phi_939_ = _e939;
+                                phi_942_ = _e941;
+                                break if !(_e827);
                             }
                         }
-                        let _e948 = nodes.member[(0u + _e555)].links[0u];
-                        let _e952 = nodes.member[(0u + _e555)].frame[3u];
-                        let _e956 = local_1;
-                        if ((_e956 & 4278190080u) == 0u) {
+                        let _e945 = nodes.member[(0u + _e552)].links[0u];
+                        let _e949 = nodes.member[(0u + _e552)].frame[3u];
+                        let _e953 = local_1;
+                        if ((_e953 & 4278190080u) == 0u) {
                         } else {
-                            let _e960 = local.group_mask;
-                            if ((_e960 & 4278190080u) == 0u) {
+                            let _e957 = local.group_mask;
+                            if ((_e957 & 4278190080u) == 0u) {
                             } else {
-                                let _e964 = local.len;
-                                if (_e964 < 32u) {
-                                    let _e967 = local.group;
-                                    let _e969 = local.len;
-                                    if (_e969 < 32u) {
+                                let _e961 = local.len;
+                                if (_e961 < 32u) {
+                                    let _e964 = local.group;
+                                    let _e966 = local.len;
+                                    if (_e966 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e969)] = _e967;
-                                    let _e975 = local.group_mask;
-                                    let _e977 = local.len;
-                                    if (_e977 < 32u) {
+                                    local.first[(0u + _e966)] = _e964;
+                                    let _e972 = local.group_mask;
+                                    let _e974 = local.len;
+                                    if (_e974 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e977)] = _e975;
-                                    let _e984 = local.len;
-                                    local.len = (_e984 + 1u);
+                                    local.mask[(0u + _e974)] = _e972;
+                                    let _e981 = local.len;
+                                    local.len = (_e981 + 1u);
                                 }
                             }
-                            local.group = (0u + _e948);
-                            let _e988 = local_2;
-                            local.group_mask = ((_e988 & 4278190080u) | (_e952 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e945);
+                            let _e985 = local_2;
+                            local.group_mask = ((_e985 & 4278190080u) | (_e949 >> bitcast<u32>(24i)));
                         }
-                        let _e993 = local_3;
-                        phi_1128_ = _e553;
-                        phi_1131_ = (_e993 & 16777215u);
+                        let _e990 = local_3;
+                        phi_1128_ = _e550;
+                        phi_1131_ = (_e990 & 16777215u);
                         loop {
-                            let _e996 = phi_1128_;
-                            let _e998 = phi_1131_;
-                            local_4 = _e996;
-                            if (_e998 == 0u) {
+                            let _e993 = phi_1128_;
+                            let _e995 = phi_1131_;
+                            local_4 = _e993;
+                            if (_e995 == 0u) {
                                 phi_1129_ = lt_bvh_Hit();
                                 phi_1132_ = u32();
                                 phi_1790_ = false;
                             } else {
-                                let _e1002 = nodes.member[(0u + _e555)].links[1u];
-                                let _e1007 = ((0u + _e1002) + select(firstTrailingBit(_e998), 32u, (_e998 == 0u)));
-                                if (_e1007 < _e68) {
+                                let _e999 = nodes.member[(0u + _e552)].links[1u];
+                                let _e1004 = ((0u + _e999) + select(firstTrailingBit(_e995), 32u, (_e995 == 0u)));
+                                if (_e1004 < _e68) {
                                 } else {
                                     return;
                                 }
-                                let _e1014 = triangles.member[(0u + _e1007)].v0_;
-                                let _e1017 = (_e1014.x - _e138.origin.x);
-                                let _e1020 = (_e1014.y - _e138.origin.y);
-                                let _e1023 = (_e1014.z - _e138.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1178_ = vec3<f32>(_e1020, _e1023, _e1017);
+                                let _e1011 = triangles.member[(0u + _e1004)].v0_;
+                                let _e1014 = (_e1011.x - _e138.origin.x);
+                                let _e1017 = (_e1011.y - _e138.origin.y);
+                                let _e1020 = (_e1011.z - _e138.origin.z);
+                                if (_e377 == 0u) {
+                                    phi_1178_ = vec3<f32>(_e1017, _e1020, _e1014);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1177_ = vec3<f32>(_e1023, _e1017, _e1020);
+                                    if (_e377 == 1u) {
+                                        phi_1177_ = vec3<f32>(_e1020, _e1014, _e1017);
                                     } else {
-                                        phi_1177_ = (_e1014 - _e138.origin);
+                                        phi_1177_ = (_e1011 - _e138.origin);
                                     }
-                                    let _e1030 = phi_1177_;
-                                    phi_1178_ = _e1030;
+                                    let _e1027 = phi_1177_;
+                                    phi_1178_ = _e1027;
                                 }
-                                let _e1032 = phi_1178_;
-                                let _e1036 = (_e1032.x - (_e399 * _e1032.z));
-                                let _e1040 = (_e1032.y - (_e402 * _e1032.z));
-                                let _e1042 = triangles.member[(0u + _e1007)].v1_;
-                                let _e1045 = (_e1042.x - _e138.origin.x);
-                                let _e1048 = (_e1042.y - _e138.origin.y);
-                                let _e1051 = (_e1042.z - _e138.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1210_ = vec3<f32>(_e1048, _e1051, _e1045);
+                                let _e1029 = phi_1178_;
+                                let _e1033 = (_e1029.x - (_e396 * _e1029.z));
+                                let _e1037 = (_e1029.y - (_e399 * _e1029.z));
+                                let _e1039 = triangles.member[(0u + _e1004)].v1_;
+                                let _e1042 = (_e1039.x - _e138.origin.x);
+                                let _e1045 = (_e1039.y - _e138.origin.y);
+                                let _e1048 = (_e1039.z - _e138.origin.z);
+                                if (_e377 == 0u) {
+                                    phi_1210_ = vec3<f32>(_e1045, _e1048, _e1042);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1209_ = vec3<f32>(_e1051, _e1045, _e1048);
+                                    if (_e377 == 1u) {
+                                        phi_1209_ = vec3<f32>(_e1048, _e1042, _e1045);
                                     } else {
-                                        phi_1209_ = (_e1042 - _e138.origin);
+                                        phi_1209_ = (_e1039 - _e138.origin);
                                     }
-                                    let _e1058 = phi_1209_;
-                                    phi_1210_ = _e1058;
+                                    let _e1055 = phi_1209_;
+                                    phi_1210_ = _e1055;
                                 }
-                                let _e1060 = phi_1210_;
-                                let _e1064 = (_e1060.x - (_e399 * _e1060.z));
-                                let _e1068 = (_e1060.y - (_e402 * _e1060.z));
-                                let _e1070 = triangles.member[(0u + _e1007)].v2_;
-                                let _e1073 = (_e1070.x - _e138.origin.x);
-                                let _e1076 = (_e1070.y - _e138.origin.y);
-                                let _e1079 = (_e1070.z - _e138.origin.z);
-                                if (_e380 == 0u) {
-                                    phi_1242_ = vec3<f32>(_e1076, _e1079, _e1073);
+                                let _e1057 = phi_1210_;
+                                let _e1061 = (_e1057.x - (_e396 * _e1057.z));
+                                let _e1065 = (_e1057.y - (_e399 * _e1057.z));
+                                let _e1067 = triangles.member[(0u + _e1004)].v2_;
+                                let _e1070 = (_e1067.x - _e138.origin.x);
+                                let _e1073 = (_e1067.y - _e138.origin.y);
+                                let _e1076 = (_e1067.z - _e138.origin.z);
+                                if (_e377 == 0u) {
+                                    phi_1242_ = vec3<f32>(_e1073, _e1076, _e1070);
                                 } else {
-                                    if (_e380 == 1u) {
-                                        phi_1241_ = vec3<f32>(_e1079, _e1073, _e1076);
+                                    if (_e377 == 1u) {
+                                        phi_1241_ = vec3<f32>(_e1076, _e1070, _e1073);
                                     } else {
-                                        phi_1241_ = (_e1070 - _e138.origin);
+                                        phi_1241_ = (_e1067 - _e138.origin);
                                     }
-                                    let _e1086 = phi_1241_;
-                                    phi_1242_ = _e1086;
+                                    let _e1083 = phi_1241_;
+                                    phi_1242_ = _e1083;
                                 }
-                                let _e1088 = phi_1242_;
-                                let _e1092 = (_e1088.x - (_e399 * _e1088.z));
-                                let _e1096 = (_e1088.y - (_e402 * _e1088.z));
-                                if (_e1064 < _e1092) {
+                                let _e1085 = phi_1242_;
+                                let _e1089 = (_e1085.x - (_e396 * _e1085.z));
+                                let _e1093 = (_e1085.y - (_e399 * _e1085.z));
+                                if (_e1061 < _e1089) {
                                     phi_1261_ = true;
                                 } else {
-                                    if (_e1064 == _e1092) {
-                                        phi_1260_ = (_e1068 < _e1096);
+                                    if (_e1061 == _e1089) {
+                                        phi_1260_ = (_e1065 < _e1093);
                                     } else {
                                         phi_1260_ = false;
                                     }
-                                    let _e1101 = phi_1260_;
-                                    phi_1261_ = _e1101;
+                                    let _e1098 = phi_1260_;
+                                    phi_1261_ = _e1098;
                                 }
-                                let _e1103 = phi_1261_;
-                                if _e1103 {
-                                    phi_1265_ = _e1096;
-                                    phi_1266_ = _e1092;
-                                    phi_1267_ = _e1068;
-                                    phi_1268_ = _e1064;
+                                let _e1100 = phi_1261_;
+                                if _e1100 {
+                                    phi_1265_ = _e1093;
+                                    phi_1266_ = _e1089;
+                                    phi_1267_ = _e1065;
+                                    phi_1268_ = _e1061;
                                 } else {
-                                    phi_1265_ = _e1068;
-                                    phi_1266_ = _e1064;
-                                    phi_1267_ = _e1096;
-                                    phi_1268_ = _e1092;
+                                    phi_1265_ = _e1065;
+                                    phi_1266_ = _e1061;
+                                    phi_1267_ = _e1093;
+                                    phi_1268_ = _e1089;
                                 }
-                                let _e1105 = phi_1265_;
-                                let _e1107 = phi_1266_;
-                                let _e1109 = phi_1267_;
-                                let _e1111 = phi_1268_;
-                                let _e1114 = ((_e1111 * _e1105) - (_e1109 * _e1107));
-                                if _e1103 {
-                                    phi_1276_ = -(_e1114);
+                                let _e1102 = phi_1265_;
+                                let _e1104 = phi_1266_;
+                                let _e1106 = phi_1267_;
+                                let _e1108 = phi_1268_;
+                                let _e1111 = ((_e1108 * _e1102) - (_e1106 * _e1104));
+                                if _e1100 {
+                                    phi_1276_ = -(_e1111);
                                 } else {
-                                    phi_1276_ = _e1114;
+                                    phi_1276_ = _e1111;
                                 }
-                                let _e1117 = phi_1276_;
-                                if (_e1092 < _e1036) {
+                                let _e1114 = phi_1276_;
+                                if (_e1089 < _e1033) {
                                     phi_1287_ = true;
                                 } else {
-                                    if (_e1092 == _e1036) {
-                                        phi_1286_ = (_e1096 < _e1040);
+                                    if (_e1089 == _e1033) {
+                                        phi_1286_ = (_e1093 < _e1037);
                                     } else {
                                         phi_1286_ = false;
                                     }
-                                    let _e1122 = phi_1286_;
-                                    phi_1287_ = _e1122;
+                                    let _e1119 = phi_1286_;
+                                    phi_1287_ = _e1119;
                                 }
-                                let _e1124 = phi_1287_;
-                                if _e1124 {
-                                    phi_1291_ = _e1040;
-                                    phi_1292_ = _e1036;
-                                    phi_1293_ = _e1096;
-                                    phi_1294_ = _e1092;
+                                let _e1121 = phi_1287_;
+                                if _e1121 {
+                                    phi_1291_ = _e1037;
+                                    phi_1292_ = _e1033;
+                                    phi_1293_ = _e1093;
+                                    phi_1294_ = _e1089;
                                 } else {
-                                    phi_1291_ = _e1096;
-                                    phi_1292_ = _e1092;
-                                    phi_1293_ = _e1040;
-                                    phi_1294_ = _e1036;
+                                    phi_1291_ = _e1093;
+                                    phi_1292_ = _e1089;
+                                    phi_1293_ = _e1037;
+                                    phi_1294_ = _e1033;
                                 }
-                                let _e1126 = phi_1291_;
-                                let _e1128 = phi_1292_;
-                                let _e1130 = phi_1293_;
-                                let _e1132 = phi_1294_;
-                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
-                                if _e1124 {
-                                    phi_1302_ = -(_e1135);
+                                let _e1123 = phi_1291_;
+                                let _e1125 = phi_1292_;
+                                let _e1127 = phi_1293_;
+                                let _e1129 = phi_1294_;
+                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
+                                if _e1121 {
+                                    phi_1302_ = -(_e1132);
                                 } else {
-                                    phi_1302_ = _e1135;
+                                    phi_1302_ = _e1132;
                                 }
-                                let _e1138 = phi_1302_;
-                                if (_e1036 < _e1064) {
+                                let _e1135 = phi_1302_;
+                                if (_e1033 < _e1061) {
                                     phi_1313_ = true;
                                 } else {
-                                    if (_e1036 == _e1064) {
-                                        phi_1312_ = (_e1040 < _e1068);
+                                    if (_e1033 == _e1061) {
+                                        phi_1312_ = (_e1037 < _e1065);
                                     } else {
                                         phi_1312_ = false;
                                     }
-                                    let _e1143 = phi_1312_;
-                                    phi_1313_ = _e1143;
+                                    let _e1140 = phi_1312_;
+                                    phi_1313_ = _e1140;
                                 }
-                                let _e1145 = phi_1313_;
-                                if _e1145 {
-                                    phi_1317_ = _e1068;
-                                    phi_1318_ = _e1064;
-                                    phi_1319_ = _e1040;
-                                    phi_1320_ = _e1036;
+                                let _e1142 = phi_1313_;
+                                if _e1142 {
+                                    phi_1317_ = _e1065;
+                                    phi_1318_ = _e1061;
+                                    phi_1319_ = _e1037;
+                                    phi_1320_ = _e1033;
                                 } else {
-                                    phi_1317_ = _e1040;
-                                    phi_1318_ = _e1036;
-                                    phi_1319_ = _e1068;
-                                    phi_1320_ = _e1064;
+                                    phi_1317_ = _e1037;
+                                    phi_1318_ = _e1033;
+                                    phi_1319_ = _e1065;
+                                    phi_1320_ = _e1061;
                                 }
-                                let _e1147 = phi_1317_;
-                                let _e1149 = phi_1318_;
-                                let _e1151 = phi_1319_;
-                                let _e1153 = phi_1320_;
-                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
-                                if _e1145 {
-                                    phi_1328_ = -(_e1156);
+                                let _e1144 = phi_1317_;
+                                let _e1146 = phi_1318_;
+                                let _e1148 = phi_1319_;
+                                let _e1150 = phi_1320_;
+                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
+                                if _e1142 {
+                                    phi_1328_ = -(_e1153);
                                 } else {
-                                    phi_1328_ = _e1156;
+                                    phi_1328_ = _e1153;
                                 }
-                                let _e1159 = phi_1328_;
-                                if (_e1117 >= 0f) {
-                                    if (_e1138 >= 0f) {
-                                        if (_e1159 >= 0f) {
-                                            phi_1343_ = ((_e1117 + _e1138) + _e1159);
+                                let _e1156 = phi_1328_;
+                                if (_e1114 >= 0f) {
+                                    if (_e1135 >= 0f) {
+                                        if (_e1156 >= 0f) {
+                                            phi_1343_ = ((_e1114 + _e1135) + _e1156);
                                             phi_1344_ = false;
                                         } else {
                                             phi_1343_ = f32();
                                             phi_1344_ = true;
                                         }
-                                        let _e1166 = phi_1343_;
-                                        let _e1168 = phi_1344_;
-                                        phi_1345_ = _e1166;
-                                        phi_1346_ = _e1168;
+                                        let _e1163 = phi_1343_;
+                                        let _e1165 = phi_1344_;
+                                        phi_1345_ = _e1163;
+                                        phi_1346_ = _e1165;
                                     } else {
                                         phi_1345_ = f32();
                                         phi_1346_ = true;
                                     }
-                                    let _e1170 = phi_1345_;
-                                    let _e1172 = phi_1346_;
-                                    phi_1347_ = _e1170;
-                                    phi_1348_ = _e1172;
+                                    let _e1167 = phi_1345_;
+                                    let _e1169 = phi_1346_;
+                                    phi_1347_ = _e1167;
+                                    phi_1348_ = _e1169;
                                 } else {
                                     phi_1347_ = f32();
                                     phi_1348_ = true;
                                 }
-                                let _e1174 = phi_1347_;
-                                let _e1176 = phi_1348_;
-                                if _e1176 {
-                                    if (_e1117 <= 0f) {
-                                        if (_e1138 <= 0f) {
-                                            let _e1179 = (_e1159 <= 0f);
-                                            if _e1179 {
+                                let _e1171 = phi_1347_;
+                                let _e1173 = phi_1348_;
+                                if _e1173 {
+                                    if (_e1114 <= 0f) {
+                                        if (_e1135 <= 0f) {
+                                            let _e1176 = (_e1156 <= 0f);
+                                            if _e1176 {
                                             }
-                                            phi_1366_ = ((_e1117 + _e1138) + _e1159);
+                                            phi_1366_ = ((_e1114 + _e1135) + _e1156);
                                             phi_1367_ = false;
-                                            phi_1368_ = _e1179;
+                                            phi_1368_ = _e1176;
                                         } else {
                                             phi_1366_ = f32();
                                             phi_1367_ = true;
                                             phi_1368_ = false;
                                         }
-                                        let _e1183 = phi_1366_;
-                                        let _e1185 = phi_1367_;
-                                        let _e1187 = phi_1368_;
-                                        phi_1369_ = _e1183;
-                                        phi_1370_ = _e1185;
-                                        phi_1371_ = _e1187;
+                                        let _e1180 = phi_1366_;
+                                        let _e1182 = phi_1367_;
+                                        let _e1184 = phi_1368_;
+                                        phi_1369_ = _e1180;
+                                        phi_1370_ = _e1182;
+                                        phi_1371_ = _e1184;
                                     } else {
                                         phi_1369_ = f32();
                                         phi_1370_ = true;
                                         phi_1371_ = false;
                                     }
-                                    let _e1189 = phi_1369_;
-                                    let _e1191 = phi_1370_;
-                                    let _e1193 = phi_1371_;
-                                    if _e1191 {
+                                    let _e1186 = phi_1369_;
+                                    let _e1188 = phi_1370_;
+                                    let _e1190 = phi_1371_;
+                                    if _e1188 {
                                         phi_1375_ = false;
                                     } else {
-                                        phi_1375_ = _e1193;
+                                        phi_1375_ = _e1190;
                                     }
-                                    let _e1195 = phi_1375_;
-                                    phi_1376_ = _e1189;
-                                    phi_1377_ = _e1195;
+                                    let _e1192 = phi_1375_;
+                                    phi_1376_ = _e1186;
+                                    phi_1377_ = _e1192;
                                 } else {
-                                    phi_1376_ = _e1174;
+                                    phi_1376_ = _e1171;
                                     phi_1377_ = true;
                                 }
-                                let _e1197 = phi_1376_;
-                                let _e1199 = phi_1377_;
-                                if _e1199 {
-                                    let _e1200 = (_e1197 == 0f);
-                                    if _e1200 {
+                                let _e1194 = phi_1376_;
+                                let _e1196 = phi_1377_;
+                                if _e1196 {
+                                    let _e1197 = (_e1194 == 0f);
+                                    if _e1197 {
                                         phi_1703_ = lt_bvh_triangle_Intersection();
                                         phi_1704_ = false;
                                     } else {
-                                        let _e1202 = triangles.member[(0u + _e1007)].v0_;
-                                        let _e1205 = (_e1202.x - _e138.origin.x);
-                                        let _e1208 = (_e1202.y - _e138.origin.y);
-                                        let _e1211 = (_e1202.z - _e138.origin.z);
-                                        if (_e380 == 0u) {
-                                            phi_1408_ = vec3<f32>(_e1208, _e1211, _e1205);
+                                        let _e1199 = triangles.member[(0u + _e1004)].v0_;
+                                        let _e1202 = (_e1199.x - _e138.origin.x);
+                                        let _e1205 = (_e1199.y - _e138.origin.y);
+                                        let _e1208 = (_e1199.z - _e138.origin.z);
+                                        if (_e377 == 0u) {
+                                            phi_1408_ = vec3<f32>(_e1205, _e1208, _e1202);
                                         } else {
-                                            if (_e380 == 1u) {
-                                                phi_1407_ = vec3<f32>(_e1211, _e1205, _e1208);
+                                            if (_e377 == 1u) {
+                                                phi_1407_ = vec3<f32>(_e1208, _e1202, _e1205);
                                             } else {
-                                                phi_1407_ = (_e1202 - _e138.origin);
+                                                phi_1407_ = (_e1199 - _e138.origin);
                                             }
-                                            let _e1218 = phi_1407_;
-                                            phi_1408_ = _e1218;
+                                            let _e1215 = phi_1407_;
+                                            phi_1408_ = _e1215;
                                         }
-                                        let _e1220 = phi_1408_;
-                                        let _e1222 = triangles.member[(0u + _e1007)].v1_;
-                                        let _e1224 = triangles.member[(0u + _e1007)].v0_;
-                                        let _e1227 = (_e1222.x - _e1224.x);
-                                        let _e1230 = (_e1222.y - _e1224.y);
-                                        let _e1233 = (_e1222.z - _e1224.z);
-                                        if (_e380 == 0u) {
-                                            phi_1434_ = vec3<f32>(_e1230, _e1233, _e1227);
+                                        let _e1217 = phi_1408_;
+                                        let _e1219 = triangles.member[(0u + _e1004)].v1_;
+                                        let _e1221 = triangles.member[(0u + _e1004)].v0_;
+                                        let _e1224 = (_e1219.x - _e1221.x);
+                                        let _e1227 = (_e1219.y - _e1221.y);
+                                        let _e1230 = (_e1219.z - _e1221.z);
+                                        if (_e377 == 0u) {
+                                            phi_1434_ = vec3<f32>(_e1227, _e1230, _e1224);
                                         } else {
-                                            if (_e380 == 1u) {
-                                                phi_1433_ = vec3<f32>(_e1233, _e1227, _e1230);
+                                            if (_e377 == 1u) {
+                                                phi_1433_ = vec3<f32>(_e1230, _e1224, _e1227);
                                             } else {
-                                                phi_1433_ = (_e1222 - _e1224);
+                                                phi_1433_ = (_e1219 - _e1221);
                                             }
-                                            let _e1240 = phi_1433_;
-                                            phi_1434_ = _e1240;
+                                            let _e1237 = phi_1433_;
+                                            phi_1434_ = _e1237;
                                         }
-                                        let _e1242 = phi_1434_;
-                                        let _e1244 = triangles.member[(0u + _e1007)].v2_;
-                                        let _e1246 = triangles.member[(0u + _e1007)].v0_;
-                                        let _e1249 = (_e1244.x - _e1246.x);
-                                        let _e1252 = (_e1244.y - _e1246.y);
-                                        let _e1255 = (_e1244.z - _e1246.z);
-                                        if (_e380 == 0u) {
-                                            phi_1460_ = vec3<f32>(_e1252, _e1255, _e1249);
+                                        let _e1239 = phi_1434_;
+                                        let _e1241 = triangles.member[(0u + _e1004)].v2_;
+                                        let _e1243 = triangles.member[(0u + _e1004)].v0_;
+                                        let _e1246 = (_e1241.x - _e1243.x);
+                                        let _e1249 = (_e1241.y - _e1243.y);
+                                        let _e1252 = (_e1241.z - _e1243.z);
+                                        if (_e377 == 0u) {
+                                            phi_1460_ = vec3<f32>(_e1249, _e1252, _e1246);
                                         } else {
-                                            if (_e380 == 1u) {
-                                                phi_1459_ = vec3<f32>(_e1255, _e1249, _e1252);
+                                            if (_e377 == 1u) {
+                                                phi_1459_ = vec3<f32>(_e1252, _e1246, _e1249);
                                             } else {
-                                                phi_1459_ = (_e1244 - _e1246);
+                                                phi_1459_ = (_e1241 - _e1243);
                                             }
-                                            let _e1262 = phi_1459_;
-                                            phi_1460_ = _e1262;
+                                            let _e1259 = phi_1459_;
+                                            phi_1460_ = _e1259;
                                         }
-                                        let _e1264 = phi_1460_;
-                                        let _e1271 = ((_e1242.y * _e1264.z) - (_e1242.z * _e1264.y));
-                                        let _e1278 = ((_e1242.z * _e1264.x) - (_e1242.x * _e1264.z));
-                                        let _e1285 = ((_e1242.x * _e1264.y) - (_e1242.y * _e1264.x));
-                                        let _e1299 = (((1f / _e395.z) * (((_e1271 * _e1220.x) + (_e1278 * _e1220.y)) + (_e1285 * _e1220.z))) / (((_e1271 * _e399) + (_e1278 * _e402)) + _e1285));
-                                        if (_e1299 > _e138.tmin) {
-                                            if (_e1299 < _e138.tmax) {
-                                                let _e1305 = triangles.member[(0u + _e1007)].v0_;
-                                                let _e1307 = triangles.member[(0u + _e1007)].v1_;
-                                                if (_e1305.x < _e1307.x) {
-                                                    phi_1518_ = _e1305.x;
+                                        let _e1261 = phi_1460_;
+                                        let _e1268 = ((_e1239.y * _e1261.z) - (_e1239.z * _e1261.y));
+                                        let _e1275 = ((_e1239.z * _e1261.x) - (_e1239.x * _e1261.z));
+                                        let _e1282 = ((_e1239.x * _e1261.y) - (_e1239.y * _e1261.x));
+                                        let _e1296 = (((1f / _e392.z) * (((_e1268 * _e1217.x) + (_e1275 * _e1217.y)) + (_e1282 * _e1217.z))) / (((_e1268 * _e396) + (_e1275 * _e399)) + _e1282));
+                                        if (_e1296 > _e138.tmin) {
+                                            if (_e1296 < _e138.tmax) {
+                                                let _e1302 = triangles.member[(0u + _e1004)].v0_;
+                                                let _e1304 = triangles.member[(0u + _e1004)].v1_;
+                                                if (_e1302.x < _e1304.x) {
+                                                    phi_1518_ = _e1302.x;
                                                 } else {
-                                                    phi_1518_ = _e1307.x;
+                                                    phi_1518_ = _e1304.x;
                                                 }
-                                                let _e1314 = phi_1518_;
-                                                if (_e1305.y < _e1307.y) {
-                                                    phi_1527_ = _e1305.y;
+                                                let _e1311 = phi_1518_;
+                                                if (_e1302.y < _e1304.y) {
+                                                    phi_1527_ = _e1302.y;
                                                 } else {
-                                                    phi_1527_ = _e1307.y;
+                                                    phi_1527_ = _e1304.y;
                                                 }
-                                                let _e1321 = phi_1527_;
-                                                if (_e1305.z < _e1307.z) {
-                                                    phi_1536_ = _e1305.z;
+                                                let _e1318 = phi_1527_;
+                                                if (_e1302.z < _e1304.z) {
+                                                    phi_1536_ = _e1302.z;
                                                 } else {
-                                                    phi_1536_ = _e1307.z;
+                                                    phi_1536_ = _e1304.z;
                                                 }
-                                                let _e1328 = phi_1536_;
-                                                let _e1330 = triangles.member[(0u + _e1007)].v2_;
-                                                if (_e1314 < _e1330.x) {
-                                                    phi_1545_ = _e1314;
+                                                let _e1325 = phi_1536_;
+                                                let _e1327 = triangles.member[(0u + _e1004)].v2_;
+                                                if (_e1311 < _e1327.x) {
+                                                    phi_1545_ = _e1311;
                                                 } else {
-                                                    phi_1545_ = _e1330.x;
+                                                    phi_1545_ = _e1327.x;
                                                 }
-                                                let _e1335 = phi_1545_;
-                                                if (_e1321 < _e1330.y) {
-                                                    phi_1552_ = _e1321;
+                                                let _e1332 = phi_1545_;
+                                                if (_e1318 < _e1327.y) {
+                                                    phi_1552_ = _e1318;
                                                 } else {
-                                                    phi_1552_ = _e1330.y;
+                                                    phi_1552_ = _e1327.y;
                                                 }
-                                                let _e1340 = phi_1552_;
-                                                if (_e1328 < _e1330.z) {
-                                                    phi_1559_ = _e1328;
+                                                let _e1337 = phi_1552_;
+                                                if (_e1325 < _e1327.z) {
+                                                    phi_1559_ = _e1325;
                                                 } else {
-                                                    phi_1559_ = _e1330.z;
+                                                    phi_1559_ = _e1327.z;
                                                 }
-                                                let _e1345 = phi_1559_;
-                                                let _e1347 = triangles.member[(0u + _e1007)].v0_;
-                                                let _e1349 = triangles.member[(0u + _e1007)].v1_;
-                                                if (_e1347.x > _e1349.x) {
-                                                    phi_1572_ = _e1347.x;
+                                                let _e1342 = phi_1559_;
+                                                let _e1344 = triangles.member[(0u + _e1004)].v0_;
+                                                let _e1346 = triangles.member[(0u + _e1004)].v1_;
+                                                if (_e1344.x > _e1346.x) {
+                                                    phi_1572_ = _e1344.x;
                                                 } else {
-                                                    phi_1572_ = _e1349.x;
+                                                    phi_1572_ = _e1346.x;
                                                 }
-                                                let _e1356 = phi_1572_;
-                                                if (_e1347.y > _e1349.y) {
-                                                    phi_1581_ = _e1347.y;
+                                                let _e1353 = phi_1572_;
+                                                if (_e1344.y > _e1346.y) {
+                                                    phi_1581_ = _e1344.y;
                                                 } else {
-                                                    phi_1581_ = _e1349.y;
+                                                    phi_1581_ = _e1346.y;
                                                 }
-                                                let _e1363 = phi_1581_;
-                                                if (_e1347.z > _e1349.z) {
-                                                    phi_1590_ = _e1347.z;
+                                                let _e1360 = phi_1581_;
+                                                if (_e1344.z > _e1346.z) {
+                                                    phi_1590_ = _e1344.z;
                                                 } else {
-                                                    phi_1590_ = _e1349.z;
+                                                    phi_1590_ = _e1346.z;
                                                 }
-                                                let _e1370 = phi_1590_;
-                                                let _e1372 = triangles.member[(0u + _e1007)].v2_;
-                                                if (_e1356 > _e1372.x) {
-                                                    phi_1599_ = _e1356;
+                                                let _e1367 = phi_1590_;
+                                                let _e1369 = triangles.member[(0u + _e1004)].v2_;
+                                                if (_e1353 > _e1369.x) {
+                                                    phi_1599_ = _e1353;
                                                 } else {
-                                                    phi_1599_ = _e1372.x;
+                                                    phi_1599_ = _e1369.x;
                                                 }
-                                                let _e1377 = phi_1599_;
-                                                if (_e1363 > _e1372.y) {
-                                                    phi_1606_ = _e1363;
+                                                let _e1374 = phi_1599_;
+                                                if (_e1360 > _e1369.y) {
+                                                    phi_1606_ = _e1360;
                                                 } else {
-                                                    phi_1606_ = _e1372.y;
+                                                    phi_1606_ = _e1369.y;
                                                 }
-                                                let _e1382 = phi_1606_;
-                                                if (_e1370 > _e1372.z) {
-                                                    phi_1613_ = _e1370;
+                                                let _e1379 = phi_1606_;
+                                                if (_e1367 > _e1369.z) {
+                                                    phi_1613_ = _e1367;
                                                 } else {
-                                                    phi_1613_ = _e1372.z;
+                                                    phi_1613_ = _e1369.z;
                                                 }
-                                                let _e1387 = phi_1613_;
-                                                let _e1394 = ((_e1335 - _e138.origin.x) * _e292);
-                                                let _e1395 = ((_e1340 - _e138.origin.y) * _e304);
-                                                let _e1396 = ((_e1345 - _e138.origin.z) * _e316);
-                                                let _e1403 = ((_e1377 - _e138.origin.x) * _e292);
-                                                let _e1404 = ((_e1382 - _e138.origin.y) * _e304);
-                                                let _e1405 = ((_e1387 - _e138.origin.z) * _e316);
-                                                if (_e1394 < _e1403) {
-                                                    phi_1636_ = _e1394;
+                                                let _e1384 = phi_1613_;
+                                                let _e1391 = ((_e1332 - _e138.origin.x) * _e291);
+                                                let _e1392 = ((_e1337 - _e138.origin.y) * _e302);
+                                                let _e1393 = ((_e1342 - _e138.origin.z) * _e313);
+                                                let _e1400 = ((_e1374 - _e138.origin.x) * _e291);
+                                                let _e1401 = ((_e1379 - _e138.origin.y) * _e302);
+                                                let _e1402 = ((_e1384 - _e138.origin.z) * _e313);
+                                                if (_e1391 < _e1400) {
+                                                    phi_1636_ = _e1391;
                                                 } else {
-                                                    phi_1636_ = _e1403;
+                                                    phi_1636_ = _e1400;
                                                 }
-                                                let _e1408 = phi_1636_;
-                                                if (_e1395 < _e1404) {
-                                                    phi_1641_ = _e1395;
+                                                let _e1405 = phi_1636_;
+                                                if (_e1392 < _e1401) {
+                                                    phi_1641_ = _e1392;
                                                 } else {
-                                                    phi_1641_ = _e1404;
+                                                    phi_1641_ = _e1401;
                                                 }
-                                                let _e1411 = phi_1641_;
-                                                if (_e1396 < _e1405) {
-                                                    phi_1646_ = _e1396;
+                                                let _e1408 = phi_1641_;
+                                                if (_e1393 < _e1402) {
+                                                    phi_1646_ = _e1393;
                                                 } else {
-                                                    phi_1646_ = _e1405;
+                                                    phi_1646_ = _e1402;
                                                 }
-                                                let _e1414 = phi_1646_;
-                                                if (_e1394 > _e1403) {
-                                                    phi_1654_ = _e1394;
+                                                let _e1411 = phi_1646_;
+                                                if (_e1391 > _e1400) {
+                                                    phi_1654_ = _e1391;
                                                 } else {
-                                                    phi_1654_ = _e1403;
+                                                    phi_1654_ = _e1400;
                                                 }
-                                                let _e1420 = phi_1654_;
-                                                if (_e1395 > _e1404) {
-                                                    phi_1659_ = _e1395;
+                                                let _e1417 = phi_1654_;
+                                                if (_e1392 > _e1401) {
+                                                    phi_1659_ = _e1392;
                                                 } else {
-                                                    phi_1659_ = _e1404;
+                                                    phi_1659_ = _e1401;
                                                 }
-                                                let _e1423 = phi_1659_;
-                                                if (_e1396 > _e1405) {
-                                                    phi_1664_ = _e1396;
+                                                let _e1420 = phi_1659_;
+                                                if (_e1393 > _e1402) {
+                                                    phi_1664_ = _e1393;
                                                 } else {
-                                                    phi_1664_ = _e1405;
+                                                    phi_1664_ = _e1402;
                                                 }
-                                                let _e1426 = phi_1664_;
-                                                let _e1430 = core_intrinsics_maximum_number_nsz_f32_((_e1408 - _e360), (_e1411 - _e361));
-                                                let _e1431 = core_intrinsics_maximum_number_nsz_f32_(_e1430, (_e1414 - _e362));
-                                                let _e1432 = core_intrinsics_minimum_number_nsz_f32_((_e1420 + _e360), (_e1423 + _e361));
-                                                let _e1433 = core_intrinsics_minimum_number_nsz_f32_(_e1432, (_e1426 + _e362));
-                                                if (_e1431 > -300000000000000000000000000000000000000f) {
-                                                    phi_1676_ = _e1431;
+                                                let _e1423 = phi_1664_;
+                                                let _e1427 = core_intrinsics_maximum_number_nsz_f32_((_e1405 - _e357), (_e1408 - _e358));
+                                                let _e1428 = core_intrinsics_maximum_number_nsz_f32_(_e1427, (_e1411 - _e359));
+                                                let _e1429 = core_intrinsics_minimum_number_nsz_f32_((_e1417 + _e357), (_e1420 + _e358));
+                                                let _e1430 = core_intrinsics_minimum_number_nsz_f32_(_e1429, (_e1423 + _e359));
+                                                if (_e1428 > -300000000000000000000000000000000000000f) {
+                                                    phi_1676_ = _e1428;
                                                 } else {
                                                     phi_1676_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1436 = phi_1676_;
-                                                if (_e1433 < 300000000000000000000000000000000000000f) {
-                                                    phi_1681_ = _e1433;
+                                                let _e1433 = phi_1676_;
+                                                if (_e1430 < 300000000000000000000000000000000000000f) {
+                                                    phi_1681_ = _e1430;
                                                 } else {
                                                     phi_1681_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1439 = phi_1681_;
-                                                if (_e1299 < _e1436) {
-                                                    phi_1686_ = _e1436;
+                                                let _e1436 = phi_1681_;
+                                                if (_e1296 < _e1433) {
+                                                    phi_1686_ = _e1433;
                                                 } else {
-                                                    phi_1686_ = _e1299;
+                                                    phi_1686_ = _e1296;
                                                 }
-                                                let _e1442 = phi_1686_;
-                                                if (_e1442 > _e1439) {
+                                                let _e1439 = phi_1686_;
+                                                if (_e1439 > _e1436) {
+                                                    phi_1691_ = _e1436;
+                                                } else {
                                                     phi_1691_ = _e1439;
-                                                } else {
-                                                    phi_1691_ = _e1442;
                                                 }
-                                                let _e1445 = phi_1691_;
-                                                phi_1696_ = lt_bvh_triangle_Intersection(_e1445, (_e1138 / _e1197), (_e1159 / _e1197), (_e1436 <= _e1439));
+                                                let _e1442 = phi_1691_;
+                                                phi_1696_ = lt_bvh_triangle_Intersection(_e1442, (_e1135 / _e1194), (_e1156 / _e1194), (_e1433 <= _e1436));
                                                 phi_1697_ = false;
                                             } else {
                                                 phi_1696_ = lt_bvh_triangle_Intersection();
                                                 phi_1697_ = true;
                                             }
-                                            let _e1451 = phi_1696_;
-                                            let _e1453 = phi_1697_;
-                                            phi_1698_ = _e1451;
-                                            phi_1699_ = _e1453;
+                                            let _e1448 = phi_1696_;
+                                            let _e1450 = phi_1697_;
+                                            phi_1698_ = _e1448;
+                                            phi_1699_ = _e1450;
                                         } else {
                                             phi_1698_ = lt_bvh_triangle_Intersection();
                                             phi_1699_ = true;
                                         }
-                                        let _e1455 = phi_1698_;
-                                        let _e1457 = phi_1699_;
-                                        if _e1457 {
+                                        let _e1452 = phi_1698_;
+                                        let _e1454 = phi_1699_;
+                                        if _e1454 {
                                         }
-                                        phi_1703_ = _e1455;
-                                        phi_1704_ = _e1457;
+                                        phi_1703_ = _e1452;
+                                        phi_1704_ = _e1454;
                                     }
-                                    let _e1459 = phi_1703_;
-                                    let _e1461 = phi_1704_;
-                                    phi_1705_ = _e1459;
-                                    phi_1706_ = _e1200;
-                                    phi_1707_ = _e1461;
+                                    let _e1456 = phi_1703_;
+                                    let _e1458 = phi_1704_;
+                                    phi_1705_ = _e1456;
+                                    phi_1706_ = _e1197;
+                                    phi_1707_ = _e1458;
                                 } else {
                                     phi_1705_ = lt_bvh_triangle_Intersection();
                                     phi_1706_ = true;
                                     phi_1707_ = false;
                                 }
-                                let _e1463 = phi_1705_;
-                                let _e1465 = phi_1706_;
-                                let _e1467 = phi_1707_;
-                                if _e1465 {
+                                let _e1460 = phi_1705_;
+                                let _e1462 = phi_1706_;
+                                let _e1464 = phi_1707_;
+                                if _e1462 {
                                     phi_1711_ = true;
                                 } else {
-                                    phi_1711_ = _e1467;
+                                    phi_1711_ = _e1464;
                                 }
-                                let _e1469 = phi_1711_;
-                                if _e1469 {
+                                let _e1466 = phi_1711_;
+                                if _e1466 {
                                     phi_1715_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1715_ = _e1463;
+                                    phi_1715_ = _e1460;
                                 }
-                                let _e1471 = phi_1715_;
-                                if _e1471.is_hit {
-                                    if (_e1471.t > _e138.tmin) {
-                                        if (_e1471.t < _e996.t) {
+                                let _e1468 = phi_1715_;
+                                if _e1468.is_hit {
+                                    if (_e1468.t > _e138.tmin) {
+                                        if (_e1468.t < _e993.t) {
                                             phi_1764_ = true;
                                         } else {
-                                            if (_e1471.t == _e996.t) {
-                                                if (_e996.triangle != 4294967295u) {
-                                                    if (_e1007 < _e996.triangle) {
+                                            if (_e1468.t == _e993.t) {
+                                                if (_e993.triangle != 4294967295u) {
+                                                    if (_e1004 < _e993.triangle) {
                                                         phi_1755_ = true;
                                                     } else {
-                                                        if (_e1007 == _e996.triangle) {
-                                                            phi_1754_ = (4294967295u < _e996.instance);
+                                                        if (_e1004 == _e993.triangle) {
+                                                            phi_1754_ = (4294967295u < _e993.instance);
                                                         } else {
                                                             phi_1754_ = false;
                                                         }
-                                                        let _e1490 = phi_1754_;
-                                                        phi_1755_ = _e1490;
+                                                        let _e1487 = phi_1754_;
+                                                        phi_1755_ = _e1487;
                                                     }
-                                                    let _e1492 = phi_1755_;
-                                                    phi_1756_ = _e1492;
+                                                    let _e1489 = phi_1755_;
+                                                    phi_1756_ = _e1489;
                                                     phi_1757_ = false;
                                                 } else {
                                                     phi_1756_ = bool();
                                                     phi_1757_ = true;
                                                 }
-                                                let _e1494 = phi_1756_;
-                                                let _e1496 = phi_1757_;
-                                                phi_1758_ = _e1494;
-                                                phi_1759_ = _e1496;
+                                                let _e1491 = phi_1756_;
+                                                let _e1493 = phi_1757_;
+                                                phi_1758_ = _e1491;
+                                                phi_1759_ = _e1493;
                                             } else {
                                                 phi_1758_ = bool();
                                                 phi_1759_ = true;
                                             }
-                                            let _e1498 = phi_1758_;
-                                            let _e1500 = phi_1759_;
-                                            if _e1500 {
+                                            let _e1495 = phi_1758_;
+                                            let _e1497 = phi_1759_;
+                                            if _e1497 {
                                                 phi_1763_ = false;
                                             } else {
-                                                phi_1763_ = _e1498;
+                                                phi_1763_ = _e1495;
                                             }
-                                            let _e1502 = phi_1763_;
-                                            phi_1764_ = _e1502;
+                                            let _e1499 = phi_1763_;
+                                            phi_1764_ = _e1499;
                                         }
-                                        let _e1504 = phi_1764_;
-                                        if _e1504 {
-                                            let _e1506 = triangles.member[(0u + _e1007)].i0_;
-                                            if ((_e1506 & 2147483648u) == 0u) {
+                                        let _e1501 = phi_1764_;
+                                        if _e1501 {
+                                            let _e1503 = triangles.member[(0u + _e1004)].i0_;
+                                            if ((_e1503 & 2147483648u) == 0u) {
                                                 phi_1778_ = true;
                                             } else {
                                                 if true {
                                                 }
                                                 phi_1778_ = true;
                                             }
-                                            let _e1510 = phi_1778_;
-                                            if _e1510 {
-                                                phi_1786_ = lt_bvh_Hit(_e1471.t, _e1471.u, _e1471.v, _e1007, 4294967295u);
+                                            let _e1507 = phi_1778_;
+                                            if _e1507 {
+                                                phi_1786_ = lt_bvh_Hit(_e1468.t, _e1468.u, _e1468.v, _e1004, 4294967295u);
                                             } else {
-                                                phi_1786_ = _e996;
+                                                phi_1786_ = _e993;
                                             }
-                                            let _e1516 = phi_1786_;
-                                            phi_1787_ = _e1516;
+                                            let _e1513 = phi_1786_;
+                                            phi_1787_ = _e1513;
                                         } else {
-                                            phi_1787_ = _e996;
+                                            phi_1787_ = _e993;
                                         }
-                                        let _e1518 = phi_1787_;
-                                        phi_1788_ = _e1518;
+                                        let _e1515 = phi_1787_;
+                                        phi_1788_ = _e1515;
                                     } else {
-                                        phi_1788_ = _e996;
+                                        phi_1788_ = _e993;
                                     }
-                                    let _e1520 = phi_1788_;
-                                    phi_1789_ = _e1520;
+                                    let _e1517 = phi_1788_;
+                                    phi_1789_ = _e1517;
                                 } else {
-                                    phi_1789_ = _e996;
+                                    phi_1789_ = _e993;
                                 }
-                                let _e1522 = phi_1789_;
-                                phi_1129_ = _e1522;
-                                phi_1132_ = (_e998 & (_e998 - 1u));
+                                let _e1519 = phi_1789_;
+                                phi_1129_ = _e1519;
+                                phi_1132_ = (_e995 & (_e995 - 1u));
                                 phi_1790_ = true;
                             }
-                            let _e1524 = phi_1129_;
-                            let _e1526 = phi_1132_;
-                            let _e1528 = phi_1790_;
+                            let _e1521 = phi_1129_;
+                            let _e1523 = phi_1132_;
+                            let _e1525 = phi_1790_;
                             continue;
                             continuing {
-                                phi_1128_ = _e1524;
-                                phi_1131_ = _e1526;
-                                break if !(_e1528);
+                                phi_1128_ = _e1521;
+                                phi_1131_ = _e1523;
+                                break if !(_e1525);
                             }
                         }
-                        let _e1531 = local.group_mask;
-                        if ((_e1531 & 4278190080u) == 0u) {
-                            let _e1535 = local.len;
-                            if (_e1535 == 0u) {
+                        let _e1528 = local.group_mask;
+                        if ((_e1528 & 4278190080u) == 0u) {
+                            let _e1532 = local.len;
+                            if (_e1532 == 0u) {
                                 phi_1829_ = false;
                             } else {
+                                let _e1536 = local.len;
+                                local.len = (_e1536 - 1u);
                                 let _e1539 = local.len;
-                                local.len = (_e1539 - 1u);
-                                let _e1542 = local.len;
-                                if (_e1542 < 32u) {
+                                if (_e1539 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1547 = local.first[(0u + _e1542)];
-                                local.group = _e1547;
-                                let _e1550 = local.len;
-                                if (_e1550 < 32u) {
+                                let _e1544 = local.first[(0u + _e1539)];
+                                local.group = _e1544;
+                                let _e1547 = local.len;
+                                if (_e1547 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1555 = local.mask[(0u + _e1550)];
-                                local.group_mask = _e1555;
+                                let _e1552 = local.mask[(0u + _e1547)];
+                                local.group_mask = _e1552;
                                 phi_1829_ = true;
                             }
-                            let _e1558 = phi_1829_;
-                            phi_1830_ = _e1558;
+                            let _e1555 = phi_1829_;
+                            phi_1830_ = _e1555;
                         } else {
                             phi_1830_ = true;
                         }
-                        let _e1560 = phi_1830_;
-                        if _e1560 {
-                            let _e1562 = local.group_mask;
-                            let _e1568 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1562)), 32u, (_e1562 == 0u)));
-                            let _e1572 = local.group_mask;
-                            let _e1586 = local.group_mask;
-                            local.group_mask = (_e1586 & ~((1u << bitcast<u32>((_e1568 & 31u)))));
-                            let _e1589 = local.group;
-                            phi_1861_ = (_e1589 + countOneBits(((_e1572 & ~((4294967295u << bitcast<u32>((((_e1568 - 24u) ^ _e415) & 31u))))) & 255u)));
+                        let _e1557 = phi_1830_;
+                        if _e1557 {
+                            let _e1559 = local.group_mask;
+                            let _e1565 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1559)), 32u, (_e1559 == 0u)));
+                            let _e1569 = local.group_mask;
+                            let _e1583 = local.group_mask;
+                            local.group_mask = (_e1583 & ~((1u << bitcast<u32>((_e1565 & 31u)))));
+                            let _e1586 = local.group;
+                            phi_1861_ = (_e1586 + countOneBits(((_e1569 & ~((4294967295u << bitcast<u32>((((_e1565 - 24u) ^ _e412) & 31u))))) & 255u)));
                         } else {
                             phi_1861_ = 4294967295u;
                         }
-                        let _e1592 = phi_1861_;
-                        let _e2292 = local_4;
-                        phi_792_ = _e2292;
-                        phi_795_ = _e1592;
+                        let _e1589 = phi_1861_;
+                        let _e2289 = local_4;
+                        phi_792_ = _e2289;
+                        phi_795_ = _e1589;
                     } else {
                         phi_792_ = lt_bvh_Hit();
                         phi_795_ = u32();
                     }
-                    let _e1594 = phi_792_;
-                    let _e1596 = phi_795_;
+                    let _e1591 = phi_792_;
+                    let _e1593 = phi_795_;
                     continue;
                     continuing {
-                        phi_791_ = _e1594;
-                        phi_794_ = _e1596;
-                        break if !(_e556);
+                        phi_791_ = _e1591;
+                        phi_794_ = _e1593;
+                        break if !(_e553);
                     }
                 }
-                let _e2296 = local_5;
-                phi_1862_ = _e2296;
+                let _e2293 = local_5;
+                phi_1862_ = _e2293;
             }
-            let _e1599 = phi_1862_;
-            phi_1863_ = _e1599;
+            let _e1596 = phi_1862_;
+            phi_1863_ = _e1596;
             phi_1864_ = _e210;
         } else {
             phi_1863_ = lt_bvh_Hit();
             phi_1864_ = true;
         }
-        let _e1601 = phi_1863_;
-        let _e1603 = phi_1864_;
-        if _e1603 {
+        let _e1598 = phi_1863_;
+        let _e1600 = phi_1864_;
+        if _e1600 {
             phi_1868_ = _e140;
         } else {
-            phi_1868_ = _e1601;
+            phi_1868_ = _e1598;
         }
-        let _e1605 = phi_1868_;
-        if (_e1605.triangle != 4294967295u) {
-            let _e1611 = ((1f - _e1605.u) - _e1605.v);
-            if (_e1605.triangle < _e68) {
+        let _e1602 = phi_1868_;
+        if (_e1602.triangle != 4294967295u) {
+            let _e1608 = ((1f - _e1602.u) - _e1602.v);
+            if (_e1602.triangle < _e68) {
             } else {
                 return;
             }
-            let _e1617 = triangles.member[(0u + _e1605.triangle)];
-            let _e1642 = (((_e1617.v0_.x * _e1611) + (_e1617.v1_.x * _e1605.u)) + (_e1617.v2_.x * _e1605.v));
-            let _e1643 = (((_e1617.v0_.y * _e1611) + (_e1617.v1_.y * _e1605.u)) + (_e1617.v2_.y * _e1605.v));
-            let _e1644 = (((_e1617.v0_.z * _e1611) + (_e1617.v1_.z * _e1605.u)) + (_e1617.v2_.z * _e1605.v));
-            let _e1647 = abs(_e1617.v0_.x);
-            let _e1649 = abs(_e1617.v0_.y);
-            let _e1651 = abs(_e1617.v0_.z);
-            let _e1653 = abs(_e1617.v1_.x);
-            let _e1655 = abs(_e1617.v1_.y);
-            let _e1657 = abs(_e1617.v1_.z);
-            if (_e1647 > _e1653) {
-                phi_1933_ = _e1647;
+            let _e1614 = triangles.member[(0u + _e1602.triangle)];
+            let _e1639 = (((_e1614.v0_.x * _e1608) + (_e1614.v1_.x * _e1602.u)) + (_e1614.v2_.x * _e1602.v));
+            let _e1640 = (((_e1614.v0_.y * _e1608) + (_e1614.v1_.y * _e1602.u)) + (_e1614.v2_.y * _e1602.v));
+            let _e1641 = (((_e1614.v0_.z * _e1608) + (_e1614.v1_.z * _e1602.u)) + (_e1614.v2_.z * _e1602.v));
+            let _e1644 = abs(_e1614.v0_.x);
+            let _e1646 = abs(_e1614.v0_.y);
+            let _e1648 = abs(_e1614.v0_.z);
+            let _e1650 = abs(_e1614.v1_.x);
+            let _e1652 = abs(_e1614.v1_.y);
+            let _e1654 = abs(_e1614.v1_.z);
+            if (_e1644 > _e1650) {
+                phi_1933_ = _e1644;
             } else {
-                phi_1933_ = _e1653;
+                phi_1933_ = _e1650;
             }
-            let _e1660 = phi_1933_;
-            if (_e1649 > _e1655) {
-                phi_1938_ = _e1649;
+            let _e1657 = phi_1933_;
+            if (_e1646 > _e1652) {
+                phi_1938_ = _e1646;
             } else {
-                phi_1938_ = _e1655;
+                phi_1938_ = _e1652;
             }
-            let _e1663 = phi_1938_;
-            if (_e1651 > _e1657) {
-                phi_1943_ = _e1651;
+            let _e1660 = phi_1938_;
+            if (_e1648 > _e1654) {
+                phi_1943_ = _e1648;
             } else {
-                phi_1943_ = _e1657;
+                phi_1943_ = _e1654;
             }
-            let _e1666 = phi_1943_;
-            let _e1668 = abs(_e1617.v2_.x);
-            let _e1670 = abs(_e1617.v2_.y);
-            let _e1672 = abs(_e1617.v2_.z);
-            if (_e1660 > _e1668) {
-                phi_1954_ = _e1660;
+            let _e1663 = phi_1943_;
+            let _e1665 = abs(_e1614.v2_.x);
+            let _e1667 = abs(_e1614.v2_.y);
+            let _e1669 = abs(_e1614.v2_.z);
+            if (_e1657 > _e1665) {
+                phi_1954_ = _e1657;
             } else {
-                phi_1954_ = _e1668;
+                phi_1954_ = _e1665;
             }
-            let _e1675 = phi_1954_;
-            if (_e1663 > _e1670) {
-                phi_1959_ = _e1663;
+            let _e1672 = phi_1954_;
+            if (_e1660 > _e1667) {
+                phi_1959_ = _e1660;
             } else {
-                phi_1959_ = _e1670;
+                phi_1959_ = _e1667;
             }
-            let _e1678 = phi_1959_;
-            if (_e1666 > _e1672) {
-                phi_1964_ = _e1666;
+            let _e1675 = phi_1959_;
+            if (_e1663 > _e1669) {
+                phi_1964_ = _e1663;
             } else {
-                phi_1964_ = _e1672;
+                phi_1964_ = _e1669;
             }
-            let _e1681 = phi_1964_;
-            let _e1684 = (_e1617.v1_.x - _e1617.v0_.x);
-            let _e1687 = (_e1617.v1_.y - _e1617.v0_.y);
-            let _e1690 = (_e1617.v1_.z - _e1617.v0_.z);
-            let _e1693 = (_e1617.v2_.x - _e1617.v0_.x);
-            let _e1696 = (_e1617.v2_.y - _e1617.v0_.y);
-            let _e1699 = (_e1617.v2_.z - _e1617.v0_.z);
-            let _e1703 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1687), abs(_e1690));
-            let _e1704 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1684), _e1703);
-            let _e1705 = (_e1684 / _e1704);
-            let _e1706 = (_e1687 / _e1704);
-            let _e1707 = (_e1690 / _e1704);
-            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1696), abs(_e1699));
-            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1693), _e1711);
-            let _e1713 = (_e1693 / _e1712);
-            let _e1714 = (_e1696 / _e1712);
-            let _e1715 = (_e1699 / _e1712);
-            let _e1718 = ((_e1706 * _e1715) - (_e1714 * _e1707));
-            let _e1721 = ((_e1707 * _e1713) - (_e1715 * _e1705));
-            let _e1724 = ((_e1705 * _e1714) - (_e1713 * _e1706));
-            let _e1726 = p.member.eye;
-            let _e1739 = (1f / sqrt((((_e1718 * _e1718) + (_e1721 * _e1721)) + (_e1724 * _e1724))));
-            let _e1740 = (_e1718 * _e1739);
-            let _e1741 = (_e1721 * _e1739);
-            let _e1742 = (_e1724 * _e1739);
-            if ((((_e1740 * (_e1726.x - _e1642)) + (_e1741 * (_e1726.y - _e1643))) + (_e1742 * (_e1726.z - _e1644))) < 0f) {
-                phi_2040_ = vec3<f32>(-(_e1740), -(_e1741), -(_e1742));
+            let _e1678 = phi_1964_;
+            let _e1681 = (_e1614.v1_.x - _e1614.v0_.x);
+            let _e1684 = (_e1614.v1_.y - _e1614.v0_.y);
+            let _e1687 = (_e1614.v1_.z - _e1614.v0_.z);
+            let _e1690 = (_e1614.v2_.x - _e1614.v0_.x);
+            let _e1693 = (_e1614.v2_.y - _e1614.v0_.y);
+            let _e1696 = (_e1614.v2_.z - _e1614.v0_.z);
+            let _e1700 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1684), abs(_e1687));
+            let _e1701 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1681), _e1700);
+            let _e1702 = (_e1681 / _e1701);
+            let _e1703 = (_e1684 / _e1701);
+            let _e1704 = (_e1687 / _e1701);
+            let _e1708 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1693), abs(_e1696));
+            let _e1709 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1690), _e1708);
+            let _e1710 = (_e1690 / _e1709);
+            let _e1711 = (_e1693 / _e1709);
+            let _e1712 = (_e1696 / _e1709);
+            let _e1715 = ((_e1703 * _e1712) - (_e1711 * _e1704));
+            let _e1718 = ((_e1704 * _e1710) - (_e1712 * _e1702));
+            let _e1721 = ((_e1702 * _e1711) - (_e1710 * _e1703));
+            let _e1723 = p.member.eye;
+            let _e1736 = (1f / sqrt((((_e1715 * _e1715) + (_e1718 * _e1718)) + (_e1721 * _e1721))));
+            let _e1737 = (_e1715 * _e1736);
+            let _e1738 = (_e1718 * _e1736);
+            let _e1739 = (_e1721 * _e1736);
+            if ((((_e1737 * (_e1723.x - _e1639)) + (_e1738 * (_e1723.y - _e1640))) + (_e1739 * (_e1723.z - _e1641))) < 0f) {
+                phi_2040_ = vec3<f32>(-(_e1737), -(_e1738), -(_e1739));
             } else {
-                phi_2040_ = vec3<f32>(_e1740, _e1741, _e1742);
+                phi_2040_ = vec3<f32>(_e1737, _e1738, _e1739);
             }
-            let _e1755 = phi_2040_;
-            if (_e1605.triangle < _e68) {
-            } else {
-                return;
-            }
-            let _e1760 = triangles.member[(0u + _e1605.triangle)];
-            let _e1762 = (_e1760.i0_ & 2147483647u);
-            if (_e1762 < _e71) {
+            let _e1752 = phi_2040_;
+            if (_e1602.triangle < _e68) {
             } else {
                 return;
             }
-            let _e1768 = vertices.member[(0u + _e1762)];
-            if (_e1760.i1_ < _e71) {
+            let _e1757 = triangles.member[(0u + _e1602.triangle)];
+            let _e1759 = (_e1757.i0_ & 2147483647u);
+            if (_e1759 < _e71) {
             } else {
                 return;
             }
-            let _e1772 = vertices.member[(0u + _e1760.i1_)];
-            if (_e1760.i2_ < _e71) {
+            let _e1765 = vertices.member[(0u + _e1759)];
+            if (_e1757.i1_ < _e71) {
             } else {
                 return;
             }
-            let _e1776 = vertices.member[(0u + _e1760.i2_)];
-            let _e1777 = array<abi_Vertex, 3>(_e1768, _e1772, _e1776);
-            if (_e1777[0].material < arrayLength((&materials.member))) {
+            let _e1769 = vertices.member[(0u + _e1757.i1_)];
+            if (_e1757.i2_ < _e71) {
             } else {
                 return;
             }
-            let _e1783 = materials.member[(0u + _e1777[0].material)];
-            let _e1800 = (1f / 255f);
-            let _e1819 = (1f / 255f);
-            let _e1841 = (1f / 255f);
-            let _e1854 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1611, _e1605.u, _e1605.v));
-            let _e1856 = ((_e1783.base_color.x * ((((f32((_e1777[0].color & 255u)) * _e1800) * _e1611) + ((f32((_e1777[1].color & 255u)) * _e1819) * _e1605.u)) + ((f32((_e1777[2].color & 255u)) * _e1841) * _e1605.v))) * _e1854.x);
-            let _e1858 = ((_e1783.base_color.y * ((((f32(((_e1777[0].color >> bitcast<u32>(8i)) & 255u)) * _e1800) * _e1611) + ((f32(((_e1777[1].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1605.u)) + ((f32(((_e1777[2].color >> bitcast<u32>(8i)) & 255u)) * _e1841) * _e1605.v))) * _e1854.y);
-            let _e1860 = ((_e1783.base_color.z * ((((f32(((_e1777[0].color >> bitcast<u32>(16i)) & 255u)) * _e1800) * _e1611) + ((f32(((_e1777[1].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1605.u)) + ((f32(((_e1777[2].color >> bitcast<u32>(16i)) & 255u)) * _e1841) * _e1605.v))) * _e1854.z);
-            let _e1861 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1678, _e1681);
-            let _e1862 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1675, _e1861);
-            if ((_e1783.flags & 2u) == 0u) {
+            let _e1773 = vertices.member[(0u + _e1757.i2_)];
+            let _e1774 = array<abi_Vertex, 3>(_e1765, _e1769, _e1773);
+            if (_e1774[0].material < arrayLength((&materials.member))) {
+            } else {
+                return;
+            }
+            let _e1780 = materials.member[(0u + _e1774[0].material)];
+            let _e1797 = (1f / 255f);
+            let _e1816 = (1f / 255f);
+            let _e1838 = (1f / 255f);
+            let _e1851 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1608, _e1602.u, _e1602.v));
+            let _e1853 = ((_e1780.base_color.x * ((((f32((_e1774[0].color & 255u)) * _e1797) * _e1608) + ((f32((_e1774[1].color & 255u)) * _e1816) * _e1602.u)) + ((f32((_e1774[2].color & 255u)) * _e1838) * _e1602.v))) * _e1851.x);
+            let _e1855 = ((_e1780.base_color.y * ((((f32(((_e1774[0].color >> bitcast<u32>(8i)) & 255u)) * _e1797) * _e1608) + ((f32(((_e1774[1].color >> bitcast<u32>(8i)) & 255u)) * _e1816) * _e1602.u)) + ((f32(((_e1774[2].color >> bitcast<u32>(8i)) & 255u)) * _e1838) * _e1602.v))) * _e1851.y);
+            let _e1857 = ((_e1780.base_color.z * ((((f32(((_e1774[0].color >> bitcast<u32>(16i)) & 255u)) * _e1797) * _e1608) + ((f32(((_e1774[1].color >> bitcast<u32>(16i)) & 255u)) * _e1816) * _e1602.u)) + ((f32(((_e1774[2].color >> bitcast<u32>(16i)) & 255u)) * _e1838) * _e1602.v))) * _e1851.z);
+            let _e1858 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1675, _e1678);
+            let _e1859 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1672, _e1858);
+            if ((_e1780.flags & 2u) == 0u) {
                 phi_2161_ = 0u;
             } else {
                 phi_2161_ = 1u;
             }
-            let _e1867 = phi_2161_;
-            if (_e1777[0].normal == 2147516416u) {
-                phi_2364_ = _e1755;
+            let _e1864 = phi_2161_;
+            if (_e1774[0].normal == 2147516416u) {
+                phi_2364_ = _e1752;
             } else {
-                let _e1880 = (f32((bitcast<i32>((_e1777[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1886 = (f32((bitcast<i32>(_e1777[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1890 = ((1f - abs(_e1880)) - abs(_e1886));
-                if (_e1890 < 0f) {
-                    phi_2188_ = -(_e1890);
+                let _e1877 = (f32((bitcast<i32>((_e1774[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1883 = (f32((bitcast<i32>(_e1774[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1887 = ((1f - abs(_e1877)) - abs(_e1883));
+                if (_e1887 < 0f) {
+                    phi_2188_ = -(_e1887);
                 } else {
                     phi_2188_ = 0f;
                 }
-                let _e1894 = phi_2188_;
-                if (_e1880 < 0f) {
-                    phi_2195_ = (_e1880 + _e1894);
+                let _e1891 = phi_2188_;
+                if (_e1877 < 0f) {
+                    phi_2195_ = (_e1877 + _e1891);
                 } else {
-                    phi_2195_ = (_e1880 - _e1894);
+                    phi_2195_ = (_e1877 - _e1891);
                 }
-                let _e1899 = phi_2195_;
-                if (_e1886 < 0f) {
-                    phi_2202_ = (_e1886 + _e1894);
+                let _e1896 = phi_2195_;
+                if (_e1883 < 0f) {
+                    phi_2202_ = (_e1883 + _e1891);
                 } else {
-                    phi_2202_ = (_e1886 - _e1894);
+                    phi_2202_ = (_e1883 - _e1891);
                 }
-                let _e1904 = phi_2202_;
-                let _e1911 = (1f / sqrt((((_e1899 * _e1899) + (_e1904 * _e1904)) + (_e1890 * _e1890))));
-                let _e1927 = (f32((bitcast<i32>((_e1777[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1933 = (f32((bitcast<i32>(_e1777[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1937 = ((1f - abs(_e1927)) - abs(_e1933));
-                if (_e1937 < 0f) {
-                    phi_2237_ = -(_e1937);
+                let _e1901 = phi_2202_;
+                let _e1908 = (1f / sqrt((((_e1896 * _e1896) + (_e1901 * _e1901)) + (_e1887 * _e1887))));
+                let _e1924 = (f32((bitcast<i32>((_e1774[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1930 = (f32((bitcast<i32>(_e1774[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1934 = ((1f - abs(_e1924)) - abs(_e1930));
+                if (_e1934 < 0f) {
+                    phi_2237_ = -(_e1934);
                 } else {
                     phi_2237_ = 0f;
                 }
-                let _e1941 = phi_2237_;
-                if (_e1927 < 0f) {
-                    phi_2244_ = (_e1927 + _e1941);
+                let _e1938 = phi_2237_;
+                if (_e1924 < 0f) {
+                    phi_2244_ = (_e1924 + _e1938);
                 } else {
-                    phi_2244_ = (_e1927 - _e1941);
+                    phi_2244_ = (_e1924 - _e1938);
                 }
-                let _e1946 = phi_2244_;
-                if (_e1933 < 0f) {
-                    phi_2251_ = (_e1933 + _e1941);
+                let _e1943 = phi_2244_;
+                if (_e1930 < 0f) {
+                    phi_2251_ = (_e1930 + _e1938);
                 } else {
-                    phi_2251_ = (_e1933 - _e1941);
+                    phi_2251_ = (_e1930 - _e1938);
                 }
-                let _e1951 = phi_2251_;
-                let _e1958 = (1f / sqrt((((_e1946 * _e1946) + (_e1951 * _e1951)) + (_e1937 * _e1937))));
-                let _e1977 = (f32((bitcast<i32>((_e1777[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1983 = (f32((bitcast<i32>(_e1777[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1987 = ((1f - abs(_e1977)) - abs(_e1983));
-                if (_e1987 < 0f) {
-                    phi_2289_ = -(_e1987);
+                let _e1948 = phi_2251_;
+                let _e1955 = (1f / sqrt((((_e1943 * _e1943) + (_e1948 * _e1948)) + (_e1934 * _e1934))));
+                let _e1974 = (f32((bitcast<i32>((_e1774[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1980 = (f32((bitcast<i32>(_e1774[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1984 = ((1f - abs(_e1974)) - abs(_e1980));
+                if (_e1984 < 0f) {
+                    phi_2289_ = -(_e1984);
                 } else {
                     phi_2289_ = 0f;
                 }
-                let _e1991 = phi_2289_;
-                if (_e1977 < 0f) {
-                    phi_2296_ = (_e1977 + _e1991);
+                let _e1988 = phi_2289_;
+                if (_e1974 < 0f) {
+                    phi_2296_ = (_e1974 + _e1988);
                 } else {
-                    phi_2296_ = (_e1977 - _e1991);
+                    phi_2296_ = (_e1974 - _e1988);
                 }
-                let _e1996 = phi_2296_;
-                if (_e1983 < 0f) {
-                    phi_2303_ = (_e1983 + _e1991);
+                let _e1993 = phi_2296_;
+                if (_e1980 < 0f) {
+                    phi_2303_ = (_e1980 + _e1988);
                 } else {
-                    phi_2303_ = (_e1983 - _e1991);
+                    phi_2303_ = (_e1980 - _e1988);
                 }
-                let _e2001 = phi_2303_;
-                let _e2008 = (1f / sqrt((((_e1996 * _e1996) + (_e2001 * _e2001)) + (_e1987 * _e1987))));
-                let _e2019 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1899 * _e1911) * _e1611) + ((_e1946 * _e1958) * _e1605.u)) + ((_e1996 * _e2008) * _e1605.v)), ((((_e1904 * _e1911) * _e1611) + ((_e1951 * _e1958) * _e1605.u)) + ((_e2001 * _e2008) * _e1605.v)), ((((_e1890 * _e1911) * _e1611) + ((_e1937 * _e1958) * _e1605.u)) + ((_e1987 * _e2008) * _e1605.v))));
-                let _e2031 = sqrt((((_e2019.x * _e2019.x) + (_e2019.y * _e2019.y)) + (_e2019.z * _e2019.z)));
-                if (_e2031 > 0f) {
-                    let _e2034 = (_e2019.x / _e2031);
-                    let _e2036 = (_e2019.y / _e2031);
-                    let _e2038 = (_e2019.z / _e2031);
-                    if ((((_e2034 * _e1755.x) + (_e2036 * _e1755.y)) + (_e2038 * _e1755.z)) < 0f) {
-                        phi_2362_ = vec3<f32>(-(_e2034), -(_e2036), -(_e2038));
+                let _e1998 = phi_2303_;
+                let _e2005 = (1f / sqrt((((_e1993 * _e1993) + (_e1998 * _e1998)) + (_e1984 * _e1984))));
+                let _e2016 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1896 * _e1908) * _e1608) + ((_e1943 * _e1955) * _e1602.u)) + ((_e1993 * _e2005) * _e1602.v)), ((((_e1901 * _e1908) * _e1608) + ((_e1948 * _e1955) * _e1602.u)) + ((_e1998 * _e2005) * _e1602.v)), ((((_e1887 * _e1908) * _e1608) + ((_e1934 * _e1955) * _e1602.u)) + ((_e1984 * _e2005) * _e1602.v))));
+                let _e2028 = sqrt((((_e2016.x * _e2016.x) + (_e2016.y * _e2016.y)) + (_e2016.z * _e2016.z)));
+                if (_e2028 > 0f) {
+                    let _e2031 = (_e2016.x / _e2028);
+                    let _e2033 = (_e2016.y / _e2028);
+                    let _e2035 = (_e2016.z / _e2028);
+                    if ((((_e2031 * _e1752.x) + (_e2033 * _e1752.y)) + (_e2035 * _e1752.z)) < 0f) {
+                        phi_2362_ = vec3<f32>(-(_e2031), -(_e2033), -(_e2035));
                     } else {
-                        phi_2362_ = (_e2019 / vec3(_e2031));
+                        phi_2362_ = (_e2016 / vec3(_e2028));
                     }
-                    let _e2055 = phi_2362_;
-                    phi_2363_ = _e2055;
+                    let _e2052 = phi_2362_;
+                    phi_2363_ = _e2052;
                 } else {
-                    phi_2363_ = _e1755;
+                    phi_2363_ = _e1752;
                 }
-                let _e2057 = phi_2363_;
-                phi_2364_ = _e2057;
+                let _e2054 = phi_2363_;
+                phi_2364_ = _e2054;
             }
-            let _e2059 = phi_2364_;
-            if (_e1856 > 0f) {
-                if (_e1856 < 1f) {
-                    phi_2373_ = _e1856;
+            let _e2056 = phi_2364_;
+            if (_e1853 > 0f) {
+                if (_e1853 < 1f) {
+                    phi_2373_ = _e1853;
                 } else {
                     phi_2373_ = 1f;
                 }
-                let _e2063 = phi_2373_;
-                phi_2374_ = _e2063;
+                let _e2060 = phi_2373_;
+                phi_2374_ = _e2060;
             } else {
                 phi_2374_ = 0f;
             }
-            let _e2065 = phi_2374_;
-            if (_e1858 > 0f) {
-                if (_e1858 < 1f) {
-                    phi_2384_ = _e1858;
+            let _e2062 = phi_2374_;
+            if (_e1855 > 0f) {
+                if (_e1855 < 1f) {
+                    phi_2384_ = _e1855;
                 } else {
                     phi_2384_ = 1f;
                 }
-                let _e2070 = phi_2384_;
-                phi_2385_ = _e2070;
+                let _e2067 = phi_2384_;
+                phi_2385_ = _e2067;
             } else {
                 phi_2385_ = 0f;
             }
-            let _e2072 = phi_2385_;
-            if (_e1860 > 0f) {
-                if (_e1860 < 1f) {
-                    phi_2395_ = _e1860;
+            let _e2069 = phi_2385_;
+            if (_e1857 > 0f) {
+                if (_e1857 < 1f) {
+                    phi_2395_ = _e1857;
                 } else {
                     phi_2395_ = 1f;
                 }
-                let _e2077 = phi_2395_;
-                phi_2396_ = _e2077;
+                let _e2074 = phi_2395_;
+                phi_2396_ = _e2074;
             } else {
                 phi_2396_ = 0f;
             }
-            let _e2079 = phi_2396_;
-            let _e2082 = ((sqrt(_e2065) * 255f) + 0.5f);
-            let _e2091 = ((sqrt(_e2072) * 255f) + 0.5f);
-            let _e2103 = ((sqrt(_e2079) * 255f) + 0.5f);
-            phi_2431_ = abi_Sample(vec3<f32>(_e1642, _e1643, _e1644), _e1862, _e1755, _e1867, _e2059, ((select(select(u32(_e2082), 0u, (_e2082 < bitcast<f32>(0u))), 4294967295u, (_e2082 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2091), 0u, (_e2091 < bitcast<f32>(0u))), 4294967295u, (_e2091 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2103), 0u, (_e2103 < bitcast<f32>(0u))), 4294967295u, (_e2103 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2076 = phi_2396_;
+            let _e2079 = ((sqrt(_e2062) * 255f) + 0.5f);
+            let _e2088 = ((sqrt(_e2069) * 255f) + 0.5f);
+            let _e2100 = ((sqrt(_e2076) * 255f) + 0.5f);
+            phi_2431_ = abi_Sample(vec3<f32>(_e1639, _e1640, _e1641), _e1859, _e1752, _e1864, _e2056, ((select(select(u32(_e2079), 0u, (_e2079 < bitcast<f32>(0u))), 4294967295u, (_e2079 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2088), 0u, (_e2088 < bitcast<f32>(0u))), 4294967295u, (_e2088 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2100), 0u, (_e2100 < bitcast<f32>(0u))), 4294967295u, (_e2100 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_2431_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2117 = phi_2431_;
+        let _e2114 = phi_2431_;
         if (_e83.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e83.shift)] = _e2117;
+        samples.member[(0u + _e83.shift)] = _e2114;
     }
     return;
 }

@@ -1073,2085 +1073,2085 @@ fn function_() {
                 } else {
                     phi_915_ = abs(_e162.direction.x);
                 }
-                let _e311 = phi_915_;
+                let _e310 = phi_915_;
                 if (_e162.direction.x < 0f) {
-                    phi_922_ = (-1f / _e311);
+                    phi_922_ = (-1f / _e310);
                 } else {
-                    phi_922_ = (1f / _e311);
+                    phi_922_ = (1f / _e310);
                 }
-                let _e316 = phi_922_;
+                let _e315 = phi_922_;
                 if (abs(_e162.direction.y) < _e304) {
                     phi_930_ = _e304;
                 } else {
                     phi_930_ = abs(_e162.direction.y);
                 }
-                let _e323 = phi_930_;
+                let _e321 = phi_930_;
                 if (_e162.direction.y < 0f) {
-                    phi_937_ = (-1f / _e323);
+                    phi_937_ = (-1f / _e321);
                 } else {
-                    phi_937_ = (1f / _e323);
+                    phi_937_ = (1f / _e321);
                 }
-                let _e328 = phi_937_;
+                let _e326 = phi_937_;
                 if (abs(_e162.direction.z) < _e304) {
                     phi_945_ = _e304;
                 } else {
                     phi_945_ = abs(_e162.direction.z);
                 }
-                let _e335 = phi_945_;
+                let _e332 = phi_945_;
                 if (_e162.direction.z < 0f) {
-                    phi_952_ = (-1f / _e335);
+                    phi_952_ = (-1f / _e332);
                 } else {
-                    phi_952_ = (1f / _e335);
+                    phi_952_ = (1f / _e332);
                 }
-                let _e340 = phi_952_;
-                let _e348 = abs((bitcast<f32>(_e240) - _e162.origin.x));
-                let _e349 = abs((bitcast<f32>(_e244) - _e162.origin.y));
-                let _e350 = abs((bitcast<f32>(_e248) - _e162.origin.z));
-                let _e358 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e264 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.x));
-                let _e359 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e264 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.y));
-                let _e360 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e264 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.z));
-                if (_e348 > _e358) {
-                    phi_977_ = _e348;
+                let _e337 = phi_952_;
+                let _e345 = abs((bitcast<f32>(_e240) - _e162.origin.x));
+                let _e346 = abs((bitcast<f32>(_e244) - _e162.origin.y));
+                let _e347 = abs((bitcast<f32>(_e248) - _e162.origin.z));
+                let _e355 = abs(((bitcast<f32>(_e252) + (bitcast<f32>((((_e264 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.x));
+                let _e356 = abs(((bitcast<f32>(_e256) + (bitcast<f32>((((_e264 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.y));
+                let _e357 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e264 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e162.origin.z));
+                if (_e345 > _e355) {
+                    phi_977_ = _e345;
                 } else {
-                    phi_977_ = _e358;
+                    phi_977_ = _e355;
                 }
-                let _e363 = phi_977_;
-                if (_e349 > _e359) {
-                    phi_982_ = _e349;
+                let _e360 = phi_977_;
+                if (_e346 > _e356) {
+                    phi_982_ = _e346;
                 } else {
-                    phi_982_ = _e359;
+                    phi_982_ = _e356;
                 }
-                let _e366 = phi_982_;
-                if (_e350 > _e360) {
-                    phi_987_ = _e350;
+                let _e363 = phi_982_;
+                if (_e347 > _e357) {
+                    phi_987_ = _e347;
                 } else {
-                    phi_987_ = _e360;
+                    phi_987_ = _e357;
                 }
-                let _e369 = phi_987_;
-                let _e370 = core_intrinsics_maximum_number_nsz_f32_(_e363, _e366);
-                let _e371 = core_intrinsics_maximum_number_nsz_f32_(_e370, _e369);
-                let _e376 = (_e371 * 0.0000019073486f);
-                let _e377 = (abs(_e316) * _e376);
-                let _e378 = (abs(_e328) * _e376);
-                let _e379 = (abs(_e340) * _e376);
-                let _e383 = (_e371 * 0.0000009536743f);
-                let _e384 = (abs(_e316) * _e383);
-                let _e385 = (abs(_e328) * _e383);
-                let _e386 = (abs(_e340) * _e383);
-                if (_e316 < 0f) {
+                let _e366 = phi_987_;
+                let _e367 = core_intrinsics_maximum_number_nsz_f32_(_e360, _e363);
+                let _e368 = core_intrinsics_maximum_number_nsz_f32_(_e367, _e366);
+                let _e373 = (_e368 * 0.0000019073486f);
+                let _e374 = (abs(_e315) * _e373);
+                let _e375 = (abs(_e326) * _e373);
+                let _e376 = (abs(_e337) * _e373);
+                let _e380 = (_e368 * 0.0000009536743f);
+                let _e381 = (abs(_e315) * _e380);
+                let _e382 = (abs(_e326) * _e380);
+                let _e383 = (abs(_e337) * _e380);
+                if (_e315 < 0f) {
                     phi_1009_ = 0u;
                 } else {
                     phi_1009_ = 1u;
                 }
-                let _e389 = phi_1009_;
-                if (_e328 < 0f) {
+                let _e386 = phi_1009_;
+                if (_e326 < 0f) {
                     phi_1014_ = 0u;
                 } else {
                     phi_1014_ = 2u;
                 }
-                let _e392 = phi_1014_;
-                if (_e340 < 0f) {
+                let _e389 = phi_1014_;
+                if (_e337 < 0f) {
                     phi_1019_ = 0u;
                 } else {
                     phi_1019_ = 4u;
                 }
-                let _e395 = phi_1019_;
-                let _e397 = ((_e389 | _e392) | _e395);
-                let _e398 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e111, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e398.first[0], _e398.first[1], _e398.first[2], _e398.first[3], _e398.first[4], _e398.first[5], _e398.first[6], _e398.first[7], _e398.first[8], _e398.first[9], _e398.first[10], _e398.first[11], _e398.first[12], _e398.first[13], _e398.first[14], _e398.first[15], _e398.first[16], _e398.first[17], _e398.first[18], _e398.first[19], _e398.first[20], _e398.first[21], _e398.first[22], _e398.first[23], _e398.first[24], _e398.first[25], _e398.first[26], _e398.first[27], _e398.first[28], _e398.first[29], _e398.first[30], _e398.first[31]), array<u32, 32>(_e398.mask[0], _e398.mask[1], _e398.mask[2], _e398.mask[3], _e398.mask[4], _e398.mask[5], _e398.mask[6], _e398.mask[7], _e398.mask[8], _e398.mask[9], _e398.mask[10], _e398.mask[11], _e398.mask[12], _e398.mask[13], _e398.mask[14], _e398.mask[15], _e398.mask[16], _e398.mask[17], _e398.mask[18], _e398.mask[19], _e398.mask[20], _e398.mask[21], _e398.mask[22], _e398.mask[23], _e398.mask[24], _e398.mask[25], _e398.mask[26], _e398.mask[27], _e398.mask[28], _e398.mask[29], _e398.mask[30], _e398.mask[31]), _e398.len, _e398.group, _e398.group_mask);
-                let _e472 = local_3.group_mask;
-                if ((_e472 & 4278190080u) == 0u) {
-                    let _e476 = local_3.len;
-                    if (_e476 == 0u) {
+                let _e392 = phi_1019_;
+                let _e394 = ((_e386 | _e389) | _e392);
+                let _e395 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e111, 2147483648u);
+                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e395.first[0], _e395.first[1], _e395.first[2], _e395.first[3], _e395.first[4], _e395.first[5], _e395.first[6], _e395.first[7], _e395.first[8], _e395.first[9], _e395.first[10], _e395.first[11], _e395.first[12], _e395.first[13], _e395.first[14], _e395.first[15], _e395.first[16], _e395.first[17], _e395.first[18], _e395.first[19], _e395.first[20], _e395.first[21], _e395.first[22], _e395.first[23], _e395.first[24], _e395.first[25], _e395.first[26], _e395.first[27], _e395.first[28], _e395.first[29], _e395.first[30], _e395.first[31]), array<u32, 32>(_e395.mask[0], _e395.mask[1], _e395.mask[2], _e395.mask[3], _e395.mask[4], _e395.mask[5], _e395.mask[6], _e395.mask[7], _e395.mask[8], _e395.mask[9], _e395.mask[10], _e395.mask[11], _e395.mask[12], _e395.mask[13], _e395.mask[14], _e395.mask[15], _e395.mask[16], _e395.mask[17], _e395.mask[18], _e395.mask[19], _e395.mask[20], _e395.mask[21], _e395.mask[22], _e395.mask[23], _e395.mask[24], _e395.mask[25], _e395.mask[26], _e395.mask[27], _e395.mask[28], _e395.mask[29], _e395.mask[30], _e395.mask[31]), _e395.len, _e395.group, _e395.group_mask);
+                let _e469 = local_3.group_mask;
+                if ((_e469 & 4278190080u) == 0u) {
+                    let _e473 = local_3.len;
+                    if (_e473 == 0u) {
                         phi_1133_ = false;
                     } else {
+                        let _e477 = local_3.len;
+                        local_3.len = (_e477 - 1u);
                         let _e480 = local_3.len;
-                        local_3.len = (_e480 - 1u);
-                        let _e483 = local_3.len;
-                        if (_e483 < 32u) {
+                        if (_e480 < 32u) {
                         } else {
                             return;
                         }
-                        let _e488 = local_3.first[(0u + _e483)];
-                        local_3.group = _e488;
-                        let _e491 = local_3.len;
-                        if (_e491 < 32u) {
+                        let _e485 = local_3.first[(0u + _e480)];
+                        local_3.group = _e485;
+                        let _e488 = local_3.len;
+                        if (_e488 < 32u) {
                         } else {
                             return;
                         }
-                        let _e496 = local_3.mask[(0u + _e491)];
-                        local_3.group_mask = _e496;
+                        let _e493 = local_3.mask[(0u + _e488)];
+                        local_3.group_mask = _e493;
                         phi_1133_ = true;
                     }
-                    let _e499 = phi_1133_;
-                    phi_1134_ = _e499;
+                    let _e496 = phi_1133_;
+                    phi_1134_ = _e496;
                 } else {
                     phi_1134_ = true;
                 }
-                let _e501 = phi_1134_;
-                if _e501 {
-                    let _e503 = local_3.group_mask;
-                    let _e509 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e503)), 32u, (_e503 == 0u)));
-                    let _e513 = local_3.group_mask;
-                    let _e527 = local_3.group_mask;
-                    local_3.group_mask = (_e527 & ~((1u << bitcast<u32>((_e509 & 31u)))));
-                    let _e530 = local_3.group;
-                    phi_1165_ = (_e530 + countOneBits(((_e513 & ~((4294967295u << bitcast<u32>((((_e509 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e498 = phi_1134_;
+                if _e498 {
+                    let _e500 = local_3.group_mask;
+                    let _e506 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e500)), 32u, (_e500 == 0u)));
+                    let _e510 = local_3.group_mask;
+                    let _e524 = local_3.group_mask;
+                    local_3.group_mask = (_e524 & ~((1u << bitcast<u32>((_e506 & 31u)))));
+                    let _e527 = local_3.group;
+                    phi_1165_ = (_e527 + countOneBits(((_e510 & ~((4294967295u << bitcast<u32>((((_e506 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1165_ = 4294967295u;
                 }
-                let _e533 = phi_1165_;
-                phi_1167_ = _e533;
+                let _e530 = phi_1165_;
+                phi_1167_ = _e530;
                 phi_1170_ = _e164;
                 loop {
-                    let _e535 = phi_1167_;
-                    let _e537 = phi_1170_;
-                    local_13 = _e537;
-                    let _e538 = (_e535 != 4294967295u);
-                    if _e538 {
-                        if (_e535 < _e78) {
+                    let _e532 = phi_1167_;
+                    let _e534 = phi_1170_;
+                    local_13 = _e534;
+                    let _e535 = (_e532 != 4294967295u);
+                    if _e535 {
+                        if (_e532 < _e78) {
                         } else {
                             return;
                         }
-                        let _e546 = nodes.member[(0u + _e535)].frame[3u];
-                        let _e571 = (bitcast<f32>((((_e546 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e316);
-                        let _e572 = (bitcast<f32>((((_e546 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e328);
-                        let _e573 = (bitcast<f32>((((_e546 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e340);
-                        let _e576 = nodes.member[(0u + _e535)].frame[0u];
-                        let _e580 = nodes.member[(0u + _e535)].frame[1u];
-                        let _e584 = nodes.member[(0u + _e535)].frame[2u];
-                        let _e592 = ((bitcast<f32>(_e576) - _e162.origin.x) * _e316);
-                        let _e593 = ((bitcast<f32>(_e580) - _e162.origin.y) * _e328);
-                        let _e594 = ((bitcast<f32>(_e584) - _e162.origin.z) * _e340);
-                        let _e602 = nodes.member[(0u + _e535)].x;
-                        if (_e316 < 0f) {
-                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e613.unnamed.word, _e602.w), _e613.unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e602.x, _e619.unnamed_1.shift));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_mask_LightPlace(_e625.unnamed_1.word, _e602.y));
+                        let _e543 = nodes.member[(0u + _e532)].frame[3u];
+                        let _e568 = (bitcast<f32>((((_e543 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e315);
+                        let _e569 = (bitcast<f32>((((_e543 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e326);
+                        let _e570 = (bitcast<f32>((((_e543 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e337);
+                        let _e573 = nodes.member[(0u + _e532)].frame[0u];
+                        let _e577 = nodes.member[(0u + _e532)].frame[1u];
+                        let _e581 = nodes.member[(0u + _e532)].frame[2u];
+                        let _e589 = ((bitcast<f32>(_e573) - _e162.origin.x) * _e315);
+                        let _e590 = ((bitcast<f32>(_e577) - _e162.origin.y) * _e326);
+                        let _e591 = ((bitcast<f32>(_e581) - _e162.origin.z) * _e337);
+                        let _e599 = nodes.member[(0u + _e532)].x;
+                        if (_e315 < 0f) {
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.unnamed.word, _e599.w), _e610.unnamed_1);
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e616.unnamed, lt_mask_LightPlace(_e599.x, _e616.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_mask_LightPlace(_e622.unnamed_1.word, _e599.y));
                         } else {
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e602.y), _e641.unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e602.z, _e647.unnamed_1.shift));
-                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e602.w));
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e638.unnamed.word, _e599.y), _e638.unnamed_1);
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e599.z, _e644.unnamed_1.shift));
+                            phi_1255_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e650.unnamed_1.word, _e599.w));
                         }
-                        let _e661 = phi_1255_;
-                        let _e671 = nodes.member[(0u + _e535)].y;
-                        if (_e328 < 0f) {
-                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e671.w), _e682.unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e671.x, _e688.unnamed_1.shift));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e671.y));
+                        let _e658 = phi_1255_;
+                        let _e668 = nodes.member[(0u + _e532)].y;
+                        if (_e326 < 0f) {
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.unnamed.word, _e668.w), _e679.unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e668.x, _e685.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e691.unnamed_1.word, _e668.y));
                         } else {
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e671.y), _e710.unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e671.z, _e716.unnamed_1.shift));
-                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e671.w));
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e707.unnamed.word, _e668.y), _e707.unnamed_1);
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e668.z, _e713.unnamed_1.shift));
+                            phi_1282_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e719.unnamed_1.word, _e668.w));
                         }
-                        let _e730 = phi_1282_;
-                        let _e740 = nodes.member[(0u + _e535)].z;
-                        if (_e340 < 0f) {
-                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e740.w), _e751.unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e740.x, _e757.unnamed_1.shift));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e740.y));
+                        let _e727 = phi_1282_;
+                        let _e737 = nodes.member[(0u + _e532)].z;
+                        if (_e337 < 0f) {
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.unnamed.word, _e737.w), _e748.unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e737.x, _e754.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e760.unnamed_1.word, _e737.y));
                         } else {
-                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e740.y), _e779.unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e740.z, _e785.unnamed_1.shift));
-                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e740.w));
+                            let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e737.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e776.unnamed.word, _e737.y), _e776.unnamed_1);
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_mask_LightPlace(_e737.z, _e782.unnamed_1.shift));
+                            phi_1309_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e788.unnamed_1.word, _e737.w));
                         }
-                        let _e799 = phi_1309_;
+                        let _e796 = phi_1309_;
                         phi_1315_ = 0u;
                         phi_1318_ = 0u;
                         loop {
-                            let _e809 = phi_1315_;
-                            let _e811 = phi_1318_;
-                            local_4 = _e811;
-                            local_5 = _e811;
-                            local_6 = _e811;
-                            let _e812 = (_e809 < 8u);
-                            if _e812 {
-                                let _e814 = (_e809 >> bitcast<u32>(2i));
-                                let _e815 = (_e809 & 3u);
-                                if (_e814 == 0u) {
-                                    phi_1332_ = _e661.unnamed.word;
+                            let _e806 = phi_1315_;
+                            let _e808 = phi_1318_;
+                            local_4 = _e808;
+                            local_5 = _e808;
+                            local_6 = _e808;
+                            let _e809 = (_e806 < 8u);
+                            if _e809 {
+                                let _e811 = (_e806 >> bitcast<u32>(2i));
+                                let _e812 = (_e806 & 3u);
+                                if (_e811 == 0u) {
+                                    phi_1332_ = _e658.unnamed.word;
                                 } else {
-                                    phi_1332_ = _e661.unnamed.shift;
+                                    phi_1332_ = _e658.unnamed.shift;
                                 }
-                                let _e818 = phi_1332_;
-                                if (_e814 == 0u) {
-                                    phi_1342_ = _e730.unnamed.word;
+                                let _e815 = phi_1332_;
+                                if (_e811 == 0u) {
+                                    phi_1342_ = _e727.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e730.unnamed.shift;
+                                    phi_1342_ = _e727.unnamed.shift;
                                 }
-                                let _e827 = phi_1342_;
-                                if (_e814 == 0u) {
-                                    phi_1352_ = _e799.unnamed.word;
+                                let _e824 = phi_1342_;
+                                if (_e811 == 0u) {
+                                    phi_1352_ = _e796.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e799.unnamed.shift;
+                                    phi_1352_ = _e796.unnamed.shift;
                                 }
-                                let _e836 = phi_1352_;
-                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
-                                let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
-                                if (_e814 == 0u) {
-                                    phi_1370_ = _e661.unnamed_1.word;
+                                let _e833 = phi_1352_;
+                                let _e846 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e815 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e568) + (_e589 - _e374)), ((f32(((_e824 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e569) + (_e590 - _e375)));
+                                let _e847 = core_intrinsics_maximum_number_nsz_f32_(_e846, ((f32(((_e833 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e570) + (_e591 - _e376)));
+                                if (_e811 == 0u) {
+                                    phi_1370_ = _e658.unnamed_1.word;
                                 } else {
-                                    phi_1370_ = _e661.unnamed_1.shift;
+                                    phi_1370_ = _e658.unnamed_1.shift;
                                 }
-                                let _e853 = phi_1370_;
-                                if (_e814 == 0u) {
-                                    phi_1380_ = _e730.unnamed_1.word;
+                                let _e850 = phi_1370_;
+                                if (_e811 == 0u) {
+                                    phi_1380_ = _e727.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e730.unnamed_1.shift;
+                                    phi_1380_ = _e727.unnamed_1.shift;
                                 }
-                                let _e862 = phi_1380_;
-                                if (_e814 == 0u) {
-                                    phi_1390_ = _e799.unnamed_1.word;
+                                let _e859 = phi_1380_;
+                                if (_e811 == 0u) {
+                                    phi_1390_ = _e796.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e799.unnamed_1.shift;
+                                    phi_1390_ = _e796.unnamed_1.shift;
                                 }
-                                let _e871 = phi_1390_;
-                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
-                                let _e885 = core_intrinsics_minimum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 + _e379)));
-                                if (_e850 <= _e885) {
-                                    if (_e850 <= _e537.t) {
-                                        if (_e885 >= _e162.tmin) {
-                                            if (_e814 == 0u) {
-                                                let _e892 = nodes.member[(0u + _e535)].links[2u];
+                                let _e868 = phi_1390_;
+                                let _e881 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e850 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e568) + (_e589 + _e374)), ((f32(((_e859 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e569) + (_e590 + _e375)));
+                                let _e882 = core_intrinsics_minimum_number_nsz_f32_(_e881, ((f32(((_e868 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u)) * _e570) + (_e591 + _e376)));
+                                if (_e847 <= _e882) {
+                                    if (_e847 <= _e534.t) {
+                                        if (_e882 >= _e162.tmin) {
+                                            if (_e811 == 0u) {
+                                                let _e889 = nodes.member[(0u + _e532)].links[2u];
+                                                phi_1426_ = _e889;
+                                            } else {
+                                                let _e892 = nodes.member[(0u + _e532)].links[3u];
                                                 phi_1426_ = _e892;
-                                            } else {
-                                                let _e895 = nodes.member[(0u + _e535)].links[3u];
-                                                phi_1426_ = _e895;
                                             }
-                                            let _e897 = phi_1426_;
-                                            let _e902 = ((_e897 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u);
-                                            let _e903 = (_e902 & 31u);
-                                            if (_e903 >= 24u) {
-                                                phi_1439_ = (24u + ((_e903 - 24u) ^ _e397));
+                                            let _e894 = phi_1426_;
+                                            let _e899 = ((_e894 >> bitcast<u32>(((_e812 * 8u) & 31u))) & 255u);
+                                            let _e900 = (_e899 & 31u);
+                                            if (_e900 >= 24u) {
+                                                phi_1439_ = (24u + ((_e900 - 24u) ^ _e394));
                                             } else {
-                                                phi_1439_ = _e903;
+                                                phi_1439_ = _e900;
                                             }
-                                            let _e909 = phi_1439_;
-                                            phi_1444_ = (_e811 | ((_e902 >> bitcast<u32>(5i)) << bitcast<u32>((_e909 & 31u))));
+                                            let _e906 = phi_1439_;
+                                            phi_1444_ = (_e808 | ((_e899 >> bitcast<u32>(5i)) << bitcast<u32>((_e906 & 31u))));
                                         } else {
-                                            phi_1444_ = _e811;
+                                            phi_1444_ = _e808;
                                         }
-                                        let _e917 = phi_1444_;
-                                        phi_1445_ = _e917;
+                                        let _e914 = phi_1444_;
+                                        phi_1445_ = _e914;
                                     } else {
-                                        phi_1445_ = _e811;
+                                        phi_1445_ = _e808;
                                     }
-                                    let _e919 = phi_1445_;
-                                    phi_1446_ = _e919;
+                                    let _e916 = phi_1445_;
+                                    phi_1446_ = _e916;
                                 } else {
-                                    phi_1446_ = _e811;
+                                    phi_1446_ = _e808;
                                 }
-                                let _e921 = phi_1446_;
-                                phi_1316_ = (_e809 + 1u);
-                                phi_1319_ = _e921;
+                                let _e918 = phi_1446_;
+                                phi_1316_ = (_e806 + 1u);
+                                phi_1319_ = _e918;
                             } else {
                                 phi_1316_ = u32();
                                 phi_1319_ = u32();
                             }
-                            let _e924 = phi_1316_;
-                            let _e926 = phi_1319_;
+                            let _e921 = phi_1316_;
+                            let _e923 = phi_1319_;
                             continue;
                             continuing {
-                                phi_1315_ = _e924;
-                                phi_1318_ = _e926;
-                                break if !(_e812);
+                                phi_1315_ = _e921;
+                                phi_1318_ = _e923;
+                                break if !(_e809);
                             }
                         }
-                        let _e930 = nodes.member[(0u + _e535)].links[0u];
-                        let _e934 = nodes.member[(0u + _e535)].frame[3u];
-                        let _e938 = local_4;
-                        if ((_e938 & 4278190080u) == 0u) {
+                        let _e927 = nodes.member[(0u + _e532)].links[0u];
+                        let _e931 = nodes.member[(0u + _e532)].frame[3u];
+                        let _e935 = local_4;
+                        if ((_e935 & 4278190080u) == 0u) {
                         } else {
-                            let _e942 = local_3.group_mask;
-                            if ((_e942 & 4278190080u) == 0u) {
+                            let _e939 = local_3.group_mask;
+                            if ((_e939 & 4278190080u) == 0u) {
                             } else {
-                                let _e946 = local_3.len;
-                                if (_e946 < 32u) {
-                                    let _e949 = local_3.group;
-                                    let _e951 = local_3.len;
-                                    if (_e951 < 32u) {
+                                let _e943 = local_3.len;
+                                if (_e943 < 32u) {
+                                    let _e946 = local_3.group;
+                                    let _e948 = local_3.len;
+                                    if (_e948 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e951)] = _e949;
-                                    let _e957 = local_3.group_mask;
-                                    let _e959 = local_3.len;
-                                    if (_e959 < 32u) {
+                                    local_3.first[(0u + _e948)] = _e946;
+                                    let _e954 = local_3.group_mask;
+                                    let _e956 = local_3.len;
+                                    if (_e956 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e959)] = _e957;
-                                    let _e966 = local_3.len;
-                                    local_3.len = (_e966 + 1u);
+                                    local_3.mask[(0u + _e956)] = _e954;
+                                    let _e963 = local_3.len;
+                                    local_3.len = (_e963 + 1u);
                                 }
                             }
-                            local_3.group = (_e111 + _e930);
-                            let _e970 = local_5;
-                            local_3.group_mask = ((_e970 & 4278190080u) | (_e934 >> bitcast<u32>(24i)));
+                            local_3.group = (_e111 + _e927);
+                            let _e967 = local_5;
+                            local_3.group_mask = ((_e967 & 4278190080u) | (_e931 >> bitcast<u32>(24i)));
                         }
-                        let _e975 = local_6;
-                        phi_1504_ = (_e975 & 16777215u);
-                        phi_1507_ = _e537;
+                        let _e972 = local_6;
+                        phi_1504_ = (_e972 & 16777215u);
+                        phi_1507_ = _e534;
                         loop {
-                            let _e978 = phi_1504_;
-                            let _e980 = phi_1507_;
-                            local_12 = _e980;
-                            if (_e978 == 0u) {
+                            let _e975 = phi_1504_;
+                            let _e977 = phi_1507_;
+                            local_12 = _e977;
+                            if (_e975 == 0u) {
                                 phi_1505_ = u32();
                                 phi_1508_ = lt_bvh_Hit();
                                 phi_3387_ = false;
                             } else {
-                                let _e984 = nodes.member[(0u + _e535)].links[1u];
-                                let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
-                                if (_e988 < _e93) {
+                                let _e981 = nodes.member[(0u + _e532)].links[1u];
+                                let _e985 = (_e981 + select(firstTrailingBit(_e975), 32u, (_e975 == 0u)));
+                                if (_e985 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e995 = instances.member[(0u + _e988)].low_world;
-                                let _e997 = instances.member[(0u + _e988)].high_world;
-                                let _e1007 = ((_e995.x - _e162.origin.x) * _e316);
-                                let _e1008 = ((_e995.y - _e162.origin.y) * _e328);
-                                let _e1009 = ((_e995.z - _e162.origin.z) * _e340);
-                                let _e1019 = ((_e997.x - _e162.origin.x) * _e316);
-                                let _e1020 = ((_e997.y - _e162.origin.y) * _e328);
-                                let _e1021 = ((_e997.z - _e162.origin.z) * _e340);
-                                if (_e1007 < _e1019) {
-                                    phi_1562_ = _e1007;
+                                let _e992 = instances.member[(0u + _e985)].low_world;
+                                let _e994 = instances.member[(0u + _e985)].high_world;
+                                let _e1004 = ((_e992.x - _e162.origin.x) * _e315);
+                                let _e1005 = ((_e992.y - _e162.origin.y) * _e326);
+                                let _e1006 = ((_e992.z - _e162.origin.z) * _e337);
+                                let _e1016 = ((_e994.x - _e162.origin.x) * _e315);
+                                let _e1017 = ((_e994.y - _e162.origin.y) * _e326);
+                                let _e1018 = ((_e994.z - _e162.origin.z) * _e337);
+                                if (_e1004 < _e1016) {
+                                    phi_1562_ = _e1004;
                                 } else {
-                                    phi_1562_ = _e1019;
+                                    phi_1562_ = _e1016;
                                 }
-                                let _e1024 = phi_1562_;
-                                if (_e1008 < _e1020) {
-                                    phi_1567_ = _e1008;
+                                let _e1021 = phi_1562_;
+                                if (_e1005 < _e1017) {
+                                    phi_1567_ = _e1005;
                                 } else {
-                                    phi_1567_ = _e1020;
+                                    phi_1567_ = _e1017;
                                 }
-                                let _e1027 = phi_1567_;
-                                if (_e1009 < _e1021) {
-                                    phi_1572_ = _e1009;
+                                let _e1024 = phi_1567_;
+                                if (_e1006 < _e1018) {
+                                    phi_1572_ = _e1006;
                                 } else {
-                                    phi_1572_ = _e1021;
+                                    phi_1572_ = _e1018;
                                 }
-                                let _e1030 = phi_1572_;
-                                if (_e1007 > _e1019) {
-                                    phi_1580_ = _e1007;
+                                let _e1027 = phi_1572_;
+                                if (_e1004 > _e1016) {
+                                    phi_1580_ = _e1004;
                                 } else {
-                                    phi_1580_ = _e1019;
+                                    phi_1580_ = _e1016;
                                 }
-                                let _e1036 = phi_1580_;
-                                if (_e1008 > _e1020) {
-                                    phi_1585_ = _e1008;
+                                let _e1033 = phi_1580_;
+                                if (_e1005 > _e1017) {
+                                    phi_1585_ = _e1005;
                                 } else {
-                                    phi_1585_ = _e1020;
+                                    phi_1585_ = _e1017;
                                 }
-                                let _e1039 = phi_1585_;
-                                if (_e1009 > _e1021) {
-                                    phi_1590_ = _e1009;
+                                let _e1036 = phi_1585_;
+                                if (_e1006 > _e1018) {
+                                    phi_1590_ = _e1006;
                                 } else {
-                                    phi_1590_ = _e1021;
+                                    phi_1590_ = _e1018;
                                 }
-                                let _e1042 = phi_1590_;
-                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_((_e1024 - _e384), (_e1027 - _e385));
-                                let _e1047 = core_intrinsics_maximum_number_nsz_f32_(_e1046, (_e1030 - _e386));
-                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_((_e1036 + _e384), (_e1039 + _e385));
-                                let _e1049 = core_intrinsics_minimum_number_nsz_f32_(_e1048, (_e1042 + _e386));
-                                if (_e1047 <= _e1049) {
-                                    if (_e1047 <= _e980.t) {
-                                        if (_e1049 >= _e162.tmin) {
-                                            let _e1061 = instances.member[(0u + _e988)].world_to_object[0u];
-                                            let _e1072 = ((((_e1061.x * _e162.origin.x) + (_e1061.y * _e162.origin.y)) + (_e1061.z * _e162.origin.z)) + (_e1061.w * 1f));
-                                            let _e1074 = instances.member[(0u + _e988)].world_to_object[1u];
-                                            let _e1085 = ((((_e1074.x * _e162.origin.x) + (_e1074.y * _e162.origin.y)) + (_e1074.z * _e162.origin.z)) + (_e1074.w * 1f));
-                                            let _e1087 = instances.member[(0u + _e988)].world_to_object[2u];
-                                            let _e1098 = ((((_e1087.x * _e162.origin.x) + (_e1087.y * _e162.origin.y)) + (_e1087.z * _e162.origin.z)) + (_e1087.w * 1f));
-                                            let _e1105 = instances.member[(0u + _e988)].world_to_object[0u];
-                                            let _e1116 = ((((_e1105.x * _e162.direction.x) + (_e1105.y * _e162.direction.y)) + (_e1105.z * _e162.direction.z)) + (_e1105.w * 0f));
-                                            let _e1118 = instances.member[(0u + _e988)].world_to_object[1u];
-                                            let _e1129 = ((((_e1118.x * _e162.direction.x) + (_e1118.y * _e162.direction.y)) + (_e1118.z * _e162.direction.z)) + (_e1118.w * 0f));
-                                            let _e1131 = instances.member[(0u + _e988)].world_to_object[2u];
-                                            let _e1142 = ((((_e1131.x * _e162.direction.x) + (_e1131.y * _e162.direction.y)) + (_e1131.z * _e162.direction.z)) + (_e1131.w * 0f));
-                                            let _e1147 = instances.member[(0u + _e988)].root;
-                                            let _e1149 = instances.member[(0u + _e988)].first_triangle;
-                                            let _e1153 = abs(_e1116);
-                                            let _e1154 = abs(_e1129);
-                                            let _e1155 = abs(_e1142);
-                                            if (abs(_e1072) < 1000000000000000f) {
-                                                if (abs(_e1085) < 1000000000000000f) {
-                                                    if (abs(_e1098) < 1000000000000000f) {
-                                                        if (_e1153 < 1000000000000000f) {
-                                                            if (_e1154 < 1000000000000000f) {
-                                                                if (_e1155 < 1000000000000000f) {
-                                                                    if (_e1153 > 0f) {
+                                let _e1039 = phi_1590_;
+                                let _e1043 = core_intrinsics_maximum_number_nsz_f32_((_e1021 - _e381), (_e1024 - _e382));
+                                let _e1044 = core_intrinsics_maximum_number_nsz_f32_(_e1043, (_e1027 - _e383));
+                                let _e1045 = core_intrinsics_minimum_number_nsz_f32_((_e1033 + _e381), (_e1036 + _e382));
+                                let _e1046 = core_intrinsics_minimum_number_nsz_f32_(_e1045, (_e1039 + _e383));
+                                if (_e1044 <= _e1046) {
+                                    if (_e1044 <= _e977.t) {
+                                        if (_e1046 >= _e162.tmin) {
+                                            let _e1058 = instances.member[(0u + _e985)].world_to_object[0u];
+                                            let _e1069 = ((((_e1058.x * _e162.origin.x) + (_e1058.y * _e162.origin.y)) + (_e1058.z * _e162.origin.z)) + (_e1058.w * 1f));
+                                            let _e1071 = instances.member[(0u + _e985)].world_to_object[1u];
+                                            let _e1082 = ((((_e1071.x * _e162.origin.x) + (_e1071.y * _e162.origin.y)) + (_e1071.z * _e162.origin.z)) + (_e1071.w * 1f));
+                                            let _e1084 = instances.member[(0u + _e985)].world_to_object[2u];
+                                            let _e1095 = ((((_e1084.x * _e162.origin.x) + (_e1084.y * _e162.origin.y)) + (_e1084.z * _e162.origin.z)) + (_e1084.w * 1f));
+                                            let _e1102 = instances.member[(0u + _e985)].world_to_object[0u];
+                                            let _e1113 = ((((_e1102.x * _e162.direction.x) + (_e1102.y * _e162.direction.y)) + (_e1102.z * _e162.direction.z)) + (_e1102.w * 0f));
+                                            let _e1115 = instances.member[(0u + _e985)].world_to_object[1u];
+                                            let _e1126 = ((((_e1115.x * _e162.direction.x) + (_e1115.y * _e162.direction.y)) + (_e1115.z * _e162.direction.z)) + (_e1115.w * 0f));
+                                            let _e1128 = instances.member[(0u + _e985)].world_to_object[2u];
+                                            let _e1139 = ((((_e1128.x * _e162.direction.x) + (_e1128.y * _e162.direction.y)) + (_e1128.z * _e162.direction.z)) + (_e1128.w * 0f));
+                                            let _e1144 = instances.member[(0u + _e985)].root;
+                                            let _e1146 = instances.member[(0u + _e985)].first_triangle;
+                                            let _e1150 = abs(_e1113);
+                                            let _e1151 = abs(_e1126);
+                                            let _e1152 = abs(_e1139);
+                                            if (abs(_e1069) < 1000000000000000f) {
+                                                if (abs(_e1082) < 1000000000000000f) {
+                                                    if (abs(_e1095) < 1000000000000000f) {
+                                                        if (_e1150 < 1000000000000000f) {
+                                                            if (_e1151 < 1000000000000000f) {
+                                                                if (_e1152 < 1000000000000000f) {
+                                                                    if (_e1150 > 0f) {
                                                                         phi_1747_ = bool();
                                                                         phi_1748_ = true;
                                                                     } else {
-                                                                        let _e1163 = (_e1154 > 0f);
-                                                                        if _e1163 {
+                                                                        let _e1160 = (_e1151 > 0f);
+                                                                        if _e1160 {
                                                                             phi_1746_ = bool();
                                                                         } else {
-                                                                            phi_1746_ = (_e1155 > 0f);
+                                                                            phi_1746_ = (_e1152 > 0f);
                                                                         }
-                                                                        let _e1166 = phi_1746_;
-                                                                        phi_1747_ = _e1166;
-                                                                        phi_1748_ = _e1163;
+                                                                        let _e1163 = phi_1746_;
+                                                                        phi_1747_ = _e1163;
+                                                                        phi_1748_ = _e1160;
                                                                     }
-                                                                    let _e1168 = phi_1747_;
-                                                                    let _e1170 = phi_1748_;
-                                                                    if _e1170 {
+                                                                    let _e1165 = phi_1747_;
+                                                                    let _e1167 = phi_1748_;
+                                                                    if _e1167 {
                                                                         phi_1752_ = true;
                                                                     } else {
-                                                                        phi_1752_ = _e1168;
+                                                                        phi_1752_ = _e1165;
                                                                     }
-                                                                    let _e1172 = phi_1752_;
-                                                                    phi_1753_ = _e1172;
+                                                                    let _e1169 = phi_1752_;
+                                                                    phi_1753_ = _e1169;
                                                                     phi_1754_ = false;
                                                                 } else {
                                                                     phi_1753_ = bool();
                                                                     phi_1754_ = true;
                                                                 }
-                                                                let _e1174 = phi_1753_;
-                                                                let _e1176 = phi_1754_;
-                                                                phi_1755_ = _e1174;
+                                                                let _e1171 = phi_1753_;
+                                                                let _e1173 = phi_1754_;
+                                                                phi_1755_ = _e1171;
                                                                 phi_1756_ = false;
-                                                                phi_1757_ = _e1176;
+                                                                phi_1757_ = _e1173;
                                                             } else {
                                                                 phi_1755_ = bool();
                                                                 phi_1756_ = true;
                                                                 phi_1757_ = false;
                                                             }
-                                                            let _e1178 = phi_1755_;
-                                                            let _e1180 = phi_1756_;
-                                                            let _e1182 = phi_1757_;
-                                                            phi_1758_ = _e1178;
-                                                            phi_1759_ = _e1180;
-                                                            phi_1760_ = _e1182;
+                                                            let _e1175 = phi_1755_;
+                                                            let _e1177 = phi_1756_;
+                                                            let _e1179 = phi_1757_;
+                                                            phi_1758_ = _e1175;
+                                                            phi_1759_ = _e1177;
+                                                            phi_1760_ = _e1179;
                                                         } else {
                                                             phi_1758_ = bool();
                                                             phi_1759_ = true;
                                                             phi_1760_ = false;
                                                         }
-                                                        let _e1184 = phi_1758_;
-                                                        let _e1186 = phi_1759_;
-                                                        let _e1188 = phi_1760_;
-                                                        phi_1761_ = _e1184;
-                                                        phi_1762_ = _e1186;
-                                                        phi_1763_ = _e1188;
+                                                        let _e1181 = phi_1758_;
+                                                        let _e1183 = phi_1759_;
+                                                        let _e1185 = phi_1760_;
+                                                        phi_1761_ = _e1181;
+                                                        phi_1762_ = _e1183;
+                                                        phi_1763_ = _e1185;
                                                     } else {
                                                         phi_1761_ = bool();
                                                         phi_1762_ = true;
                                                         phi_1763_ = false;
                                                     }
-                                                    let _e1190 = phi_1761_;
-                                                    let _e1192 = phi_1762_;
-                                                    let _e1194 = phi_1763_;
-                                                    phi_1764_ = _e1190;
-                                                    phi_1765_ = _e1192;
-                                                    phi_1766_ = _e1194;
+                                                    let _e1187 = phi_1761_;
+                                                    let _e1189 = phi_1762_;
+                                                    let _e1191 = phi_1763_;
+                                                    phi_1764_ = _e1187;
+                                                    phi_1765_ = _e1189;
+                                                    phi_1766_ = _e1191;
                                                 } else {
                                                     phi_1764_ = bool();
                                                     phi_1765_ = true;
                                                     phi_1766_ = false;
                                                 }
-                                                let _e1196 = phi_1764_;
-                                                let _e1198 = phi_1765_;
-                                                let _e1200 = phi_1766_;
-                                                phi_1767_ = _e1196;
-                                                phi_1768_ = _e1198;
-                                                phi_1769_ = _e1200;
+                                                let _e1193 = phi_1764_;
+                                                let _e1195 = phi_1765_;
+                                                let _e1197 = phi_1766_;
+                                                phi_1767_ = _e1193;
+                                                phi_1768_ = _e1195;
+                                                phi_1769_ = _e1197;
                                             } else {
                                                 phi_1767_ = bool();
                                                 phi_1768_ = true;
                                                 phi_1769_ = false;
                                             }
-                                            let _e1202 = phi_1767_;
-                                            let _e1204 = phi_1768_;
-                                            let _e1206 = phi_1769_;
-                                            if _e1204 {
+                                            let _e1199 = phi_1767_;
+                                            let _e1201 = phi_1768_;
+                                            let _e1203 = phi_1769_;
+                                            if _e1201 {
                                                 phi_1773_ = true;
                                             } else {
-                                                phi_1773_ = _e1206;
+                                                phi_1773_ = _e1203;
                                             }
-                                            let _e1208 = phi_1773_;
-                                            if _e1208 {
+                                            let _e1205 = phi_1773_;
+                                            if _e1205 {
                                                 phi_1777_ = false;
                                             } else {
-                                                phi_1777_ = _e1202;
+                                                phi_1777_ = _e1199;
                                             }
-                                            let _e1210 = phi_1777_;
-                                            if _e1210 {
-                                                let _e1211 = (_e1147 >= _e78);
-                                                if _e1211 {
+                                            let _e1207 = phi_1777_;
+                                            if _e1207 {
+                                                let _e1208 = (_e1144 >= _e78);
+                                                if _e1208 {
                                                     phi_3377_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1147 < _e78) {
+                                                    if (_e1144 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1217 = nodes.member[(0u + _e1147)].frame[0u];
-                                                    let _e1221 = nodes.member[(0u + _e1147)].frame[1u];
-                                                    let _e1225 = nodes.member[(0u + _e1147)].frame[2u];
-                                                    let _e1229 = nodes.member[(0u + _e1147)].frame[0u];
-                                                    let _e1233 = nodes.member[(0u + _e1147)].frame[1u];
-                                                    let _e1237 = nodes.member[(0u + _e1147)].frame[2u];
-                                                    let _e1241 = nodes.member[(0u + _e1147)].frame[3u];
-                                                    let _e1275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1116), abs(_e1129));
-                                                    let _e1276 = core_intrinsics_maximum_number_nsz_f32_(_e1275, abs(_e1142));
-                                                    let _e1277 = (_e1276 * 0.0000000000009094947f);
-                                                    if (abs(_e1116) < _e1277) {
-                                                        phi_1847_ = _e1277;
+                                                    let _e1214 = nodes.member[(0u + _e1144)].frame[0u];
+                                                    let _e1218 = nodes.member[(0u + _e1144)].frame[1u];
+                                                    let _e1222 = nodes.member[(0u + _e1144)].frame[2u];
+                                                    let _e1226 = nodes.member[(0u + _e1144)].frame[0u];
+                                                    let _e1230 = nodes.member[(0u + _e1144)].frame[1u];
+                                                    let _e1234 = nodes.member[(0u + _e1144)].frame[2u];
+                                                    let _e1238 = nodes.member[(0u + _e1144)].frame[3u];
+                                                    let _e1272 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1113), abs(_e1126));
+                                                    let _e1273 = core_intrinsics_maximum_number_nsz_f32_(_e1272, abs(_e1139));
+                                                    let _e1274 = (_e1273 * 0.0000000000009094947f);
+                                                    if (abs(_e1113) < _e1274) {
+                                                        phi_1847_ = _e1274;
                                                     } else {
-                                                        phi_1847_ = abs(_e1116);
+                                                        phi_1847_ = abs(_e1113);
                                                     }
-                                                    let _e1282 = phi_1847_;
-                                                    if (_e1116 < 0f) {
-                                                        phi_1854_ = (-1f / _e1282);
+                                                    let _e1279 = phi_1847_;
+                                                    if (_e1113 < 0f) {
+                                                        phi_1854_ = (-1f / _e1279);
                                                     } else {
-                                                        phi_1854_ = (1f / _e1282);
+                                                        phi_1854_ = (1f / _e1279);
                                                     }
-                                                    let _e1287 = phi_1854_;
-                                                    if (abs(_e1129) < _e1277) {
-                                                        phi_1861_ = _e1277;
+                                                    let _e1284 = phi_1854_;
+                                                    if (abs(_e1126) < _e1274) {
+                                                        phi_1861_ = _e1274;
                                                     } else {
-                                                        phi_1861_ = abs(_e1129);
+                                                        phi_1861_ = abs(_e1126);
                                                     }
-                                                    let _e1292 = phi_1861_;
-                                                    if (_e1129 < 0f) {
-                                                        phi_1868_ = (-1f / _e1292);
+                                                    let _e1289 = phi_1861_;
+                                                    if (_e1126 < 0f) {
+                                                        phi_1868_ = (-1f / _e1289);
                                                     } else {
-                                                        phi_1868_ = (1f / _e1292);
+                                                        phi_1868_ = (1f / _e1289);
                                                     }
-                                                    let _e1297 = phi_1868_;
-                                                    if (abs(_e1142) < _e1277) {
-                                                        phi_1875_ = _e1277;
+                                                    let _e1294 = phi_1868_;
+                                                    if (abs(_e1139) < _e1274) {
+                                                        phi_1875_ = _e1274;
                                                     } else {
-                                                        phi_1875_ = abs(_e1142);
+                                                        phi_1875_ = abs(_e1139);
                                                     }
-                                                    let _e1302 = phi_1875_;
-                                                    if (_e1142 < 0f) {
-                                                        phi_1882_ = (-1f / _e1302);
+                                                    let _e1299 = phi_1875_;
+                                                    if (_e1139 < 0f) {
+                                                        phi_1882_ = (-1f / _e1299);
                                                     } else {
-                                                        phi_1882_ = (1f / _e1302);
+                                                        phi_1882_ = (1f / _e1299);
                                                     }
-                                                    let _e1307 = phi_1882_;
-                                                    let _e1311 = abs((bitcast<f32>(_e1217) - _e1072));
-                                                    let _e1312 = abs((bitcast<f32>(_e1221) - _e1085));
-                                                    let _e1313 = abs((bitcast<f32>(_e1225) - _e1098));
-                                                    let _e1317 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
-                                                    let _e1318 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1085));
-                                                    let _e1319 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1098));
-                                                    if (_e1311 > _e1317) {
-                                                        phi_1899_ = _e1311;
+                                                    let _e1304 = phi_1882_;
+                                                    let _e1308 = abs((bitcast<f32>(_e1214) - _e1069));
+                                                    let _e1309 = abs((bitcast<f32>(_e1218) - _e1082));
+                                                    let _e1310 = abs((bitcast<f32>(_e1222) - _e1095));
+                                                    let _e1314 = abs(((bitcast<f32>(_e1226) + (bitcast<f32>((((_e1238 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1069));
+                                                    let _e1315 = abs(((bitcast<f32>(_e1230) + (bitcast<f32>((((_e1238 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1082));
+                                                    let _e1316 = abs(((bitcast<f32>(_e1234) + (bitcast<f32>((((_e1238 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1095));
+                                                    if (_e1308 > _e1314) {
+                                                        phi_1899_ = _e1308;
                                                     } else {
-                                                        phi_1899_ = _e1317;
+                                                        phi_1899_ = _e1314;
                                                     }
-                                                    let _e1322 = phi_1899_;
-                                                    if (_e1312 > _e1318) {
-                                                        phi_1904_ = _e1312;
+                                                    let _e1319 = phi_1899_;
+                                                    if (_e1309 > _e1315) {
+                                                        phi_1904_ = _e1309;
                                                     } else {
-                                                        phi_1904_ = _e1318;
+                                                        phi_1904_ = _e1315;
                                                     }
-                                                    let _e1325 = phi_1904_;
-                                                    if (_e1313 > _e1319) {
-                                                        phi_1909_ = _e1313;
+                                                    let _e1322 = phi_1904_;
+                                                    if (_e1310 > _e1316) {
+                                                        phi_1909_ = _e1310;
                                                     } else {
-                                                        phi_1909_ = _e1319;
+                                                        phi_1909_ = _e1316;
                                                     }
-                                                    let _e1328 = phi_1909_;
-                                                    let _e1329 = core_intrinsics_maximum_number_nsz_f32_(_e1322, _e1325);
-                                                    let _e1330 = core_intrinsics_maximum_number_nsz_f32_(_e1329, _e1328);
-                                                    let _e1334 = (_e1330 * 0.0000019073486f);
-                                                    let _e1335 = (abs(_e1287) * _e1334);
-                                                    let _e1336 = (abs(_e1297) * _e1334);
-                                                    let _e1337 = (abs(_e1307) * _e1334);
-                                                    let _e1341 = (_e1330 * 0.0000009536743f);
-                                                    let _e1342 = (abs(_e1287) * _e1341);
-                                                    let _e1343 = (abs(_e1297) * _e1341);
-                                                    let _e1344 = (abs(_e1307) * _e1341);
-                                                    let _e1345 = abs(_e1116);
-                                                    let _e1346 = abs(_e1129);
-                                                    let _e1347 = abs(_e1142);
-                                                    if (_e1345 >= _e1346) {
-                                                        if (_e1345 >= _e1347) {
+                                                    let _e1325 = phi_1909_;
+                                                    let _e1326 = core_intrinsics_maximum_number_nsz_f32_(_e1319, _e1322);
+                                                    let _e1327 = core_intrinsics_maximum_number_nsz_f32_(_e1326, _e1325);
+                                                    let _e1331 = (_e1327 * 0.0000019073486f);
+                                                    let _e1332 = (abs(_e1284) * _e1331);
+                                                    let _e1333 = (abs(_e1294) * _e1331);
+                                                    let _e1334 = (abs(_e1304) * _e1331);
+                                                    let _e1338 = (_e1327 * 0.0000009536743f);
+                                                    let _e1339 = (abs(_e1284) * _e1338);
+                                                    let _e1340 = (abs(_e1294) * _e1338);
+                                                    let _e1341 = (abs(_e1304) * _e1338);
+                                                    let _e1342 = abs(_e1113);
+                                                    let _e1343 = abs(_e1126);
+                                                    let _e1344 = abs(_e1139);
+                                                    if (_e1342 >= _e1343) {
+                                                        if (_e1342 >= _e1344) {
                                                             phi_1937_ = false;
                                                         } else {
                                                             phi_1937_ = true;
                                                         }
-                                                        let _e1351 = phi_1937_;
-                                                        phi_1938_ = _e1351;
+                                                        let _e1348 = phi_1937_;
+                                                        phi_1938_ = _e1348;
                                                     } else {
                                                         phi_1938_ = true;
                                                     }
-                                                    let _e1353 = phi_1938_;
-                                                    if _e1353 {
-                                                        if (_e1346 >= _e1347) {
+                                                    let _e1350 = phi_1938_;
+                                                    if _e1350 {
+                                                        if (_e1343 >= _e1344) {
                                                             phi_1946_ = 1u;
                                                         } else {
                                                             phi_1946_ = 2u;
                                                         }
-                                                        let _e1356 = phi_1946_;
-                                                        phi_1947_ = _e1356;
+                                                        let _e1353 = phi_1946_;
+                                                        phi_1947_ = _e1353;
                                                     } else {
                                                         phi_1947_ = 0u;
                                                     }
-                                                    let _e1358 = phi_1947_;
-                                                    if (_e1358 == 0u) {
-                                                        phi_1959_ = vec3<f32>(_e1129, _e1142, _e1116);
+                                                    let _e1355 = phi_1947_;
+                                                    if (_e1355 == 0u) {
+                                                        phi_1959_ = vec3<f32>(_e1126, _e1139, _e1113);
                                                     } else {
-                                                        if (_e1358 == 1u) {
-                                                            phi_1958_ = vec3<f32>(_e1142, _e1116, _e1129);
+                                                        if (_e1355 == 1u) {
+                                                            phi_1958_ = vec3<f32>(_e1139, _e1113, _e1126);
                                                         } else {
-                                                            phi_1958_ = vec3<f32>(_e1116, _e1129, _e1142);
+                                                            phi_1958_ = vec3<f32>(_e1113, _e1126, _e1139);
                                                         }
-                                                        let _e1364 = phi_1958_;
-                                                        phi_1959_ = _e1364;
+                                                        let _e1361 = phi_1958_;
+                                                        phi_1959_ = _e1361;
                                                     }
-                                                    let _e1366 = phi_1959_;
-                                                    let _e1369 = (_e1366.x / _e1366.z);
-                                                    let _e1372 = (_e1366.y / _e1366.z);
-                                                    if (_e1287 < 0f) {
+                                                    let _e1363 = phi_1959_;
+                                                    let _e1366 = (_e1363.x / _e1363.z);
+                                                    let _e1369 = (_e1363.y / _e1363.z);
+                                                    if (_e1284 < 0f) {
                                                         phi_1972_ = 0u;
                                                     } else {
                                                         phi_1972_ = 1u;
                                                     }
-                                                    let _e1377 = phi_1972_;
-                                                    if (_e1297 < 0f) {
+                                                    let _e1374 = phi_1972_;
+                                                    if (_e1294 < 0f) {
                                                         phi_1977_ = 0u;
                                                     } else {
                                                         phi_1977_ = 2u;
                                                     }
-                                                    let _e1380 = phi_1977_;
-                                                    if (_e1307 < 0f) {
+                                                    let _e1377 = phi_1977_;
+                                                    if (_e1304 < 0f) {
                                                         phi_1982_ = 0u;
                                                     } else {
                                                         phi_1982_ = 4u;
                                                     }
-                                                    let _e1383 = phi_1982_;
-                                                    let _e1385 = ((_e1377 | _e1380) | _e1383);
-                                                    let _e1386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1147, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1386.first[0], _e1386.first[1], _e1386.first[2], _e1386.first[3], _e1386.first[4], _e1386.first[5], _e1386.first[6], _e1386.first[7], _e1386.first[8], _e1386.first[9], _e1386.first[10], _e1386.first[11], _e1386.first[12], _e1386.first[13], _e1386.first[14], _e1386.first[15], _e1386.first[16], _e1386.first[17], _e1386.first[18], _e1386.first[19], _e1386.first[20], _e1386.first[21], _e1386.first[22], _e1386.first[23], _e1386.first[24], _e1386.first[25], _e1386.first[26], _e1386.first[27], _e1386.first[28], _e1386.first[29], _e1386.first[30], _e1386.first[31]), array<u32, 32>(_e1386.mask[0], _e1386.mask[1], _e1386.mask[2], _e1386.mask[3], _e1386.mask[4], _e1386.mask[5], _e1386.mask[6], _e1386.mask[7], _e1386.mask[8], _e1386.mask[9], _e1386.mask[10], _e1386.mask[11], _e1386.mask[12], _e1386.mask[13], _e1386.mask[14], _e1386.mask[15], _e1386.mask[16], _e1386.mask[17], _e1386.mask[18], _e1386.mask[19], _e1386.mask[20], _e1386.mask[21], _e1386.mask[22], _e1386.mask[23], _e1386.mask[24], _e1386.mask[25], _e1386.mask[26], _e1386.mask[27], _e1386.mask[28], _e1386.mask[29], _e1386.mask[30], _e1386.mask[31]), _e1386.len, _e1386.group, _e1386.group_mask);
-                                                    let _e1460 = local_2.group_mask;
-                                                    if ((_e1460 & 4278190080u) == 0u) {
-                                                        let _e1464 = local_2.len;
-                                                        if (_e1464 == 0u) {
+                                                    let _e1380 = phi_1982_;
+                                                    let _e1382 = ((_e1374 | _e1377) | _e1380);
+                                                    let _e1383 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1144, 2147483648u);
+                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1383.first[0], _e1383.first[1], _e1383.first[2], _e1383.first[3], _e1383.first[4], _e1383.first[5], _e1383.first[6], _e1383.first[7], _e1383.first[8], _e1383.first[9], _e1383.first[10], _e1383.first[11], _e1383.first[12], _e1383.first[13], _e1383.first[14], _e1383.first[15], _e1383.first[16], _e1383.first[17], _e1383.first[18], _e1383.first[19], _e1383.first[20], _e1383.first[21], _e1383.first[22], _e1383.first[23], _e1383.first[24], _e1383.first[25], _e1383.first[26], _e1383.first[27], _e1383.first[28], _e1383.first[29], _e1383.first[30], _e1383.first[31]), array<u32, 32>(_e1383.mask[0], _e1383.mask[1], _e1383.mask[2], _e1383.mask[3], _e1383.mask[4], _e1383.mask[5], _e1383.mask[6], _e1383.mask[7], _e1383.mask[8], _e1383.mask[9], _e1383.mask[10], _e1383.mask[11], _e1383.mask[12], _e1383.mask[13], _e1383.mask[14], _e1383.mask[15], _e1383.mask[16], _e1383.mask[17], _e1383.mask[18], _e1383.mask[19], _e1383.mask[20], _e1383.mask[21], _e1383.mask[22], _e1383.mask[23], _e1383.mask[24], _e1383.mask[25], _e1383.mask[26], _e1383.mask[27], _e1383.mask[28], _e1383.mask[29], _e1383.mask[30], _e1383.mask[31]), _e1383.len, _e1383.group, _e1383.group_mask);
+                                                    let _e1457 = local_2.group_mask;
+                                                    if ((_e1457 & 4278190080u) == 0u) {
+                                                        let _e1461 = local_2.len;
+                                                        if (_e1461 == 0u) {
                                                             phi_2096_ = false;
                                                         } else {
+                                                            let _e1465 = local_2.len;
+                                                            local_2.len = (_e1465 - 1u);
                                                             let _e1468 = local_2.len;
-                                                            local_2.len = (_e1468 - 1u);
-                                                            let _e1471 = local_2.len;
-                                                            if (_e1471 < 32u) {
+                                                            if (_e1468 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1476 = local_2.first[(0u + _e1471)];
-                                                            local_2.group = _e1476;
-                                                            let _e1479 = local_2.len;
-                                                            if (_e1479 < 32u) {
+                                                            let _e1473 = local_2.first[(0u + _e1468)];
+                                                            local_2.group = _e1473;
+                                                            let _e1476 = local_2.len;
+                                                            if (_e1476 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1484 = local_2.mask[(0u + _e1479)];
-                                                            local_2.group_mask = _e1484;
+                                                            let _e1481 = local_2.mask[(0u + _e1476)];
+                                                            local_2.group_mask = _e1481;
                                                             phi_2096_ = true;
                                                         }
-                                                        let _e1487 = phi_2096_;
-                                                        phi_2097_ = _e1487;
+                                                        let _e1484 = phi_2096_;
+                                                        phi_2097_ = _e1484;
                                                     } else {
                                                         phi_2097_ = true;
                                                     }
-                                                    let _e1489 = phi_2097_;
-                                                    if _e1489 {
-                                                        let _e1491 = local_2.group_mask;
-                                                        let _e1497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1491)), 32u, (_e1491 == 0u)));
-                                                        let _e1501 = local_2.group_mask;
-                                                        let _e1515 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1515 & ~((1u << bitcast<u32>((_e1497 & 31u)))));
-                                                        let _e1518 = local_2.group;
-                                                        phi_2128_ = (_e1518 + countOneBits(((_e1501 & ~((4294967295u << bitcast<u32>((((_e1497 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1486 = phi_2097_;
+                                                    if _e1486 {
+                                                        let _e1488 = local_2.group_mask;
+                                                        let _e1494 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1488)), 32u, (_e1488 == 0u)));
+                                                        let _e1498 = local_2.group_mask;
+                                                        let _e1512 = local_2.group_mask;
+                                                        local_2.group_mask = (_e1512 & ~((1u << bitcast<u32>((_e1494 & 31u)))));
+                                                        let _e1515 = local_2.group;
+                                                        phi_2128_ = (_e1515 + countOneBits(((_e1498 & ~((4294967295u << bitcast<u32>((((_e1494 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
                                                         phi_2128_ = 4294967295u;
                                                     }
-                                                    let _e1521 = phi_2128_;
-                                                    phi_2130_ = _e980;
-                                                    phi_2133_ = _e1521;
+                                                    let _e1518 = phi_2128_;
+                                                    phi_2130_ = _e977;
+                                                    phi_2133_ = _e1518;
                                                     loop {
-                                                        let _e1523 = phi_2130_;
-                                                        let _e1525 = phi_2133_;
-                                                        local_11 = _e1523;
-                                                        let _e1526 = (_e1525 != 4294967295u);
-                                                        if _e1526 {
-                                                            if (_e1525 < _e78) {
+                                                        let _e1520 = phi_2130_;
+                                                        let _e1522 = phi_2133_;
+                                                        local_11 = _e1520;
+                                                        let _e1523 = (_e1522 != 4294967295u);
+                                                        if _e1523 {
+                                                            if (_e1522 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1533 = nodes.member[(0u + _e1525)].frame[3u];
-                                                            let _e1558 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
-                                                            let _e1559 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1297);
-                                                            let _e1560 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1307);
-                                                            let _e1563 = nodes.member[(0u + _e1525)].frame[0u];
-                                                            let _e1567 = nodes.member[(0u + _e1525)].frame[1u];
-                                                            let _e1571 = nodes.member[(0u + _e1525)].frame[2u];
-                                                            let _e1576 = ((bitcast<f32>(_e1563) - _e1072) * _e1287);
-                                                            let _e1577 = ((bitcast<f32>(_e1567) - _e1085) * _e1297);
-                                                            let _e1578 = ((bitcast<f32>(_e1571) - _e1098) * _e1307);
-                                                            let _e1586 = nodes.member[(0u + _e1525)].x;
-                                                            if (_e1287 < 0f) {
-                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.unnamed.word, _e1586.w), _e1597.unnamed_1);
-                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_mask_LightPlace(_e1586.x, _e1603.unnamed_1.shift));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1609.unnamed_1.word, _e1586.y));
+                                                            let _e1530 = nodes.member[(0u + _e1522)].frame[3u];
+                                                            let _e1555 = (bitcast<f32>((((_e1530 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1284);
+                                                            let _e1556 = (bitcast<f32>((((_e1530 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1294);
+                                                            let _e1557 = (bitcast<f32>((((_e1530 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1304);
+                                                            let _e1560 = nodes.member[(0u + _e1522)].frame[0u];
+                                                            let _e1564 = nodes.member[(0u + _e1522)].frame[1u];
+                                                            let _e1568 = nodes.member[(0u + _e1522)].frame[2u];
+                                                            let _e1573 = ((bitcast<f32>(_e1560) - _e1069) * _e1284);
+                                                            let _e1574 = ((bitcast<f32>(_e1564) - _e1082) * _e1294);
+                                                            let _e1575 = ((bitcast<f32>(_e1568) - _e1095) * _e1304);
+                                                            let _e1583 = nodes.member[(0u + _e1522)].x;
+                                                            if (_e1284 < 0f) {
+                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1583.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.unnamed.word, _e1583.w), _e1594.unnamed_1);
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1600.unnamed, lt_mask_LightPlace(_e1583.x, _e1600.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1606.unnamed_1.word, _e1583.y));
                                                             } else {
-                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.unnamed.word, _e1586.y), _e1625.unnamed_1);
-                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_mask_LightPlace(_e1586.z, _e1631.unnamed_1.shift));
-                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_mask_LightPlace(_e1637.unnamed_1.word, _e1586.w));
+                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1583.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1622.unnamed.word, _e1583.y), _e1622.unnamed_1);
+                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1628.unnamed, lt_mask_LightPlace(_e1583.z, _e1628.unnamed_1.shift));
+                                                                phi_2214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1634.unnamed_1.word, _e1583.w));
                                                             }
-                                                            let _e1645 = phi_2214_;
-                                                            let _e1655 = nodes.member[(0u + _e1525)].y;
-                                                            if (_e1297 < 0f) {
-                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.unnamed.word, _e1655.w), _e1666.unnamed_1);
-                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_mask_LightPlace(_e1655.x, _e1672.unnamed_1.shift));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1678.unnamed_1.word, _e1655.y));
+                                                            let _e1642 = phi_2214_;
+                                                            let _e1652 = nodes.member[(0u + _e1522)].y;
+                                                            if (_e1294 < 0f) {
+                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1652.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.unnamed.word, _e1652.w), _e1663.unnamed_1);
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_mask_LightPlace(_e1652.x, _e1669.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1675.unnamed_1.word, _e1652.y));
                                                             } else {
-                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.unnamed.word, _e1655.y), _e1694.unnamed_1);
-                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_mask_LightPlace(_e1655.z, _e1700.unnamed_1.shift));
-                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_mask_LightPlace(_e1706.unnamed_1.word, _e1655.w));
+                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1652.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1691.unnamed.word, _e1652.y), _e1691.unnamed_1);
+                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1697.unnamed, lt_mask_LightPlace(_e1652.z, _e1697.unnamed_1.shift));
+                                                                phi_2241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1703.unnamed_1.word, _e1652.w));
                                                             }
-                                                            let _e1714 = phi_2241_;
-                                                            let _e1724 = nodes.member[(0u + _e1525)].z;
-                                                            if (_e1307 < 0f) {
-                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1735.unnamed.word, _e1724.w), _e1735.unnamed_1);
-                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_mask_LightPlace(_e1724.x, _e1741.unnamed_1.shift));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_mask_LightPlace(_e1747.unnamed_1.word, _e1724.y));
+                                                            let _e1711 = phi_2241_;
+                                                            let _e1721 = nodes.member[(0u + _e1522)].z;
+                                                            if (_e1304 < 0f) {
+                                                                let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1721.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.unnamed.word, _e1721.w), _e1732.unnamed_1);
+                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_mask_LightPlace(_e1721.x, _e1738.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1744.unnamed_1.word, _e1721.y));
                                                             } else {
-                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1763.unnamed.word, _e1724.y), _e1763.unnamed_1);
-                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_mask_LightPlace(_e1724.z, _e1769.unnamed_1.shift));
-                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_mask_LightPlace(_e1775.unnamed_1.word, _e1724.w));
+                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1721.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1760.unnamed.word, _e1721.y), _e1760.unnamed_1);
+                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1766.unnamed, lt_mask_LightPlace(_e1721.z, _e1766.unnamed_1.shift));
+                                                                phi_2268_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_mask_LightPlace(_e1772.unnamed_1.word, _e1721.w));
                                                             }
-                                                            let _e1783 = phi_2268_;
+                                                            let _e1780 = phi_2268_;
                                                             phi_2274_ = 0u;
                                                             phi_2277_ = 0u;
                                                             loop {
-                                                                let _e1793 = phi_2274_;
-                                                                let _e1795 = phi_2277_;
-                                                                local_7 = _e1795;
-                                                                local_8 = _e1795;
-                                                                local_9 = _e1795;
-                                                                let _e1796 = (_e1793 < 8u);
-                                                                if _e1796 {
-                                                                    let _e1798 = (_e1793 >> bitcast<u32>(2i));
-                                                                    let _e1799 = (_e1793 & 3u);
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2291_ = _e1645.unnamed.word;
+                                                                let _e1790 = phi_2274_;
+                                                                let _e1792 = phi_2277_;
+                                                                local_7 = _e1792;
+                                                                local_8 = _e1792;
+                                                                local_9 = _e1792;
+                                                                let _e1793 = (_e1790 < 8u);
+                                                                if _e1793 {
+                                                                    let _e1795 = (_e1790 >> bitcast<u32>(2i));
+                                                                    let _e1796 = (_e1790 & 3u);
+                                                                    if (_e1795 == 0u) {
+                                                                        phi_2291_ = _e1642.unnamed.word;
                                                                     } else {
-                                                                        phi_2291_ = _e1645.unnamed.shift;
+                                                                        phi_2291_ = _e1642.unnamed.shift;
                                                                     }
-                                                                    let _e1802 = phi_2291_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2301_ = _e1714.unnamed.word;
+                                                                    let _e1799 = phi_2291_;
+                                                                    if (_e1795 == 0u) {
+                                                                        phi_2301_ = _e1711.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1714.unnamed.shift;
+                                                                        phi_2301_ = _e1711.unnamed.shift;
                                                                     }
-                                                                    let _e1811 = phi_2301_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2311_ = _e1783.unnamed.word;
+                                                                    let _e1808 = phi_2301_;
+                                                                    if (_e1795 == 0u) {
+                                                                        phi_2311_ = _e1780.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1783.unnamed.shift;
+                                                                        phi_2311_ = _e1780.unnamed.shift;
                                                                     }
-                                                                    let _e1820 = phi_2311_;
-                                                                    let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
-                                                                    let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2329_ = _e1645.unnamed_1.word;
+                                                                    let _e1817 = phi_2311_;
+                                                                    let _e1830 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1799 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1332)), ((f32(((_e1808 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 - _e1333)));
+                                                                    let _e1831 = core_intrinsics_maximum_number_nsz_f32_(_e1830, ((f32(((_e1817 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1557) + (_e1575 - _e1334)));
+                                                                    if (_e1795 == 0u) {
+                                                                        phi_2329_ = _e1642.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2329_ = _e1645.unnamed_1.shift;
+                                                                        phi_2329_ = _e1642.unnamed_1.shift;
                                                                     }
-                                                                    let _e1837 = phi_2329_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2339_ = _e1714.unnamed_1.word;
+                                                                    let _e1834 = phi_2329_;
+                                                                    if (_e1795 == 0u) {
+                                                                        phi_2339_ = _e1711.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1714.unnamed_1.shift;
+                                                                        phi_2339_ = _e1711.unnamed_1.shift;
                                                                     }
-                                                                    let _e1846 = phi_2339_;
-                                                                    if (_e1798 == 0u) {
-                                                                        phi_2349_ = _e1783.unnamed_1.word;
+                                                                    let _e1843 = phi_2339_;
+                                                                    if (_e1795 == 0u) {
+                                                                        phi_2349_ = _e1780.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1783.unnamed_1.shift;
+                                                                        phi_2349_ = _e1780.unnamed_1.shift;
                                                                     }
-                                                                    let _e1855 = phi_2349_;
-                                                                    let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
-                                                                    let _e1869 = core_intrinsics_minimum_number_nsz_f32_(_e1868, ((f32(((_e1855 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1337)));
-                                                                    if (_e1834 <= _e1869) {
-                                                                        if (_e1834 <= _e1523.t) {
-                                                                            if (_e1869 >= _e162.tmin) {
-                                                                                if (_e1798 == 0u) {
-                                                                                    let _e1876 = nodes.member[(0u + _e1525)].links[2u];
+                                                                    let _e1852 = phi_2349_;
+                                                                    let _e1865 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1834 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1332)), ((f32(((_e1843 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 + _e1333)));
+                                                                    let _e1866 = core_intrinsics_minimum_number_nsz_f32_(_e1865, ((f32(((_e1852 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u)) * _e1557) + (_e1575 + _e1334)));
+                                                                    if (_e1831 <= _e1866) {
+                                                                        if (_e1831 <= _e1520.t) {
+                                                                            if (_e1866 >= _e162.tmin) {
+                                                                                if (_e1795 == 0u) {
+                                                                                    let _e1873 = nodes.member[(0u + _e1522)].links[2u];
+                                                                                    phi_2385_ = _e1873;
+                                                                                } else {
+                                                                                    let _e1876 = nodes.member[(0u + _e1522)].links[3u];
                                                                                     phi_2385_ = _e1876;
-                                                                                } else {
-                                                                                    let _e1879 = nodes.member[(0u + _e1525)].links[3u];
-                                                                                    phi_2385_ = _e1879;
                                                                                 }
-                                                                                let _e1881 = phi_2385_;
-                                                                                let _e1886 = ((_e1881 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u);
-                                                                                let _e1887 = (_e1886 & 31u);
-                                                                                if (_e1887 >= 24u) {
-                                                                                    phi_2398_ = (24u + ((_e1887 - 24u) ^ _e1385));
+                                                                                let _e1878 = phi_2385_;
+                                                                                let _e1883 = ((_e1878 >> bitcast<u32>(((_e1796 * 8u) & 31u))) & 255u);
+                                                                                let _e1884 = (_e1883 & 31u);
+                                                                                if (_e1884 >= 24u) {
+                                                                                    phi_2398_ = (24u + ((_e1884 - 24u) ^ _e1382));
                                                                                 } else {
-                                                                                    phi_2398_ = _e1887;
+                                                                                    phi_2398_ = _e1884;
                                                                                 }
-                                                                                let _e1893 = phi_2398_;
-                                                                                phi_2403_ = (_e1795 | ((_e1886 >> bitcast<u32>(5i)) << bitcast<u32>((_e1893 & 31u))));
+                                                                                let _e1890 = phi_2398_;
+                                                                                phi_2403_ = (_e1792 | ((_e1883 >> bitcast<u32>(5i)) << bitcast<u32>((_e1890 & 31u))));
                                                                             } else {
-                                                                                phi_2403_ = _e1795;
+                                                                                phi_2403_ = _e1792;
                                                                             }
-                                                                            let _e1901 = phi_2403_;
-                                                                            phi_2404_ = _e1901;
+                                                                            let _e1898 = phi_2403_;
+                                                                            phi_2404_ = _e1898;
                                                                         } else {
-                                                                            phi_2404_ = _e1795;
+                                                                            phi_2404_ = _e1792;
                                                                         }
-                                                                        let _e1903 = phi_2404_;
-                                                                        phi_2405_ = _e1903;
+                                                                        let _e1900 = phi_2404_;
+                                                                        phi_2405_ = _e1900;
                                                                     } else {
-                                                                        phi_2405_ = _e1795;
+                                                                        phi_2405_ = _e1792;
                                                                     }
-                                                                    let _e1905 = phi_2405_;
-                                                                    phi_2275_ = (_e1793 + 1u);
-                                                                    phi_2278_ = _e1905;
+                                                                    let _e1902 = phi_2405_;
+                                                                    phi_2275_ = (_e1790 + 1u);
+                                                                    phi_2278_ = _e1902;
                                                                 } else {
                                                                     phi_2275_ = u32();
                                                                     phi_2278_ = u32();
                                                                 }
-                                                                let _e1908 = phi_2275_;
-                                                                let _e1910 = phi_2278_;
+                                                                let _e1905 = phi_2275_;
+                                                                let _e1907 = phi_2278_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2274_ = _e1908;
-                                                                    phi_2277_ = _e1910;
-                                                                    break if !(_e1796);
+                                                                    phi_2274_ = _e1905;
+                                                                    phi_2277_ = _e1907;
+                                                                    break if !(_e1793);
                                                                 }
                                                             }
-                                                            let _e1914 = nodes.member[(0u + _e1525)].links[0u];
-                                                            let _e1918 = nodes.member[(0u + _e1525)].frame[3u];
-                                                            let _e1922 = local_7;
-                                                            if ((_e1922 & 4278190080u) == 0u) {
+                                                            let _e1911 = nodes.member[(0u + _e1522)].links[0u];
+                                                            let _e1915 = nodes.member[(0u + _e1522)].frame[3u];
+                                                            let _e1919 = local_7;
+                                                            if ((_e1919 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1926 = local_2.group_mask;
-                                                                if ((_e1926 & 4278190080u) == 0u) {
+                                                                let _e1923 = local_2.group_mask;
+                                                                if ((_e1923 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1930 = local_2.len;
-                                                                    if (_e1930 < 32u) {
-                                                                        let _e1933 = local_2.group;
-                                                                        let _e1935 = local_2.len;
-                                                                        if (_e1935 < 32u) {
+                                                                    let _e1927 = local_2.len;
+                                                                    if (_e1927 < 32u) {
+                                                                        let _e1930 = local_2.group;
+                                                                        let _e1932 = local_2.len;
+                                                                        if (_e1932 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1935)] = _e1933;
-                                                                        let _e1941 = local_2.group_mask;
-                                                                        let _e1943 = local_2.len;
-                                                                        if (_e1943 < 32u) {
+                                                                        local_2.first[(0u + _e1932)] = _e1930;
+                                                                        let _e1938 = local_2.group_mask;
+                                                                        let _e1940 = local_2.len;
+                                                                        if (_e1940 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1943)] = _e1941;
-                                                                        let _e1950 = local_2.len;
-                                                                        local_2.len = (_e1950 + 1u);
+                                                                        local_2.mask[(0u + _e1940)] = _e1938;
+                                                                        let _e1947 = local_2.len;
+                                                                        local_2.len = (_e1947 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1147 + _e1914);
-                                                                let _e1954 = local_8;
-                                                                local_2.group_mask = ((_e1954 & 4278190080u) | (_e1918 >> bitcast<u32>(24i)));
+                                                                local_2.group = (_e1144 + _e1911);
+                                                                let _e1951 = local_8;
+                                                                local_2.group_mask = ((_e1951 & 4278190080u) | (_e1915 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1959 = local_9;
-                                                            phi_2463_ = _e1523;
-                                                            phi_2466_ = (_e1959 & 16777215u);
+                                                            let _e1956 = local_9;
+                                                            phi_2463_ = _e1520;
+                                                            phi_2466_ = (_e1956 & 16777215u);
                                                             loop {
-                                                                let _e1962 = phi_2463_;
-                                                                let _e1964 = phi_2466_;
-                                                                local_10 = _e1962;
-                                                                if (_e1964 == 0u) {
+                                                                let _e1959 = phi_2463_;
+                                                                let _e1961 = phi_2466_;
+                                                                local_10 = _e1959;
+                                                                if (_e1961 == 0u) {
                                                                     phi_2464_ = lt_bvh_Hit();
                                                                     phi_2467_ = u32();
                                                                     phi_3305_ = false;
                                                                 } else {
-                                                                    let _e1968 = nodes.member[(0u + _e1525)].links[1u];
-                                                                    let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
-                                                                    if (_e1973 < _e81) {
+                                                                    let _e1965 = nodes.member[(0u + _e1522)].links[1u];
+                                                                    let _e1970 = ((_e1146 + _e1965) + select(firstTrailingBit(_e1961), 32u, (_e1961 == 0u)));
+                                                                    if (_e1970 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1980 = triangles.member[(0u + _e1973)].v0_;
-                                                                    let _e1982 = (_e1980.x - _e1072);
-                                                                    let _e1984 = (_e1980.y - _e1085);
-                                                                    let _e1986 = (_e1980.z - _e1098);
-                                                                    if (_e1358 == 0u) {
-                                                                        phi_2511_ = vec3<f32>(_e1984, _e1986, _e1982);
+                                                                    let _e1977 = triangles.member[(0u + _e1970)].v0_;
+                                                                    let _e1979 = (_e1977.x - _e1069);
+                                                                    let _e1981 = (_e1977.y - _e1082);
+                                                                    let _e1983 = (_e1977.z - _e1095);
+                                                                    if (_e1355 == 0u) {
+                                                                        phi_2511_ = vec3<f32>(_e1981, _e1983, _e1979);
                                                                     } else {
-                                                                        if (_e1358 == 1u) {
-                                                                            phi_2510_ = vec3<f32>(_e1986, _e1982, _e1984);
+                                                                        if (_e1355 == 1u) {
+                                                                            phi_2510_ = vec3<f32>(_e1983, _e1979, _e1981);
                                                                         } else {
-                                                                            phi_2510_ = (_e1980 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2510_ = (_e1977 - vec3<f32>(_e1069, _e1082, _e1095));
                                                                         }
-                                                                        let _e1994 = phi_2510_;
-                                                                        phi_2511_ = _e1994;
+                                                                        let _e1991 = phi_2510_;
+                                                                        phi_2511_ = _e1991;
                                                                     }
-                                                                    let _e1996 = phi_2511_;
-                                                                    let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
-                                                                    let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
-                                                                    let _e2006 = triangles.member[(0u + _e1973)].v1_;
-                                                                    let _e2008 = (_e2006.x - _e1072);
-                                                                    let _e2010 = (_e2006.y - _e1085);
-                                                                    let _e2012 = (_e2006.z - _e1098);
-                                                                    if (_e1358 == 0u) {
-                                                                        phi_2541_ = vec3<f32>(_e2010, _e2012, _e2008);
+                                                                    let _e1993 = phi_2511_;
+                                                                    let _e1997 = (_e1993.x - (_e1366 * _e1993.z));
+                                                                    let _e2001 = (_e1993.y - (_e1369 * _e1993.z));
+                                                                    let _e2003 = triangles.member[(0u + _e1970)].v1_;
+                                                                    let _e2005 = (_e2003.x - _e1069);
+                                                                    let _e2007 = (_e2003.y - _e1082);
+                                                                    let _e2009 = (_e2003.z - _e1095);
+                                                                    if (_e1355 == 0u) {
+                                                                        phi_2541_ = vec3<f32>(_e2007, _e2009, _e2005);
                                                                     } else {
-                                                                        if (_e1358 == 1u) {
-                                                                            phi_2540_ = vec3<f32>(_e2012, _e2008, _e2010);
+                                                                        if (_e1355 == 1u) {
+                                                                            phi_2540_ = vec3<f32>(_e2009, _e2005, _e2007);
                                                                         } else {
-                                                                            phi_2540_ = (_e2006 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2540_ = (_e2003 - vec3<f32>(_e1069, _e1082, _e1095));
                                                                         }
-                                                                        let _e2020 = phi_2540_;
-                                                                        phi_2541_ = _e2020;
+                                                                        let _e2017 = phi_2540_;
+                                                                        phi_2541_ = _e2017;
                                                                     }
-                                                                    let _e2022 = phi_2541_;
-                                                                    let _e2026 = (_e2022.x - (_e1369 * _e2022.z));
-                                                                    let _e2030 = (_e2022.y - (_e1372 * _e2022.z));
-                                                                    let _e2032 = triangles.member[(0u + _e1973)].v2_;
-                                                                    let _e2034 = (_e2032.x - _e1072);
-                                                                    let _e2036 = (_e2032.y - _e1085);
-                                                                    let _e2038 = (_e2032.z - _e1098);
-                                                                    if (_e1358 == 0u) {
-                                                                        phi_2571_ = vec3<f32>(_e2036, _e2038, _e2034);
+                                                                    let _e2019 = phi_2541_;
+                                                                    let _e2023 = (_e2019.x - (_e1366 * _e2019.z));
+                                                                    let _e2027 = (_e2019.y - (_e1369 * _e2019.z));
+                                                                    let _e2029 = triangles.member[(0u + _e1970)].v2_;
+                                                                    let _e2031 = (_e2029.x - _e1069);
+                                                                    let _e2033 = (_e2029.y - _e1082);
+                                                                    let _e2035 = (_e2029.z - _e1095);
+                                                                    if (_e1355 == 0u) {
+                                                                        phi_2571_ = vec3<f32>(_e2033, _e2035, _e2031);
                                                                     } else {
-                                                                        if (_e1358 == 1u) {
-                                                                            phi_2570_ = vec3<f32>(_e2038, _e2034, _e2036);
+                                                                        if (_e1355 == 1u) {
+                                                                            phi_2570_ = vec3<f32>(_e2035, _e2031, _e2033);
                                                                         } else {
-                                                                            phi_2570_ = (_e2032 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2570_ = (_e2029 - vec3<f32>(_e1069, _e1082, _e1095));
                                                                         }
-                                                                        let _e2046 = phi_2570_;
-                                                                        phi_2571_ = _e2046;
+                                                                        let _e2043 = phi_2570_;
+                                                                        phi_2571_ = _e2043;
                                                                     }
-                                                                    let _e2048 = phi_2571_;
-                                                                    let _e2052 = (_e2048.x - (_e1369 * _e2048.z));
-                                                                    let _e2056 = (_e2048.y - (_e1372 * _e2048.z));
-                                                                    if (_e2026 < _e2052) {
+                                                                    let _e2045 = phi_2571_;
+                                                                    let _e2049 = (_e2045.x - (_e1366 * _e2045.z));
+                                                                    let _e2053 = (_e2045.y - (_e1369 * _e2045.z));
+                                                                    if (_e2023 < _e2049) {
                                                                         phi_2590_ = true;
                                                                     } else {
-                                                                        if (_e2026 == _e2052) {
-                                                                            phi_2589_ = (_e2030 < _e2056);
+                                                                        if (_e2023 == _e2049) {
+                                                                            phi_2589_ = (_e2027 < _e2053);
                                                                         } else {
                                                                             phi_2589_ = false;
                                                                         }
-                                                                        let _e2061 = phi_2589_;
-                                                                        phi_2590_ = _e2061;
+                                                                        let _e2058 = phi_2589_;
+                                                                        phi_2590_ = _e2058;
                                                                     }
-                                                                    let _e2063 = phi_2590_;
-                                                                    if _e2063 {
-                                                                        phi_2594_ = _e2056;
-                                                                        phi_2595_ = _e2052;
-                                                                        phi_2596_ = _e2030;
-                                                                        phi_2597_ = _e2026;
+                                                                    let _e2060 = phi_2590_;
+                                                                    if _e2060 {
+                                                                        phi_2594_ = _e2053;
+                                                                        phi_2595_ = _e2049;
+                                                                        phi_2596_ = _e2027;
+                                                                        phi_2597_ = _e2023;
                                                                     } else {
-                                                                        phi_2594_ = _e2030;
-                                                                        phi_2595_ = _e2026;
-                                                                        phi_2596_ = _e2056;
-                                                                        phi_2597_ = _e2052;
+                                                                        phi_2594_ = _e2027;
+                                                                        phi_2595_ = _e2023;
+                                                                        phi_2596_ = _e2053;
+                                                                        phi_2597_ = _e2049;
                                                                     }
-                                                                    let _e2065 = phi_2594_;
-                                                                    let _e2067 = phi_2595_;
-                                                                    let _e2069 = phi_2596_;
-                                                                    let _e2071 = phi_2597_;
-                                                                    let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
-                                                                    if _e2063 {
-                                                                        phi_2605_ = -(_e2074);
+                                                                    let _e2062 = phi_2594_;
+                                                                    let _e2064 = phi_2595_;
+                                                                    let _e2066 = phi_2596_;
+                                                                    let _e2068 = phi_2597_;
+                                                                    let _e2071 = ((_e2068 * _e2062) - (_e2066 * _e2064));
+                                                                    if _e2060 {
+                                                                        phi_2605_ = -(_e2071);
                                                                     } else {
-                                                                        phi_2605_ = _e2074;
+                                                                        phi_2605_ = _e2071;
                                                                     }
-                                                                    let _e2077 = phi_2605_;
-                                                                    if (_e2052 < _e2000) {
+                                                                    let _e2074 = phi_2605_;
+                                                                    if (_e2049 < _e1997) {
                                                                         phi_2616_ = true;
                                                                     } else {
-                                                                        if (_e2052 == _e2000) {
-                                                                            phi_2615_ = (_e2056 < _e2004);
+                                                                        if (_e2049 == _e1997) {
+                                                                            phi_2615_ = (_e2053 < _e2001);
                                                                         } else {
                                                                             phi_2615_ = false;
                                                                         }
-                                                                        let _e2082 = phi_2615_;
-                                                                        phi_2616_ = _e2082;
+                                                                        let _e2079 = phi_2615_;
+                                                                        phi_2616_ = _e2079;
                                                                     }
-                                                                    let _e2084 = phi_2616_;
-                                                                    if _e2084 {
-                                                                        phi_2620_ = _e2004;
-                                                                        phi_2621_ = _e2000;
-                                                                        phi_2622_ = _e2056;
-                                                                        phi_2623_ = _e2052;
+                                                                    let _e2081 = phi_2616_;
+                                                                    if _e2081 {
+                                                                        phi_2620_ = _e2001;
+                                                                        phi_2621_ = _e1997;
+                                                                        phi_2622_ = _e2053;
+                                                                        phi_2623_ = _e2049;
                                                                     } else {
-                                                                        phi_2620_ = _e2056;
-                                                                        phi_2621_ = _e2052;
-                                                                        phi_2622_ = _e2004;
-                                                                        phi_2623_ = _e2000;
+                                                                        phi_2620_ = _e2053;
+                                                                        phi_2621_ = _e2049;
+                                                                        phi_2622_ = _e2001;
+                                                                        phi_2623_ = _e1997;
                                                                     }
-                                                                    let _e2086 = phi_2620_;
-                                                                    let _e2088 = phi_2621_;
-                                                                    let _e2090 = phi_2622_;
-                                                                    let _e2092 = phi_2623_;
-                                                                    let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
-                                                                    if _e2084 {
-                                                                        phi_2631_ = -(_e2095);
+                                                                    let _e2083 = phi_2620_;
+                                                                    let _e2085 = phi_2621_;
+                                                                    let _e2087 = phi_2622_;
+                                                                    let _e2089 = phi_2623_;
+                                                                    let _e2092 = ((_e2089 * _e2083) - (_e2087 * _e2085));
+                                                                    if _e2081 {
+                                                                        phi_2631_ = -(_e2092);
                                                                     } else {
-                                                                        phi_2631_ = _e2095;
+                                                                        phi_2631_ = _e2092;
                                                                     }
-                                                                    let _e2098 = phi_2631_;
-                                                                    if (_e2000 < _e2026) {
+                                                                    let _e2095 = phi_2631_;
+                                                                    if (_e1997 < _e2023) {
                                                                         phi_2642_ = true;
                                                                     } else {
-                                                                        if (_e2000 == _e2026) {
-                                                                            phi_2641_ = (_e2004 < _e2030);
+                                                                        if (_e1997 == _e2023) {
+                                                                            phi_2641_ = (_e2001 < _e2027);
                                                                         } else {
                                                                             phi_2641_ = false;
                                                                         }
-                                                                        let _e2103 = phi_2641_;
-                                                                        phi_2642_ = _e2103;
+                                                                        let _e2100 = phi_2641_;
+                                                                        phi_2642_ = _e2100;
                                                                     }
-                                                                    let _e2105 = phi_2642_;
-                                                                    if _e2105 {
-                                                                        phi_2646_ = _e2030;
-                                                                        phi_2647_ = _e2026;
-                                                                        phi_2648_ = _e2004;
-                                                                        phi_2649_ = _e2000;
+                                                                    let _e2102 = phi_2642_;
+                                                                    if _e2102 {
+                                                                        phi_2646_ = _e2027;
+                                                                        phi_2647_ = _e2023;
+                                                                        phi_2648_ = _e2001;
+                                                                        phi_2649_ = _e1997;
                                                                     } else {
-                                                                        phi_2646_ = _e2004;
-                                                                        phi_2647_ = _e2000;
-                                                                        phi_2648_ = _e2030;
-                                                                        phi_2649_ = _e2026;
+                                                                        phi_2646_ = _e2001;
+                                                                        phi_2647_ = _e1997;
+                                                                        phi_2648_ = _e2027;
+                                                                        phi_2649_ = _e2023;
                                                                     }
-                                                                    let _e2107 = phi_2646_;
-                                                                    let _e2109 = phi_2647_;
-                                                                    let _e2111 = phi_2648_;
-                                                                    let _e2113 = phi_2649_;
-                                                                    let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
-                                                                    if _e2105 {
-                                                                        phi_2657_ = -(_e2116);
+                                                                    let _e2104 = phi_2646_;
+                                                                    let _e2106 = phi_2647_;
+                                                                    let _e2108 = phi_2648_;
+                                                                    let _e2110 = phi_2649_;
+                                                                    let _e2113 = ((_e2110 * _e2104) - (_e2108 * _e2106));
+                                                                    if _e2102 {
+                                                                        phi_2657_ = -(_e2113);
                                                                     } else {
-                                                                        phi_2657_ = _e2116;
+                                                                        phi_2657_ = _e2113;
                                                                     }
-                                                                    let _e2119 = phi_2657_;
-                                                                    if (_e2077 >= 0f) {
-                                                                        if (_e2098 >= 0f) {
-                                                                            if (_e2119 >= 0f) {
-                                                                                phi_2672_ = ((_e2077 + _e2098) + _e2119);
+                                                                    let _e2116 = phi_2657_;
+                                                                    if (_e2074 >= 0f) {
+                                                                        if (_e2095 >= 0f) {
+                                                                            if (_e2116 >= 0f) {
+                                                                                phi_2672_ = ((_e2074 + _e2095) + _e2116);
                                                                                 phi_2673_ = false;
                                                                             } else {
                                                                                 phi_2672_ = f32();
                                                                                 phi_2673_ = true;
                                                                             }
-                                                                            let _e2126 = phi_2672_;
-                                                                            let _e2128 = phi_2673_;
-                                                                            phi_2674_ = _e2126;
-                                                                            phi_2675_ = _e2128;
+                                                                            let _e2123 = phi_2672_;
+                                                                            let _e2125 = phi_2673_;
+                                                                            phi_2674_ = _e2123;
+                                                                            phi_2675_ = _e2125;
                                                                         } else {
                                                                             phi_2674_ = f32();
                                                                             phi_2675_ = true;
                                                                         }
-                                                                        let _e2130 = phi_2674_;
-                                                                        let _e2132 = phi_2675_;
-                                                                        phi_2676_ = _e2130;
-                                                                        phi_2677_ = _e2132;
+                                                                        let _e2127 = phi_2674_;
+                                                                        let _e2129 = phi_2675_;
+                                                                        phi_2676_ = _e2127;
+                                                                        phi_2677_ = _e2129;
                                                                     } else {
                                                                         phi_2676_ = f32();
                                                                         phi_2677_ = true;
                                                                     }
-                                                                    let _e2134 = phi_2676_;
-                                                                    let _e2136 = phi_2677_;
-                                                                    if _e2136 {
-                                                                        if (_e2077 <= 0f) {
-                                                                            if (_e2098 <= 0f) {
-                                                                                let _e2139 = (_e2119 <= 0f);
-                                                                                if _e2139 {
+                                                                    let _e2131 = phi_2676_;
+                                                                    let _e2133 = phi_2677_;
+                                                                    if _e2133 {
+                                                                        if (_e2074 <= 0f) {
+                                                                            if (_e2095 <= 0f) {
+                                                                                let _e2136 = (_e2116 <= 0f);
+                                                                                if _e2136 {
                                                                                 }
-                                                                                phi_2695_ = ((_e2077 + _e2098) + _e2119);
+                                                                                phi_2695_ = ((_e2074 + _e2095) + _e2116);
                                                                                 phi_2696_ = false;
-                                                                                phi_2697_ = _e2139;
+                                                                                phi_2697_ = _e2136;
                                                                             } else {
                                                                                 phi_2695_ = f32();
                                                                                 phi_2696_ = true;
                                                                                 phi_2697_ = false;
                                                                             }
-                                                                            let _e2143 = phi_2695_;
-                                                                            let _e2145 = phi_2696_;
-                                                                            let _e2147 = phi_2697_;
-                                                                            phi_2698_ = _e2143;
-                                                                            phi_2699_ = _e2145;
-                                                                            phi_2700_ = _e2147;
+                                                                            let _e2140 = phi_2695_;
+                                                                            let _e2142 = phi_2696_;
+                                                                            let _e2144 = phi_2697_;
+                                                                            phi_2698_ = _e2140;
+                                                                            phi_2699_ = _e2142;
+                                                                            phi_2700_ = _e2144;
                                                                         } else {
                                                                             phi_2698_ = f32();
                                                                             phi_2699_ = true;
                                                                             phi_2700_ = false;
                                                                         }
-                                                                        let _e2149 = phi_2698_;
-                                                                        let _e2151 = phi_2699_;
-                                                                        let _e2153 = phi_2700_;
-                                                                        if _e2151 {
+                                                                        let _e2146 = phi_2698_;
+                                                                        let _e2148 = phi_2699_;
+                                                                        let _e2150 = phi_2700_;
+                                                                        if _e2148 {
                                                                             phi_2704_ = false;
                                                                         } else {
-                                                                            phi_2704_ = _e2153;
+                                                                            phi_2704_ = _e2150;
                                                                         }
-                                                                        let _e2155 = phi_2704_;
-                                                                        phi_2705_ = _e2149;
-                                                                        phi_2706_ = _e2155;
+                                                                        let _e2152 = phi_2704_;
+                                                                        phi_2705_ = _e2146;
+                                                                        phi_2706_ = _e2152;
                                                                     } else {
-                                                                        phi_2705_ = _e2134;
+                                                                        phi_2705_ = _e2131;
                                                                         phi_2706_ = true;
                                                                     }
-                                                                    let _e2157 = phi_2705_;
-                                                                    let _e2159 = phi_2706_;
-                                                                    if _e2159 {
-                                                                        let _e2160 = (_e2157 == 0f);
-                                                                        if _e2160 {
+                                                                    let _e2154 = phi_2705_;
+                                                                    let _e2156 = phi_2706_;
+                                                                    if _e2156 {
+                                                                        let _e2157 = (_e2154 == 0f);
+                                                                        if _e2157 {
                                                                             phi_3022_ = lt_bvh_triangle_Intersection();
                                                                             phi_3023_ = false;
                                                                         } else {
-                                                                            let _e2162 = triangles.member[(0u + _e1973)].v0_;
-                                                                            let _e2164 = (_e2162.x - _e1072);
-                                                                            let _e2166 = (_e2162.y - _e1085);
-                                                                            let _e2168 = (_e2162.z - _e1098);
-                                                                            if (_e1358 == 0u) {
-                                                                                phi_2735_ = vec3<f32>(_e2166, _e2168, _e2164);
+                                                                            let _e2159 = triangles.member[(0u + _e1970)].v0_;
+                                                                            let _e2161 = (_e2159.x - _e1069);
+                                                                            let _e2163 = (_e2159.y - _e1082);
+                                                                            let _e2165 = (_e2159.z - _e1095);
+                                                                            if (_e1355 == 0u) {
+                                                                                phi_2735_ = vec3<f32>(_e2163, _e2165, _e2161);
                                                                             } else {
-                                                                                if (_e1358 == 1u) {
-                                                                                    phi_2734_ = vec3<f32>(_e2168, _e2164, _e2166);
+                                                                                if (_e1355 == 1u) {
+                                                                                    phi_2734_ = vec3<f32>(_e2165, _e2161, _e2163);
                                                                                 } else {
-                                                                                    phi_2734_ = (_e2162 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                                    phi_2734_ = (_e2159 - vec3<f32>(_e1069, _e1082, _e1095));
                                                                                 }
-                                                                                let _e2176 = phi_2734_;
-                                                                                phi_2735_ = _e2176;
+                                                                                let _e2173 = phi_2734_;
+                                                                                phi_2735_ = _e2173;
                                                                             }
-                                                                            let _e2178 = phi_2735_;
-                                                                            let _e2180 = triangles.member[(0u + _e1973)].v1_;
-                                                                            let _e2182 = triangles.member[(0u + _e1973)].v0_;
-                                                                            let _e2185 = (_e2180.x - _e2182.x);
-                                                                            let _e2188 = (_e2180.y - _e2182.y);
-                                                                            let _e2191 = (_e2180.z - _e2182.z);
-                                                                            if (_e1358 == 0u) {
-                                                                                phi_2761_ = vec3<f32>(_e2188, _e2191, _e2185);
+                                                                            let _e2175 = phi_2735_;
+                                                                            let _e2177 = triangles.member[(0u + _e1970)].v1_;
+                                                                            let _e2179 = triangles.member[(0u + _e1970)].v0_;
+                                                                            let _e2182 = (_e2177.x - _e2179.x);
+                                                                            let _e2185 = (_e2177.y - _e2179.y);
+                                                                            let _e2188 = (_e2177.z - _e2179.z);
+                                                                            if (_e1355 == 0u) {
+                                                                                phi_2761_ = vec3<f32>(_e2185, _e2188, _e2182);
                                                                             } else {
-                                                                                if (_e1358 == 1u) {
-                                                                                    phi_2760_ = vec3<f32>(_e2191, _e2185, _e2188);
+                                                                                if (_e1355 == 1u) {
+                                                                                    phi_2760_ = vec3<f32>(_e2188, _e2182, _e2185);
                                                                                 } else {
-                                                                                    phi_2760_ = (_e2180 - _e2182);
+                                                                                    phi_2760_ = (_e2177 - _e2179);
                                                                                 }
-                                                                                let _e2198 = phi_2760_;
-                                                                                phi_2761_ = _e2198;
+                                                                                let _e2195 = phi_2760_;
+                                                                                phi_2761_ = _e2195;
                                                                             }
-                                                                            let _e2200 = phi_2761_;
-                                                                            let _e2202 = triangles.member[(0u + _e1973)].v2_;
-                                                                            let _e2204 = triangles.member[(0u + _e1973)].v0_;
-                                                                            let _e2207 = (_e2202.x - _e2204.x);
-                                                                            let _e2210 = (_e2202.y - _e2204.y);
-                                                                            let _e2213 = (_e2202.z - _e2204.z);
-                                                                            if (_e1358 == 0u) {
-                                                                                phi_2787_ = vec3<f32>(_e2210, _e2213, _e2207);
+                                                                            let _e2197 = phi_2761_;
+                                                                            let _e2199 = triangles.member[(0u + _e1970)].v2_;
+                                                                            let _e2201 = triangles.member[(0u + _e1970)].v0_;
+                                                                            let _e2204 = (_e2199.x - _e2201.x);
+                                                                            let _e2207 = (_e2199.y - _e2201.y);
+                                                                            let _e2210 = (_e2199.z - _e2201.z);
+                                                                            if (_e1355 == 0u) {
+                                                                                phi_2787_ = vec3<f32>(_e2207, _e2210, _e2204);
                                                                             } else {
-                                                                                if (_e1358 == 1u) {
-                                                                                    phi_2786_ = vec3<f32>(_e2213, _e2207, _e2210);
+                                                                                if (_e1355 == 1u) {
+                                                                                    phi_2786_ = vec3<f32>(_e2210, _e2204, _e2207);
                                                                                 } else {
-                                                                                    phi_2786_ = (_e2202 - _e2204);
+                                                                                    phi_2786_ = (_e2199 - _e2201);
                                                                                 }
-                                                                                let _e2220 = phi_2786_;
-                                                                                phi_2787_ = _e2220;
+                                                                                let _e2217 = phi_2786_;
+                                                                                phi_2787_ = _e2217;
                                                                             }
-                                                                            let _e2222 = phi_2787_;
-                                                                            let _e2229 = ((_e2200.y * _e2222.z) - (_e2200.z * _e2222.y));
-                                                                            let _e2236 = ((_e2200.z * _e2222.x) - (_e2200.x * _e2222.z));
-                                                                            let _e2243 = ((_e2200.x * _e2222.y) - (_e2200.y * _e2222.x));
-                                                                            let _e2257 = (((1f / _e1366.z) * (((_e2229 * _e2178.x) + (_e2236 * _e2178.y)) + (_e2243 * _e2178.z))) / (((_e2229 * _e1369) + (_e2236 * _e1372)) + _e2243));
-                                                                            if (_e2257 > _e162.tmin) {
-                                                                                if (_e2257 < _e162.tmax) {
-                                                                                    let _e2261 = triangles.member[(0u + _e1973)].v0_;
-                                                                                    let _e2263 = triangles.member[(0u + _e1973)].v1_;
-                                                                                    if (_e2261.x < _e2263.x) {
-                                                                                        phi_2843_ = _e2261.x;
+                                                                            let _e2219 = phi_2787_;
+                                                                            let _e2226 = ((_e2197.y * _e2219.z) - (_e2197.z * _e2219.y));
+                                                                            let _e2233 = ((_e2197.z * _e2219.x) - (_e2197.x * _e2219.z));
+                                                                            let _e2240 = ((_e2197.x * _e2219.y) - (_e2197.y * _e2219.x));
+                                                                            let _e2254 = (((1f / _e1363.z) * (((_e2226 * _e2175.x) + (_e2233 * _e2175.y)) + (_e2240 * _e2175.z))) / (((_e2226 * _e1366) + (_e2233 * _e1369)) + _e2240));
+                                                                            if (_e2254 > _e162.tmin) {
+                                                                                if (_e2254 < _e162.tmax) {
+                                                                                    let _e2258 = triangles.member[(0u + _e1970)].v0_;
+                                                                                    let _e2260 = triangles.member[(0u + _e1970)].v1_;
+                                                                                    if (_e2258.x < _e2260.x) {
+                                                                                        phi_2843_ = _e2258.x;
                                                                                     } else {
-                                                                                        phi_2843_ = _e2263.x;
+                                                                                        phi_2843_ = _e2260.x;
                                                                                     }
-                                                                                    let _e2270 = phi_2843_;
-                                                                                    if (_e2261.y < _e2263.y) {
-                                                                                        phi_2852_ = _e2261.y;
+                                                                                    let _e2267 = phi_2843_;
+                                                                                    if (_e2258.y < _e2260.y) {
+                                                                                        phi_2852_ = _e2258.y;
                                                                                     } else {
-                                                                                        phi_2852_ = _e2263.y;
+                                                                                        phi_2852_ = _e2260.y;
                                                                                     }
-                                                                                    let _e2277 = phi_2852_;
-                                                                                    if (_e2261.z < _e2263.z) {
-                                                                                        phi_2861_ = _e2261.z;
+                                                                                    let _e2274 = phi_2852_;
+                                                                                    if (_e2258.z < _e2260.z) {
+                                                                                        phi_2861_ = _e2258.z;
                                                                                     } else {
-                                                                                        phi_2861_ = _e2263.z;
+                                                                                        phi_2861_ = _e2260.z;
                                                                                     }
-                                                                                    let _e2284 = phi_2861_;
-                                                                                    let _e2286 = triangles.member[(0u + _e1973)].v2_;
-                                                                                    if (_e2270 < _e2286.x) {
-                                                                                        phi_2870_ = _e2270;
+                                                                                    let _e2281 = phi_2861_;
+                                                                                    let _e2283 = triangles.member[(0u + _e1970)].v2_;
+                                                                                    if (_e2267 < _e2283.x) {
+                                                                                        phi_2870_ = _e2267;
                                                                                     } else {
-                                                                                        phi_2870_ = _e2286.x;
+                                                                                        phi_2870_ = _e2283.x;
                                                                                     }
-                                                                                    let _e2291 = phi_2870_;
-                                                                                    if (_e2277 < _e2286.y) {
-                                                                                        phi_2877_ = _e2277;
+                                                                                    let _e2288 = phi_2870_;
+                                                                                    if (_e2274 < _e2283.y) {
+                                                                                        phi_2877_ = _e2274;
                                                                                     } else {
-                                                                                        phi_2877_ = _e2286.y;
+                                                                                        phi_2877_ = _e2283.y;
                                                                                     }
-                                                                                    let _e2296 = phi_2877_;
-                                                                                    if (_e2284 < _e2286.z) {
-                                                                                        phi_2884_ = _e2284;
+                                                                                    let _e2293 = phi_2877_;
+                                                                                    if (_e2281 < _e2283.z) {
+                                                                                        phi_2884_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2884_ = _e2286.z;
+                                                                                        phi_2884_ = _e2283.z;
                                                                                     }
-                                                                                    let _e2301 = phi_2884_;
-                                                                                    let _e2303 = triangles.member[(0u + _e1973)].v0_;
-                                                                                    let _e2305 = triangles.member[(0u + _e1973)].v1_;
-                                                                                    if (_e2303.x > _e2305.x) {
-                                                                                        phi_2897_ = _e2303.x;
+                                                                                    let _e2298 = phi_2884_;
+                                                                                    let _e2300 = triangles.member[(0u + _e1970)].v0_;
+                                                                                    let _e2302 = triangles.member[(0u + _e1970)].v1_;
+                                                                                    if (_e2300.x > _e2302.x) {
+                                                                                        phi_2897_ = _e2300.x;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2305.x;
+                                                                                        phi_2897_ = _e2302.x;
                                                                                     }
-                                                                                    let _e2312 = phi_2897_;
-                                                                                    if (_e2303.y > _e2305.y) {
-                                                                                        phi_2906_ = _e2303.y;
+                                                                                    let _e2309 = phi_2897_;
+                                                                                    if (_e2300.y > _e2302.y) {
+                                                                                        phi_2906_ = _e2300.y;
                                                                                     } else {
-                                                                                        phi_2906_ = _e2305.y;
+                                                                                        phi_2906_ = _e2302.y;
                                                                                     }
-                                                                                    let _e2319 = phi_2906_;
-                                                                                    if (_e2303.z > _e2305.z) {
-                                                                                        phi_2915_ = _e2303.z;
+                                                                                    let _e2316 = phi_2906_;
+                                                                                    if (_e2300.z > _e2302.z) {
+                                                                                        phi_2915_ = _e2300.z;
                                                                                     } else {
-                                                                                        phi_2915_ = _e2305.z;
+                                                                                        phi_2915_ = _e2302.z;
                                                                                     }
-                                                                                    let _e2326 = phi_2915_;
-                                                                                    let _e2328 = triangles.member[(0u + _e1973)].v2_;
-                                                                                    if (_e2312 > _e2328.x) {
-                                                                                        phi_2924_ = _e2312;
+                                                                                    let _e2323 = phi_2915_;
+                                                                                    let _e2325 = triangles.member[(0u + _e1970)].v2_;
+                                                                                    if (_e2309 > _e2325.x) {
+                                                                                        phi_2924_ = _e2309;
                                                                                     } else {
-                                                                                        phi_2924_ = _e2328.x;
+                                                                                        phi_2924_ = _e2325.x;
                                                                                     }
-                                                                                    let _e2333 = phi_2924_;
-                                                                                    if (_e2319 > _e2328.y) {
-                                                                                        phi_2931_ = _e2319;
+                                                                                    let _e2330 = phi_2924_;
+                                                                                    if (_e2316 > _e2325.y) {
+                                                                                        phi_2931_ = _e2316;
                                                                                     } else {
-                                                                                        phi_2931_ = _e2328.y;
+                                                                                        phi_2931_ = _e2325.y;
                                                                                     }
-                                                                                    let _e2338 = phi_2931_;
-                                                                                    if (_e2326 > _e2328.z) {
-                                                                                        phi_2938_ = _e2326;
+                                                                                    let _e2335 = phi_2931_;
+                                                                                    if (_e2323 > _e2325.z) {
+                                                                                        phi_2938_ = _e2323;
                                                                                     } else {
-                                                                                        phi_2938_ = _e2328.z;
+                                                                                        phi_2938_ = _e2325.z;
                                                                                     }
-                                                                                    let _e2343 = phi_2938_;
-                                                                                    let _e2347 = ((_e2291 - _e1072) * _e1287);
-                                                                                    let _e2348 = ((_e2296 - _e1085) * _e1297);
-                                                                                    let _e2349 = ((_e2301 - _e1098) * _e1307);
-                                                                                    let _e2353 = ((_e2333 - _e1072) * _e1287);
-                                                                                    let _e2354 = ((_e2338 - _e1085) * _e1297);
-                                                                                    let _e2355 = ((_e2343 - _e1098) * _e1307);
-                                                                                    if (_e2347 < _e2353) {
-                                                                                        phi_2955_ = _e2347;
+                                                                                    let _e2340 = phi_2938_;
+                                                                                    let _e2344 = ((_e2288 - _e1069) * _e1284);
+                                                                                    let _e2345 = ((_e2293 - _e1082) * _e1294);
+                                                                                    let _e2346 = ((_e2298 - _e1095) * _e1304);
+                                                                                    let _e2350 = ((_e2330 - _e1069) * _e1284);
+                                                                                    let _e2351 = ((_e2335 - _e1082) * _e1294);
+                                                                                    let _e2352 = ((_e2340 - _e1095) * _e1304);
+                                                                                    if (_e2344 < _e2350) {
+                                                                                        phi_2955_ = _e2344;
                                                                                     } else {
-                                                                                        phi_2955_ = _e2353;
+                                                                                        phi_2955_ = _e2350;
                                                                                     }
-                                                                                    let _e2358 = phi_2955_;
-                                                                                    if (_e2348 < _e2354) {
-                                                                                        phi_2960_ = _e2348;
+                                                                                    let _e2355 = phi_2955_;
+                                                                                    if (_e2345 < _e2351) {
+                                                                                        phi_2960_ = _e2345;
                                                                                     } else {
-                                                                                        phi_2960_ = _e2354;
+                                                                                        phi_2960_ = _e2351;
                                                                                     }
-                                                                                    let _e2361 = phi_2960_;
-                                                                                    if (_e2349 < _e2355) {
-                                                                                        phi_2965_ = _e2349;
+                                                                                    let _e2358 = phi_2960_;
+                                                                                    if (_e2346 < _e2352) {
+                                                                                        phi_2965_ = _e2346;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2355;
+                                                                                        phi_2965_ = _e2352;
                                                                                     }
-                                                                                    let _e2364 = phi_2965_;
-                                                                                    if (_e2347 > _e2353) {
-                                                                                        phi_2973_ = _e2347;
+                                                                                    let _e2361 = phi_2965_;
+                                                                                    if (_e2344 > _e2350) {
+                                                                                        phi_2973_ = _e2344;
                                                                                     } else {
-                                                                                        phi_2973_ = _e2353;
+                                                                                        phi_2973_ = _e2350;
                                                                                     }
-                                                                                    let _e2370 = phi_2973_;
-                                                                                    if (_e2348 > _e2354) {
-                                                                                        phi_2978_ = _e2348;
+                                                                                    let _e2367 = phi_2973_;
+                                                                                    if (_e2345 > _e2351) {
+                                                                                        phi_2978_ = _e2345;
                                                                                     } else {
-                                                                                        phi_2978_ = _e2354;
+                                                                                        phi_2978_ = _e2351;
                                                                                     }
-                                                                                    let _e2373 = phi_2978_;
-                                                                                    if (_e2349 > _e2355) {
-                                                                                        phi_2983_ = _e2349;
+                                                                                    let _e2370 = phi_2978_;
+                                                                                    if (_e2346 > _e2352) {
+                                                                                        phi_2983_ = _e2346;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2355;
+                                                                                        phi_2983_ = _e2352;
                                                                                     }
-                                                                                    let _e2376 = phi_2983_;
-                                                                                    let _e2380 = core_intrinsics_maximum_number_nsz_f32_((_e2358 - _e1342), (_e2361 - _e1343));
-                                                                                    let _e2381 = core_intrinsics_maximum_number_nsz_f32_(_e2380, (_e2364 - _e1344));
-                                                                                    let _e2382 = core_intrinsics_minimum_number_nsz_f32_((_e2370 + _e1342), (_e2373 + _e1343));
-                                                                                    let _e2383 = core_intrinsics_minimum_number_nsz_f32_(_e2382, (_e2376 + _e1344));
-                                                                                    if (_e2381 > _e1047) {
-                                                                                        phi_2995_ = _e2381;
+                                                                                    let _e2373 = phi_2983_;
+                                                                                    let _e2377 = core_intrinsics_maximum_number_nsz_f32_((_e2355 - _e1339), (_e2358 - _e1340));
+                                                                                    let _e2378 = core_intrinsics_maximum_number_nsz_f32_(_e2377, (_e2361 - _e1341));
+                                                                                    let _e2379 = core_intrinsics_minimum_number_nsz_f32_((_e2367 + _e1339), (_e2370 + _e1340));
+                                                                                    let _e2380 = core_intrinsics_minimum_number_nsz_f32_(_e2379, (_e2373 + _e1341));
+                                                                                    if (_e2378 > _e1044) {
+                                                                                        phi_2995_ = _e2378;
                                                                                     } else {
-                                                                                        phi_2995_ = _e1047;
+                                                                                        phi_2995_ = _e1044;
                                                                                     }
-                                                                                    let _e2386 = phi_2995_;
-                                                                                    if (_e2383 < _e1049) {
-                                                                                        phi_3000_ = _e2383;
+                                                                                    let _e2383 = phi_2995_;
+                                                                                    if (_e2380 < _e1046) {
+                                                                                        phi_3000_ = _e2380;
                                                                                     } else {
-                                                                                        phi_3000_ = _e1049;
+                                                                                        phi_3000_ = _e1046;
                                                                                     }
-                                                                                    let _e2389 = phi_3000_;
-                                                                                    if (_e2257 < _e2386) {
-                                                                                        phi_3005_ = _e2386;
+                                                                                    let _e2386 = phi_3000_;
+                                                                                    if (_e2254 < _e2383) {
+                                                                                        phi_3005_ = _e2383;
                                                                                     } else {
-                                                                                        phi_3005_ = _e2257;
+                                                                                        phi_3005_ = _e2254;
                                                                                     }
-                                                                                    let _e2392 = phi_3005_;
-                                                                                    if (_e2392 > _e2389) {
+                                                                                    let _e2389 = phi_3005_;
+                                                                                    if (_e2389 > _e2386) {
+                                                                                        phi_3010_ = _e2386;
+                                                                                    } else {
                                                                                         phi_3010_ = _e2389;
-                                                                                    } else {
-                                                                                        phi_3010_ = _e2392;
                                                                                     }
-                                                                                    let _e2395 = phi_3010_;
-                                                                                    phi_3015_ = lt_bvh_triangle_Intersection(_e2395, (_e2098 / _e2157), (_e2119 / _e2157), (_e2386 <= _e2389));
+                                                                                    let _e2392 = phi_3010_;
+                                                                                    phi_3015_ = lt_bvh_triangle_Intersection(_e2392, (_e2095 / _e2154), (_e2116 / _e2154), (_e2383 <= _e2386));
                                                                                     phi_3016_ = false;
                                                                                 } else {
                                                                                     phi_3015_ = lt_bvh_triangle_Intersection();
                                                                                     phi_3016_ = true;
                                                                                 }
-                                                                                let _e2401 = phi_3015_;
-                                                                                let _e2403 = phi_3016_;
-                                                                                phi_3017_ = _e2401;
-                                                                                phi_3018_ = _e2403;
+                                                                                let _e2398 = phi_3015_;
+                                                                                let _e2400 = phi_3016_;
+                                                                                phi_3017_ = _e2398;
+                                                                                phi_3018_ = _e2400;
                                                                             } else {
                                                                                 phi_3017_ = lt_bvh_triangle_Intersection();
                                                                                 phi_3018_ = true;
                                                                             }
-                                                                            let _e2405 = phi_3017_;
-                                                                            let _e2407 = phi_3018_;
-                                                                            if _e2407 {
+                                                                            let _e2402 = phi_3017_;
+                                                                            let _e2404 = phi_3018_;
+                                                                            if _e2404 {
                                                                             }
-                                                                            phi_3022_ = _e2405;
-                                                                            phi_3023_ = _e2407;
+                                                                            phi_3022_ = _e2402;
+                                                                            phi_3023_ = _e2404;
                                                                         }
-                                                                        let _e2409 = phi_3022_;
-                                                                        let _e2411 = phi_3023_;
-                                                                        phi_3024_ = _e2409;
-                                                                        phi_3025_ = _e2160;
-                                                                        phi_3026_ = _e2411;
+                                                                        let _e2406 = phi_3022_;
+                                                                        let _e2408 = phi_3023_;
+                                                                        phi_3024_ = _e2406;
+                                                                        phi_3025_ = _e2157;
+                                                                        phi_3026_ = _e2408;
                                                                     } else {
                                                                         phi_3024_ = lt_bvh_triangle_Intersection();
                                                                         phi_3025_ = true;
                                                                         phi_3026_ = false;
                                                                     }
-                                                                    let _e2413 = phi_3024_;
-                                                                    let _e2415 = phi_3025_;
-                                                                    let _e2417 = phi_3026_;
-                                                                    if _e2415 {
+                                                                    let _e2410 = phi_3024_;
+                                                                    let _e2412 = phi_3025_;
+                                                                    let _e2414 = phi_3026_;
+                                                                    if _e2412 {
                                                                         phi_3030_ = true;
                                                                     } else {
-                                                                        phi_3030_ = _e2417;
+                                                                        phi_3030_ = _e2414;
                                                                     }
-                                                                    let _e2419 = phi_3030_;
-                                                                    if _e2419 {
+                                                                    let _e2416 = phi_3030_;
+                                                                    if _e2416 {
                                                                         phi_3034_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3034_ = _e2413;
+                                                                        phi_3034_ = _e2410;
                                                                     }
-                                                                    let _e2421 = phi_3034_;
-                                                                    if _e2421.is_hit {
-                                                                        if (_e2421.t > _e162.tmin) {
-                                                                            if (_e2421.t < _e1962.t) {
+                                                                    let _e2418 = phi_3034_;
+                                                                    if _e2418.is_hit {
+                                                                        if (_e2418.t > _e162.tmin) {
+                                                                            if (_e2418.t < _e1959.t) {
                                                                                 phi_3082_ = true;
                                                                             } else {
-                                                                                if (_e2421.t == _e1962.t) {
-                                                                                    if (_e1962.triangle != 4294967295u) {
-                                                                                        if (_e1973 < _e1962.triangle) {
+                                                                                if (_e2418.t == _e1959.t) {
+                                                                                    if (_e1959.triangle != 4294967295u) {
+                                                                                        if (_e1970 < _e1959.triangle) {
                                                                                             phi_3073_ = true;
                                                                                         } else {
-                                                                                            if (_e1973 == _e1962.triangle) {
-                                                                                                phi_3072_ = (_e988 < _e1962.instance);
+                                                                                            if (_e1970 == _e1959.triangle) {
+                                                                                                phi_3072_ = (_e985 < _e1959.instance);
                                                                                             } else {
                                                                                                 phi_3072_ = false;
                                                                                             }
-                                                                                            let _e2439 = phi_3072_;
-                                                                                            phi_3073_ = _e2439;
+                                                                                            let _e2436 = phi_3072_;
+                                                                                            phi_3073_ = _e2436;
                                                                                         }
-                                                                                        let _e2441 = phi_3073_;
-                                                                                        phi_3074_ = _e2441;
+                                                                                        let _e2438 = phi_3073_;
+                                                                                        phi_3074_ = _e2438;
                                                                                         phi_3075_ = false;
                                                                                     } else {
                                                                                         phi_3074_ = bool();
                                                                                         phi_3075_ = true;
                                                                                     }
-                                                                                    let _e2443 = phi_3074_;
-                                                                                    let _e2445 = phi_3075_;
-                                                                                    phi_3076_ = _e2443;
-                                                                                    phi_3077_ = _e2445;
+                                                                                    let _e2440 = phi_3074_;
+                                                                                    let _e2442 = phi_3075_;
+                                                                                    phi_3076_ = _e2440;
+                                                                                    phi_3077_ = _e2442;
                                                                                 } else {
                                                                                     phi_3076_ = bool();
                                                                                     phi_3077_ = true;
                                                                                 }
-                                                                                let _e2447 = phi_3076_;
-                                                                                let _e2449 = phi_3077_;
-                                                                                if _e2449 {
+                                                                                let _e2444 = phi_3076_;
+                                                                                let _e2446 = phi_3077_;
+                                                                                if _e2446 {
                                                                                     phi_3081_ = false;
                                                                                 } else {
-                                                                                    phi_3081_ = _e2447;
+                                                                                    phi_3081_ = _e2444;
                                                                                 }
-                                                                                let _e2451 = phi_3081_;
-                                                                                phi_3082_ = _e2451;
+                                                                                let _e2448 = phi_3081_;
+                                                                                phi_3082_ = _e2448;
                                                                             }
-                                                                            let _e2453 = phi_3082_;
-                                                                            if _e2453 {
-                                                                                let _e2455 = triangles.member[(0u + _e1973)].i0_;
-                                                                                if ((_e2455 & 2147483648u) == 0u) {
+                                                                            let _e2450 = phi_3082_;
+                                                                            if _e2450 {
+                                                                                let _e2452 = triangles.member[(0u + _e1970)].i0_;
+                                                                                if ((_e2452 & 2147483648u) == 0u) {
                                                                                     phi_3293_ = true;
                                                                                 } else {
-                                                                                    if (_e1973 < _e81) {
+                                                                                    if (_e1970 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2464 = triangles.member[(0u + _e1973)].i0_;
-                                                                                    let _e2465 = (_e2464 & 2147483647u);
-                                                                                    let _e2467 = triangles.member[(0u + _e1973)].i1_;
-                                                                                    let _e2469 = triangles.member[(0u + _e1973)].i2_;
-                                                                                    if (_e2465 < _e84) {
+                                                                                    let _e2461 = triangles.member[(0u + _e1970)].i0_;
+                                                                                    let _e2462 = (_e2461 & 2147483647u);
+                                                                                    let _e2464 = triangles.member[(0u + _e1970)].i1_;
+                                                                                    let _e2466 = triangles.member[(0u + _e1970)].i2_;
+                                                                                    if (_e2462 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2473 = vertices.member[(0u + _e2465)];
-                                                                                    if (_e2467 < _e84) {
+                                                                                    let _e2470 = vertices.member[(0u + _e2462)];
+                                                                                    if (_e2464 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2477 = vertices.member[(0u + _e2467)];
-                                                                                    if (_e2469 < _e84) {
+                                                                                    let _e2474 = vertices.member[(0u + _e2464)];
+                                                                                    if (_e2466 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2481 = vertices.member[(0u + _e2469)];
-                                                                                    let _e2482 = array<abi_Vertex, 3>(_e2473, _e2477, _e2481);
-                                                                                    if (_e2482[0].material < _e87) {
+                                                                                    let _e2478 = vertices.member[(0u + _e2466)];
+                                                                                    let _e2479 = array<abi_Vertex, 3>(_e2470, _e2474, _e2478);
+                                                                                    if (_e2479[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2488 = materials.member[(0u + _e2482[0].material)];
-                                                                                    if ((_e2488.flags & 0u) == 0u) {
-                                                                                        let _e2493 = ((1f - _e2421.u) - _e2421.v);
-                                                                                        if (_e2488.cutoff <= 0f) {
+                                                                                    let _e2485 = materials.member[(0u + _e2479[0].material)];
+                                                                                    if ((_e2485.flags & 0u) == 0u) {
+                                                                                        let _e2490 = ((1f - _e2418.u) - _e2418.v);
+                                                                                        if (_e2485.cutoff <= 0f) {
                                                                                             phi_3288_ = true;
                                                                                         } else {
-                                                                                            let _e2520 = (_e2488.base_color.w * ((((f32((_e2482[0].color >> bitcast<u32>(24i))) * _e2493) + (f32((_e2482[1].color >> bitcast<u32>(24i))) * _e2421.u)) + (f32((_e2482[2].color >> bitcast<u32>(24i))) * _e2421.v)) * (1f / 255f)));
-                                                                                            if (_e2488.alpha_size == 0u) {
-                                                                                                phi_3285_ = _e2520;
+                                                                                            let _e2517 = (_e2485.base_color.w * ((((f32((_e2479[0].color >> bitcast<u32>(24i))) * _e2490) + (f32((_e2479[1].color >> bitcast<u32>(24i))) * _e2418.u)) + (f32((_e2479[2].color >> bitcast<u32>(24i))) * _e2418.v)) * (1f / 255f)));
+                                                                                            if (_e2485.alpha_size == 0u) {
+                                                                                                phi_3285_ = _e2517;
                                                                                             } else {
-                                                                                                local_1.offset = _e2488.alpha_offset;
-                                                                                                local_1.size = _e2488.alpha_size;
-                                                                                                local_1.flags = _e2488.flags;
-                                                                                                let _e2551 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2482[0].u * _e2493) + (_e2482[1].u * _e2421.u)) + (_e2482[2].u * _e2421.v)), (((_e2482[0].v * _e2493) + (_e2482[1].v * _e2421.u)) + (_e2482[2].v * _e2421.v)));
-                                                                                                let _e2555 = (_e2551.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2555 < _e96) {
+                                                                                                local_1.offset = _e2485.alpha_offset;
+                                                                                                local_1.size = _e2485.alpha_size;
+                                                                                                local_1.flags = _e2485.flags;
+                                                                                                let _e2548 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2479[0].u * _e2490) + (_e2479[1].u * _e2418.u)) + (_e2479[2].u * _e2418.v)), (((_e2479[0].v * _e2490) + (_e2479[1].v * _e2418.u)) + (_e2479[2].v * _e2418.v)));
+                                                                                                let _e2552 = (_e2548.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2552 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2559 = alpha_texels.member[(0u + _e2555)];
-                                                                                                let _e2575 = (_e2551.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2575 < _e96) {
+                                                                                                let _e2556 = alpha_texels.member[(0u + _e2552)];
+                                                                                                let _e2572 = (_e2548.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2572 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2579 = alpha_texels.member[(0u + _e2575)];
-                                                                                                let _e2596 = (_e2551.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2596 < _e96) {
+                                                                                                let _e2576 = alpha_texels.member[(0u + _e2572)];
+                                                                                                let _e2593 = (_e2548.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2593 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2600 = alpha_texels.member[(0u + _e2596)];
-                                                                                                let _e2617 = (_e2551.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2617 < _e96) {
+                                                                                                let _e2597 = alpha_texels.member[(0u + _e2593)];
+                                                                                                let _e2614 = (_e2548.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2614 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2621 = alpha_texels.member[(0u + _e2617)];
-                                                                                                phi_3285_ = (_e2520 * (((((f32(((_e2559 >> bitcast<u32>((((_e2551.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.x) + ((f32(((_e2579 >> bitcast<u32>((((_e2551.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.y)) + ((f32(((_e2600 >> bitcast<u32>((((_e2551.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.z)) + ((f32(((_e2621 >> bitcast<u32>((((_e2551.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.w)));
+                                                                                                let _e2618 = alpha_texels.member[(0u + _e2614)];
+                                                                                                phi_3285_ = (_e2517 * (((((f32(((_e2556 >> bitcast<u32>((((_e2548.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2548.weights.x) + ((f32(((_e2576 >> bitcast<u32>((((_e2548.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2548.weights.y)) + ((f32(((_e2597 >> bitcast<u32>((((_e2548.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2548.weights.z)) + ((f32(((_e2618 >> bitcast<u32>((((_e2548.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2548.weights.w)));
                                                                                             }
-                                                                                            let _e2637 = phi_3285_;
-                                                                                            phi_3288_ = (_e2637 >= _e2488.cutoff);
+                                                                                            let _e2634 = phi_3285_;
+                                                                                            phi_3288_ = (_e2634 >= _e2485.cutoff);
                                                                                         }
-                                                                                        let _e2641 = phi_3288_;
-                                                                                        phi_3289_ = _e2641;
+                                                                                        let _e2638 = phi_3288_;
+                                                                                        phi_3289_ = _e2638;
                                                                                     } else {
                                                                                         phi_3289_ = false;
                                                                                     }
-                                                                                    let _e2643 = phi_3289_;
-                                                                                    if _e2643 {
+                                                                                    let _e2640 = phi_3289_;
+                                                                                    if _e2640 {
                                                                                     }
-                                                                                    phi_3293_ = _e2643;
+                                                                                    phi_3293_ = _e2640;
                                                                                 }
-                                                                                let _e2645 = phi_3293_;
-                                                                                if _e2645 {
-                                                                                    phi_3301_ = lt_bvh_Hit(_e2421.t, _e2421.u, _e2421.v, _e1973, _e988);
+                                                                                let _e2642 = phi_3293_;
+                                                                                if _e2642 {
+                                                                                    phi_3301_ = lt_bvh_Hit(_e2418.t, _e2418.u, _e2418.v, _e1970, _e985);
                                                                                 } else {
-                                                                                    phi_3301_ = _e1962;
+                                                                                    phi_3301_ = _e1959;
                                                                                 }
-                                                                                let _e2651 = phi_3301_;
-                                                                                phi_3302_ = _e2651;
+                                                                                let _e2648 = phi_3301_;
+                                                                                phi_3302_ = _e2648;
                                                                             } else {
-                                                                                phi_3302_ = _e1962;
+                                                                                phi_3302_ = _e1959;
                                                                             }
-                                                                            let _e2653 = phi_3302_;
-                                                                            phi_3303_ = _e2653;
+                                                                            let _e2650 = phi_3302_;
+                                                                            phi_3303_ = _e2650;
                                                                         } else {
-                                                                            phi_3303_ = _e1962;
+                                                                            phi_3303_ = _e1959;
                                                                         }
-                                                                        let _e2655 = phi_3303_;
-                                                                        phi_3304_ = _e2655;
+                                                                        let _e2652 = phi_3303_;
+                                                                        phi_3304_ = _e2652;
                                                                     } else {
-                                                                        phi_3304_ = _e1962;
+                                                                        phi_3304_ = _e1959;
                                                                     }
-                                                                    let _e2657 = phi_3304_;
-                                                                    phi_2464_ = _e2657;
-                                                                    phi_2467_ = (_e1964 & (_e1964 - 1u));
+                                                                    let _e2654 = phi_3304_;
+                                                                    phi_2464_ = _e2654;
+                                                                    phi_2467_ = (_e1961 & (_e1961 - 1u));
                                                                     phi_3305_ = true;
                                                                 }
-                                                                let _e2659 = phi_2464_;
-                                                                let _e2661 = phi_2467_;
-                                                                let _e2663 = phi_3305_;
+                                                                let _e2656 = phi_2464_;
+                                                                let _e2658 = phi_2467_;
+                                                                let _e2660 = phi_3305_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2659;
-                                                                    phi_2466_ = _e2661;
-                                                                    break if !(_e2663);
+                                                                    phi_2463_ = _e2656;
+                                                                    phi_2466_ = _e2658;
+                                                                    break if !(_e2660);
                                                                 }
                                                             }
-                                                            let _e2666 = local_2.group_mask;
-                                                            if ((_e2666 & 4278190080u) == 0u) {
-                                                                let _e2670 = local_2.len;
-                                                                if (_e2670 == 0u) {
+                                                            let _e2663 = local_2.group_mask;
+                                                            if ((_e2663 & 4278190080u) == 0u) {
+                                                                let _e2667 = local_2.len;
+                                                                if (_e2667 == 0u) {
                                                                     phi_3344_ = false;
                                                                 } else {
+                                                                    let _e2671 = local_2.len;
+                                                                    local_2.len = (_e2671 - 1u);
                                                                     let _e2674 = local_2.len;
-                                                                    local_2.len = (_e2674 - 1u);
-                                                                    let _e2677 = local_2.len;
-                                                                    if (_e2677 < 32u) {
+                                                                    if (_e2674 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2682 = local_2.first[(0u + _e2677)];
-                                                                    local_2.group = _e2682;
-                                                                    let _e2685 = local_2.len;
-                                                                    if (_e2685 < 32u) {
+                                                                    let _e2679 = local_2.first[(0u + _e2674)];
+                                                                    local_2.group = _e2679;
+                                                                    let _e2682 = local_2.len;
+                                                                    if (_e2682 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2690 = local_2.mask[(0u + _e2685)];
-                                                                    local_2.group_mask = _e2690;
+                                                                    let _e2687 = local_2.mask[(0u + _e2682)];
+                                                                    local_2.group_mask = _e2687;
                                                                     phi_3344_ = true;
                                                                 }
-                                                                let _e2693 = phi_3344_;
-                                                                phi_3345_ = _e2693;
+                                                                let _e2690 = phi_3344_;
+                                                                phi_3345_ = _e2690;
                                                             } else {
                                                                 phi_3345_ = true;
                                                             }
-                                                            let _e2695 = phi_3345_;
-                                                            if _e2695 {
-                                                                let _e2697 = local_2.group_mask;
-                                                                let _e2703 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2697)), 32u, (_e2697 == 0u)));
-                                                                let _e2707 = local_2.group_mask;
-                                                                let _e2721 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2721 & ~((1u << bitcast<u32>((_e2703 & 31u)))));
-                                                                let _e2724 = local_2.group;
-                                                                phi_3376_ = (_e2724 + countOneBits(((_e2707 & ~((4294967295u << bitcast<u32>((((_e2703 - 24u) ^ _e1385) & 31u))))) & 255u)));
+                                                            let _e2692 = phi_3345_;
+                                                            if _e2692 {
+                                                                let _e2694 = local_2.group_mask;
+                                                                let _e2700 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2694)), 32u, (_e2694 == 0u)));
+                                                                let _e2704 = local_2.group_mask;
+                                                                let _e2718 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2718 & ~((1u << bitcast<u32>((_e2700 & 31u)))));
+                                                                let _e2721 = local_2.group;
+                                                                phi_3376_ = (_e2721 + countOneBits(((_e2704 & ~((4294967295u << bitcast<u32>((((_e2700 - 24u) ^ _e1382) & 31u))))) & 255u)));
                                                             } else {
                                                                 phi_3376_ = 4294967295u;
                                                             }
-                                                            let _e2727 = phi_3376_;
-                                                            let _e3860 = local_10;
-                                                            phi_2131_ = _e3860;
-                                                            phi_2134_ = _e2727;
+                                                            let _e2724 = phi_3376_;
+                                                            let _e3857 = local_10;
+                                                            phi_2131_ = _e3857;
+                                                            phi_2134_ = _e2724;
                                                         } else {
                                                             phi_2131_ = lt_bvh_Hit();
                                                             phi_2134_ = u32();
                                                         }
-                                                        let _e2729 = phi_2131_;
-                                                        let _e2731 = phi_2134_;
+                                                        let _e2726 = phi_2131_;
+                                                        let _e2728 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2729;
-                                                            phi_2133_ = _e2731;
-                                                            break if !(_e1526);
+                                                            phi_2130_ = _e2726;
+                                                            phi_2133_ = _e2728;
+                                                            break if !(_e1523);
                                                         }
                                                     }
-                                                    let _e3864 = local_11;
-                                                    phi_3377_ = _e3864;
+                                                    let _e3861 = local_11;
+                                                    phi_3377_ = _e3861;
                                                 }
-                                                let _e2734 = phi_3377_;
-                                                phi_3378_ = _e2734;
-                                                phi_3379_ = _e1211;
+                                                let _e2731 = phi_3377_;
+                                                phi_3378_ = _e2731;
+                                                phi_3379_ = _e1208;
                                             } else {
                                                 phi_3378_ = lt_bvh_Hit();
                                                 phi_3379_ = true;
                                             }
-                                            let _e2736 = phi_3378_;
-                                            let _e2738 = phi_3379_;
-                                            if _e2738 {
-                                                phi_3383_ = _e980;
+                                            let _e2733 = phi_3378_;
+                                            let _e2735 = phi_3379_;
+                                            if _e2735 {
+                                                phi_3383_ = _e977;
                                             } else {
-                                                phi_3383_ = _e2736;
+                                                phi_3383_ = _e2733;
                                             }
-                                            let _e2740 = phi_3383_;
-                                            phi_3384_ = _e2740;
+                                            let _e2737 = phi_3383_;
+                                            phi_3384_ = _e2737;
                                         } else {
-                                            phi_3384_ = _e980;
+                                            phi_3384_ = _e977;
                                         }
-                                        let _e2742 = phi_3384_;
-                                        phi_3385_ = _e2742;
+                                        let _e2739 = phi_3384_;
+                                        phi_3385_ = _e2739;
                                     } else {
-                                        phi_3385_ = _e980;
+                                        phi_3385_ = _e977;
                                     }
-                                    let _e2744 = phi_3385_;
-                                    phi_3386_ = _e2744;
+                                    let _e2741 = phi_3385_;
+                                    phi_3386_ = _e2741;
                                 } else {
-                                    phi_3386_ = _e980;
+                                    phi_3386_ = _e977;
                                 }
-                                let _e2746 = phi_3386_;
-                                phi_1505_ = (_e978 & (_e978 - 1u));
-                                phi_1508_ = _e2746;
+                                let _e2743 = phi_3386_;
+                                phi_1505_ = (_e975 & (_e975 - 1u));
+                                phi_1508_ = _e2743;
                                 phi_3387_ = true;
                             }
-                            let _e2748 = phi_1505_;
-                            let _e2750 = phi_1508_;
-                            let _e2752 = phi_3387_;
+                            let _e2745 = phi_1505_;
+                            let _e2747 = phi_1508_;
+                            let _e2749 = phi_3387_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2748;
-                                phi_1507_ = _e2750;
-                                break if !(_e2752);
+                                phi_1504_ = _e2745;
+                                phi_1507_ = _e2747;
+                                break if !(_e2749);
                             }
                         }
-                        let _e2755 = local_3.group_mask;
-                        if ((_e2755 & 4278190080u) == 0u) {
-                            let _e2759 = local_3.len;
-                            if (_e2759 == 0u) {
+                        let _e2752 = local_3.group_mask;
+                        if ((_e2752 & 4278190080u) == 0u) {
+                            let _e2756 = local_3.len;
+                            if (_e2756 == 0u) {
                                 phi_3426_ = false;
                             } else {
+                                let _e2760 = local_3.len;
+                                local_3.len = (_e2760 - 1u);
                                 let _e2763 = local_3.len;
-                                local_3.len = (_e2763 - 1u);
-                                let _e2766 = local_3.len;
-                                if (_e2766 < 32u) {
+                                if (_e2763 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2771 = local_3.first[(0u + _e2766)];
-                                local_3.group = _e2771;
-                                let _e2774 = local_3.len;
-                                if (_e2774 < 32u) {
+                                let _e2768 = local_3.first[(0u + _e2763)];
+                                local_3.group = _e2768;
+                                let _e2771 = local_3.len;
+                                if (_e2771 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2779 = local_3.mask[(0u + _e2774)];
-                                local_3.group_mask = _e2779;
+                                let _e2776 = local_3.mask[(0u + _e2771)];
+                                local_3.group_mask = _e2776;
                                 phi_3426_ = true;
                             }
-                            let _e2782 = phi_3426_;
-                            phi_3427_ = _e2782;
+                            let _e2779 = phi_3426_;
+                            phi_3427_ = _e2779;
                         } else {
                             phi_3427_ = true;
                         }
-                        let _e2784 = phi_3427_;
-                        if _e2784 {
-                            let _e2786 = local_3.group_mask;
-                            let _e2792 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2786)), 32u, (_e2786 == 0u)));
-                            let _e2796 = local_3.group_mask;
-                            let _e2810 = local_3.group_mask;
-                            local_3.group_mask = (_e2810 & ~((1u << bitcast<u32>((_e2792 & 31u)))));
-                            let _e2813 = local_3.group;
-                            phi_3458_ = (_e2813 + countOneBits(((_e2796 & ~((4294967295u << bitcast<u32>((((_e2792 - 24u) ^ _e397) & 31u))))) & 255u)));
+                        let _e2781 = phi_3427_;
+                        if _e2781 {
+                            let _e2783 = local_3.group_mask;
+                            let _e2789 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2783)), 32u, (_e2783 == 0u)));
+                            let _e2793 = local_3.group_mask;
+                            let _e2807 = local_3.group_mask;
+                            local_3.group_mask = (_e2807 & ~((1u << bitcast<u32>((_e2789 & 31u)))));
+                            let _e2810 = local_3.group;
+                            phi_3458_ = (_e2810 + countOneBits(((_e2793 & ~((4294967295u << bitcast<u32>((((_e2789 - 24u) ^ _e394) & 31u))))) & 255u)));
                         } else {
                             phi_3458_ = 4294967295u;
                         }
-                        let _e2816 = phi_3458_;
-                        phi_1168_ = _e2816;
-                        let _e3880 = local_12;
-                        phi_1171_ = _e3880;
+                        let _e2813 = phi_3458_;
+                        phi_1168_ = _e2813;
+                        let _e3877 = local_12;
+                        phi_1171_ = _e3877;
                     } else {
                         phi_1168_ = u32();
                         phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2818 = phi_1168_;
-                    let _e2820 = phi_1171_;
+                    let _e2815 = phi_1168_;
+                    let _e2817 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2818;
-                        phi_1170_ = _e2820;
-                        break if !(_e538);
+                        phi_1167_ = _e2815;
+                        phi_1170_ = _e2817;
+                        break if !(_e535);
                     }
                 }
-                let _e3883 = local_13;
-                phi_3459_ = _e3883;
+                let _e3880 = local_13;
+                phi_3459_ = _e3880;
             }
-            let _e2823 = phi_3459_;
-            phi_3460_ = _e2823;
+            let _e2820 = phi_3459_;
+            phi_3460_ = _e2820;
             phi_3461_ = _e234;
         } else {
             phi_3460_ = lt_bvh_Hit();
             phi_3461_ = true;
         }
-        let _e2825 = phi_3460_;
-        let _e2827 = phi_3461_;
-        if _e2827 {
+        let _e2822 = phi_3460_;
+        let _e2824 = phi_3461_;
+        if _e2824 {
             phi_3465_ = _e164;
         } else {
-            phi_3465_ = _e2825;
+            phi_3465_ = _e2822;
         }
-        let _e2829 = phi_3465_;
-        if (_e2829.triangle != 4294967295u) {
-            let _e2835 = ((1f - _e2829.u) - _e2829.v);
-            if (_e2829.triangle < _e81) {
+        let _e2826 = phi_3465_;
+        if (_e2826.triangle != 4294967295u) {
+            let _e2832 = ((1f - _e2826.u) - _e2826.v);
+            if (_e2826.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2840 = triangles.member[(0u + _e2829.triangle)];
-            if (_e2829.instance < _e93) {
+            let _e2837 = triangles.member[(0u + _e2826.triangle)];
+            if (_e2826.instance < _e93) {
             } else {
                 return;
             }
-            let _e2851 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
-            let _e2862 = ((((_e2851.x * _e2840.v0_.x) + (_e2851.y * _e2840.v0_.y)) + (_e2851.z * _e2840.v0_.z)) + (_e2851.w * 1f));
-            let _e2864 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
-            let _e2875 = ((((_e2864.x * _e2840.v0_.x) + (_e2864.y * _e2840.v0_.y)) + (_e2864.z * _e2840.v0_.z)) + (_e2864.w * 1f));
-            let _e2877 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
-            let _e2888 = ((((_e2877.x * _e2840.v0_.x) + (_e2877.y * _e2840.v0_.y)) + (_e2877.z * _e2840.v0_.z)) + (_e2877.w * 1f));
-            let _e2895 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
-            let _e2906 = ((((_e2895.x * _e2840.v1_.x) + (_e2895.y * _e2840.v1_.y)) + (_e2895.z * _e2840.v1_.z)) + (_e2895.w * 1f));
-            let _e2908 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
-            let _e2919 = ((((_e2908.x * _e2840.v1_.x) + (_e2908.y * _e2840.v1_.y)) + (_e2908.z * _e2840.v1_.z)) + (_e2908.w * 1f));
-            let _e2921 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
-            let _e2932 = ((((_e2921.x * _e2840.v1_.x) + (_e2921.y * _e2840.v1_.y)) + (_e2921.z * _e2840.v1_.z)) + (_e2921.w * 1f));
-            let _e2939 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
-            let _e2950 = ((((_e2939.x * _e2840.v2_.x) + (_e2939.y * _e2840.v2_.y)) + (_e2939.z * _e2840.v2_.z)) + (_e2939.w * 1f));
-            let _e2952 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
-            let _e2963 = ((((_e2952.x * _e2840.v2_.x) + (_e2952.y * _e2840.v2_.y)) + (_e2952.z * _e2840.v2_.z)) + (_e2952.w * 1f));
-            let _e2965 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
-            let _e2976 = ((((_e2965.x * _e2840.v2_.x) + (_e2965.y * _e2840.v2_.y)) + (_e2965.z * _e2840.v2_.z)) + (_e2965.w * 1f));
-            let _e2989 = (((_e2862 * _e2835) + (_e2906 * _e2829.u)) + (_e2950 * _e2829.v));
-            let _e2990 = (((_e2875 * _e2835) + (_e2919 * _e2829.u)) + (_e2963 * _e2829.v));
-            let _e2991 = (((_e2888 * _e2835) + (_e2932 * _e2829.u)) + (_e2976 * _e2829.v));
-            let _e2993 = abs(_e2862);
-            let _e2994 = abs(_e2875);
-            let _e2995 = abs(_e2888);
-            let _e2996 = abs(_e2906);
-            let _e2997 = abs(_e2919);
-            let _e2998 = abs(_e2932);
-            if (_e2993 > _e2996) {
+            let _e2848 = instances.member[(0u + _e2826.instance)].object_to_world[0u];
+            let _e2859 = ((((_e2848.x * _e2837.v0_.x) + (_e2848.y * _e2837.v0_.y)) + (_e2848.z * _e2837.v0_.z)) + (_e2848.w * 1f));
+            let _e2861 = instances.member[(0u + _e2826.instance)].object_to_world[1u];
+            let _e2872 = ((((_e2861.x * _e2837.v0_.x) + (_e2861.y * _e2837.v0_.y)) + (_e2861.z * _e2837.v0_.z)) + (_e2861.w * 1f));
+            let _e2874 = instances.member[(0u + _e2826.instance)].object_to_world[2u];
+            let _e2885 = ((((_e2874.x * _e2837.v0_.x) + (_e2874.y * _e2837.v0_.y)) + (_e2874.z * _e2837.v0_.z)) + (_e2874.w * 1f));
+            let _e2892 = instances.member[(0u + _e2826.instance)].object_to_world[0u];
+            let _e2903 = ((((_e2892.x * _e2837.v1_.x) + (_e2892.y * _e2837.v1_.y)) + (_e2892.z * _e2837.v1_.z)) + (_e2892.w * 1f));
+            let _e2905 = instances.member[(0u + _e2826.instance)].object_to_world[1u];
+            let _e2916 = ((((_e2905.x * _e2837.v1_.x) + (_e2905.y * _e2837.v1_.y)) + (_e2905.z * _e2837.v1_.z)) + (_e2905.w * 1f));
+            let _e2918 = instances.member[(0u + _e2826.instance)].object_to_world[2u];
+            let _e2929 = ((((_e2918.x * _e2837.v1_.x) + (_e2918.y * _e2837.v1_.y)) + (_e2918.z * _e2837.v1_.z)) + (_e2918.w * 1f));
+            let _e2936 = instances.member[(0u + _e2826.instance)].object_to_world[0u];
+            let _e2947 = ((((_e2936.x * _e2837.v2_.x) + (_e2936.y * _e2837.v2_.y)) + (_e2936.z * _e2837.v2_.z)) + (_e2936.w * 1f));
+            let _e2949 = instances.member[(0u + _e2826.instance)].object_to_world[1u];
+            let _e2960 = ((((_e2949.x * _e2837.v2_.x) + (_e2949.y * _e2837.v2_.y)) + (_e2949.z * _e2837.v2_.z)) + (_e2949.w * 1f));
+            let _e2962 = instances.member[(0u + _e2826.instance)].object_to_world[2u];
+            let _e2973 = ((((_e2962.x * _e2837.v2_.x) + (_e2962.y * _e2837.v2_.y)) + (_e2962.z * _e2837.v2_.z)) + (_e2962.w * 1f));
+            let _e2986 = (((_e2859 * _e2832) + (_e2903 * _e2826.u)) + (_e2947 * _e2826.v));
+            let _e2987 = (((_e2872 * _e2832) + (_e2916 * _e2826.u)) + (_e2960 * _e2826.v));
+            let _e2988 = (((_e2885 * _e2832) + (_e2929 * _e2826.u)) + (_e2973 * _e2826.v));
+            let _e2990 = abs(_e2859);
+            let _e2991 = abs(_e2872);
+            let _e2992 = abs(_e2885);
+            let _e2993 = abs(_e2903);
+            let _e2994 = abs(_e2916);
+            let _e2995 = abs(_e2929);
+            if (_e2990 > _e2993) {
+                phi_3652_ = _e2990;
+            } else {
                 phi_3652_ = _e2993;
-            } else {
-                phi_3652_ = _e2996;
             }
-            let _e3001 = phi_3652_;
-            if (_e2994 > _e2997) {
+            let _e2998 = phi_3652_;
+            if (_e2991 > _e2994) {
+                phi_3657_ = _e2991;
+            } else {
                 phi_3657_ = _e2994;
-            } else {
-                phi_3657_ = _e2997;
             }
-            let _e3004 = phi_3657_;
-            if (_e2995 > _e2998) {
+            let _e3001 = phi_3657_;
+            if (_e2992 > _e2995) {
+                phi_3662_ = _e2992;
+            } else {
                 phi_3662_ = _e2995;
-            } else {
-                phi_3662_ = _e2998;
             }
-            let _e3007 = phi_3662_;
-            let _e3008 = abs(_e2950);
-            let _e3009 = abs(_e2963);
-            let _e3010 = abs(_e2976);
-            if (_e3001 > _e3008) {
-                phi_3670_ = _e3001;
+            let _e3004 = phi_3662_;
+            let _e3005 = abs(_e2947);
+            let _e3006 = abs(_e2960);
+            let _e3007 = abs(_e2973);
+            if (_e2998 > _e3005) {
+                phi_3670_ = _e2998;
             } else {
-                phi_3670_ = _e3008;
+                phi_3670_ = _e3005;
             }
-            let _e3013 = phi_3670_;
-            if (_e3004 > _e3009) {
-                phi_3675_ = _e3004;
+            let _e3010 = phi_3670_;
+            if (_e3001 > _e3006) {
+                phi_3675_ = _e3001;
             } else {
-                phi_3675_ = _e3009;
+                phi_3675_ = _e3006;
             }
-            let _e3016 = phi_3675_;
-            if (_e3007 > _e3010) {
+            let _e3013 = phi_3675_;
+            if (_e3004 > _e3007) {
+                phi_3680_ = _e3004;
+            } else {
                 phi_3680_ = _e3007;
-            } else {
-                phi_3680_ = _e3010;
             }
-            let _e3019 = phi_3680_;
-            let _e3020 = (_e2906 - _e2862);
-            let _e3021 = (_e2919 - _e2875);
-            let _e3022 = (_e2932 - _e2888);
-            let _e3023 = (_e2950 - _e2862);
-            let _e3024 = (_e2963 - _e2875);
-            let _e3025 = (_e2976 - _e2888);
-            let _e3029 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3021), abs(_e3022));
-            let _e3030 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3020), _e3029);
-            let _e3031 = (_e3020 / _e3030);
-            let _e3032 = (_e3021 / _e3030);
-            let _e3033 = (_e3022 / _e3030);
-            let _e3037 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), abs(_e3025));
-            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3023), _e3037);
-            let _e3039 = (_e3023 / _e3038);
-            let _e3040 = (_e3024 / _e3038);
-            let _e3041 = (_e3025 / _e3038);
-            let _e3044 = ((_e3032 * _e3041) - (_e3040 * _e3033));
-            let _e3047 = ((_e3033 * _e3039) - (_e3041 * _e3031));
-            let _e3050 = ((_e3031 * _e3040) - (_e3039 * _e3032));
-            let _e3052 = p.member.eye;
-            let _e3065 = (1f / sqrt((((_e3044 * _e3044) + (_e3047 * _e3047)) + (_e3050 * _e3050))));
-            let _e3066 = (_e3044 * _e3065);
-            let _e3067 = (_e3047 * _e3065);
-            let _e3068 = (_e3050 * _e3065);
-            if ((((_e3066 * (_e3052.x - _e2989)) + (_e3067 * (_e3052.y - _e2990))) + (_e3068 * (_e3052.z - _e2991))) < 0f) {
-                phi_3744_ = vec3<f32>(-(_e3066), -(_e3067), -(_e3068));
+            let _e3016 = phi_3680_;
+            let _e3017 = (_e2903 - _e2859);
+            let _e3018 = (_e2916 - _e2872);
+            let _e3019 = (_e2929 - _e2885);
+            let _e3020 = (_e2947 - _e2859);
+            let _e3021 = (_e2960 - _e2872);
+            let _e3022 = (_e2973 - _e2885);
+            let _e3026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3018), abs(_e3019));
+            let _e3027 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3017), _e3026);
+            let _e3028 = (_e3017 / _e3027);
+            let _e3029 = (_e3018 / _e3027);
+            let _e3030 = (_e3019 / _e3027);
+            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3021), abs(_e3022));
+            let _e3035 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3020), _e3034);
+            let _e3036 = (_e3020 / _e3035);
+            let _e3037 = (_e3021 / _e3035);
+            let _e3038 = (_e3022 / _e3035);
+            let _e3041 = ((_e3029 * _e3038) - (_e3037 * _e3030));
+            let _e3044 = ((_e3030 * _e3036) - (_e3038 * _e3028));
+            let _e3047 = ((_e3028 * _e3037) - (_e3036 * _e3029));
+            let _e3049 = p.member.eye;
+            let _e3062 = (1f / sqrt((((_e3041 * _e3041) + (_e3044 * _e3044)) + (_e3047 * _e3047))));
+            let _e3063 = (_e3041 * _e3062);
+            let _e3064 = (_e3044 * _e3062);
+            let _e3065 = (_e3047 * _e3062);
+            if ((((_e3063 * (_e3049.x - _e2986)) + (_e3064 * (_e3049.y - _e2987))) + (_e3065 * (_e3049.z - _e2988))) < 0f) {
+                phi_3744_ = vec3<f32>(-(_e3063), -(_e3064), -(_e3065));
             } else {
-                phi_3744_ = vec3<f32>(_e3066, _e3067, _e3068);
+                phi_3744_ = vec3<f32>(_e3063, _e3064, _e3065);
             }
-            let _e3081 = phi_3744_;
-            if (_e2829.triangle < _e81) {
+            let _e3078 = phi_3744_;
+            if (_e2826.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3086 = triangles.member[(0u + _e2829.triangle)];
-            let _e3088 = (_e3086.i0_ & 2147483647u);
-            if (_e3088 < _e84) {
+            let _e3083 = triangles.member[(0u + _e2826.triangle)];
+            let _e3085 = (_e3083.i0_ & 2147483647u);
+            if (_e3085 < _e84) {
             } else {
                 return;
             }
-            let _e3094 = vertices.member[(0u + _e3088)];
-            if (_e3086.i1_ < _e84) {
+            let _e3091 = vertices.member[(0u + _e3085)];
+            if (_e3083.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3098 = vertices.member[(0u + _e3086.i1_)];
-            if (_e3086.i2_ < _e84) {
+            let _e3095 = vertices.member[(0u + _e3083.i1_)];
+            if (_e3083.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3102 = vertices.member[(0u + _e3086.i2_)];
-            let _e3103 = array<abi_Vertex, 3>(_e3094, _e3098, _e3102);
-            if (_e3103[0].material < _e87) {
+            let _e3099 = vertices.member[(0u + _e3083.i2_)];
+            let _e3100 = array<abi_Vertex, 3>(_e3091, _e3095, _e3099);
+            if (_e3100[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3109 = materials.member[(0u + _e3103[0].material)];
-            let _e3126 = (1f / 255f);
-            let _e3145 = (1f / 255f);
-            let _e3167 = (1f / 255f);
-            if (_e3109.color_size == 0u) {
+            let _e3106 = materials.member[(0u + _e3100[0].material)];
+            let _e3123 = (1f / 255f);
+            let _e3142 = (1f / 255f);
+            let _e3164 = (1f / 255f);
+            if (_e3106.color_size == 0u) {
                 phi_3987_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3109.color_offset;
-                local.size = _e3109.color_size;
-                local.flags = _e3109.flags;
-                let _e3210 = _lt_shaders_texture_TextureView_quad((&local), (((_e3103[0].u * _e2835) + (_e3103[1].u * _e2829.u)) + (_e3103[2].u * _e2829.v)), (((_e3103[0].v * _e2835) + (_e3103[1].v * _e2829.u)) + (_e3103[2].v * _e2829.v)));
-                if (_e3210.indices[0] < _e99) {
+                local.offset = _e3106.color_offset;
+                local.size = _e3106.color_size;
+                local.flags = _e3106.flags;
+                let _e3207 = _lt_shaders_texture_TextureView_quad((&local), (((_e3100[0].u * _e2832) + (_e3100[1].u * _e2826.u)) + (_e3100[2].u * _e2826.v)), (((_e3100[0].v * _e2832) + (_e3100[1].v * _e2826.u)) + (_e3100[2].v * _e2826.v)));
+                if (_e3207.indices[0] < _e99) {
                 } else {
                     return;
                 }
-                let _e3216 = color_texels.member[(0u + _e3210.indices[0])];
-                let _e3227 = (1f / 255f);
-                if (_e3210.indices[1] < _e99) {
+                let _e3213 = color_texels.member[(0u + _e3207.indices[0])];
+                let _e3224 = (1f / 255f);
+                if (_e3207.indices[1] < _e99) {
                 } else {
                     return;
                 }
-                let _e3241 = color_texels.member[(0u + _e3210.indices[1])];
-                let _e3252 = (1f / 255f);
-                if (_e3210.indices[2] < _e99) {
+                let _e3238 = color_texels.member[(0u + _e3207.indices[1])];
+                let _e3249 = (1f / 255f);
+                if (_e3207.indices[2] < _e99) {
                 } else {
                     return;
                 }
-                let _e3269 = color_texels.member[(0u + _e3210.indices[2])];
-                let _e3280 = (1f / 255f);
-                if (_e3210.indices[3] < _e99) {
+                let _e3266 = color_texels.member[(0u + _e3207.indices[2])];
+                let _e3277 = (1f / 255f);
+                if (_e3207.indices[3] < _e99) {
                 } else {
                     return;
                 }
-                let _e3297 = color_texels.member[(0u + _e3210.indices[3])];
-                let _e3308 = (1f / 255f);
-                let _e3317 = (((((f32((_e3216 & 255u)) * _e3227) * _e3210.weights.x) + ((f32((_e3241 & 255u)) * _e3252) * _e3210.weights.y)) + ((f32((_e3269 & 255u)) * _e3280) * _e3210.weights.z)) + ((f32((_e3297 & 255u)) * _e3308) * _e3210.weights.w));
-                let _e3318 = (((((f32(((_e3216 >> bitcast<u32>(8i)) & 255u)) * _e3227) * _e3210.weights.x) + ((f32(((_e3241 >> bitcast<u32>(8i)) & 255u)) * _e3252) * _e3210.weights.y)) + ((f32(((_e3269 >> bitcast<u32>(8i)) & 255u)) * _e3280) * _e3210.weights.z)) + ((f32(((_e3297 >> bitcast<u32>(8i)) & 255u)) * _e3308) * _e3210.weights.w));
-                let _e3319 = (((((f32(((_e3216 >> bitcast<u32>(16i)) & 255u)) * _e3227) * _e3210.weights.x) + ((f32(((_e3241 >> bitcast<u32>(16i)) & 255u)) * _e3252) * _e3210.weights.y)) + ((f32(((_e3269 >> bitcast<u32>(16i)) & 255u)) * _e3280) * _e3210.weights.z)) + ((f32(((_e3297 >> bitcast<u32>(16i)) & 255u)) * _e3308) * _e3210.weights.w));
-                phi_3987_ = vec3<f32>((_e3317 * _e3317), (_e3318 * _e3318), (_e3319 * _e3319));
+                let _e3294 = color_texels.member[(0u + _e3207.indices[3])];
+                let _e3305 = (1f / 255f);
+                let _e3314 = (((((f32((_e3213 & 255u)) * _e3224) * _e3207.weights.x) + ((f32((_e3238 & 255u)) * _e3249) * _e3207.weights.y)) + ((f32((_e3266 & 255u)) * _e3277) * _e3207.weights.z)) + ((f32((_e3294 & 255u)) * _e3305) * _e3207.weights.w));
+                let _e3315 = (((((f32(((_e3213 >> bitcast<u32>(8i)) & 255u)) * _e3224) * _e3207.weights.x) + ((f32(((_e3238 >> bitcast<u32>(8i)) & 255u)) * _e3249) * _e3207.weights.y)) + ((f32(((_e3266 >> bitcast<u32>(8i)) & 255u)) * _e3277) * _e3207.weights.z)) + ((f32(((_e3294 >> bitcast<u32>(8i)) & 255u)) * _e3305) * _e3207.weights.w));
+                let _e3316 = (((((f32(((_e3213 >> bitcast<u32>(16i)) & 255u)) * _e3224) * _e3207.weights.x) + ((f32(((_e3238 >> bitcast<u32>(16i)) & 255u)) * _e3249) * _e3207.weights.y)) + ((f32(((_e3266 >> bitcast<u32>(16i)) & 255u)) * _e3277) * _e3207.weights.z)) + ((f32(((_e3294 >> bitcast<u32>(16i)) & 255u)) * _e3305) * _e3207.weights.w));
+                phi_3987_ = vec3<f32>((_e3314 * _e3314), (_e3315 * _e3315), (_e3316 * _e3316));
             }
-            let _e3325 = phi_3987_;
-            let _e3327 = ((_e3109.base_color.x * ((((f32((_e3103[0].color & 255u)) * _e3126) * _e2835) + ((f32((_e3103[1].color & 255u)) * _e3145) * _e2829.u)) + ((f32((_e3103[2].color & 255u)) * _e3167) * _e2829.v))) * _e3325.x);
-            let _e3329 = ((_e3109.base_color.y * ((((f32(((_e3103[0].color >> bitcast<u32>(8i)) & 255u)) * _e3126) * _e2835) + ((f32(((_e3103[1].color >> bitcast<u32>(8i)) & 255u)) * _e3145) * _e2829.u)) + ((f32(((_e3103[2].color >> bitcast<u32>(8i)) & 255u)) * _e3167) * _e2829.v))) * _e3325.y);
-            let _e3331 = ((_e3109.base_color.z * ((((f32(((_e3103[0].color >> bitcast<u32>(16i)) & 255u)) * _e3126) * _e2835) + ((f32(((_e3103[1].color >> bitcast<u32>(16i)) & 255u)) * _e3145) * _e2829.u)) + ((f32(((_e3103[2].color >> bitcast<u32>(16i)) & 255u)) * _e3167) * _e2829.v))) * _e3325.z);
-            let _e3332 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3016, _e3019);
-            let _e3333 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3013, _e3332);
-            if ((_e3109.flags & 2u) == 0u) {
+            let _e3322 = phi_3987_;
+            let _e3324 = ((_e3106.base_color.x * ((((f32((_e3100[0].color & 255u)) * _e3123) * _e2832) + ((f32((_e3100[1].color & 255u)) * _e3142) * _e2826.u)) + ((f32((_e3100[2].color & 255u)) * _e3164) * _e2826.v))) * _e3322.x);
+            let _e3326 = ((_e3106.base_color.y * ((((f32(((_e3100[0].color >> bitcast<u32>(8i)) & 255u)) * _e3123) * _e2832) + ((f32(((_e3100[1].color >> bitcast<u32>(8i)) & 255u)) * _e3142) * _e2826.u)) + ((f32(((_e3100[2].color >> bitcast<u32>(8i)) & 255u)) * _e3164) * _e2826.v))) * _e3322.y);
+            let _e3328 = ((_e3106.base_color.z * ((((f32(((_e3100[0].color >> bitcast<u32>(16i)) & 255u)) * _e3123) * _e2832) + ((f32(((_e3100[1].color >> bitcast<u32>(16i)) & 255u)) * _e3142) * _e2826.u)) + ((f32(((_e3100[2].color >> bitcast<u32>(16i)) & 255u)) * _e3164) * _e2826.v))) * _e3322.z);
+            let _e3329 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3013, _e3016);
+            let _e3330 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3010, _e3329);
+            if ((_e3106.flags & 2u) == 0u) {
                 phi_4002_ = 0u;
             } else {
                 phi_4002_ = 1u;
             }
-            let _e3338 = phi_4002_;
-            if (_e3103[0].normal == 2147516416u) {
-                phi_4232_ = _e3081;
+            let _e3335 = phi_4002_;
+            if (_e3100[0].normal == 2147516416u) {
+                phi_4232_ = _e3078;
             } else {
-                let _e3351 = (f32((bitcast<i32>((_e3103[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3357 = (f32((bitcast<i32>(_e3103[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3361 = ((1f - abs(_e3351)) - abs(_e3357));
-                if (_e3361 < 0f) {
-                    phi_4029_ = -(_e3361);
+                let _e3348 = (f32((bitcast<i32>((_e3100[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3354 = (f32((bitcast<i32>(_e3100[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3358 = ((1f - abs(_e3348)) - abs(_e3354));
+                if (_e3358 < 0f) {
+                    phi_4029_ = -(_e3358);
                 } else {
                     phi_4029_ = 0f;
                 }
-                let _e3365 = phi_4029_;
-                if (_e3351 < 0f) {
-                    phi_4036_ = (_e3351 + _e3365);
+                let _e3362 = phi_4029_;
+                if (_e3348 < 0f) {
+                    phi_4036_ = (_e3348 + _e3362);
                 } else {
-                    phi_4036_ = (_e3351 - _e3365);
+                    phi_4036_ = (_e3348 - _e3362);
                 }
-                let _e3370 = phi_4036_;
-                if (_e3357 < 0f) {
-                    phi_4043_ = (_e3357 + _e3365);
+                let _e3367 = phi_4036_;
+                if (_e3354 < 0f) {
+                    phi_4043_ = (_e3354 + _e3362);
                 } else {
-                    phi_4043_ = (_e3357 - _e3365);
+                    phi_4043_ = (_e3354 - _e3362);
                 }
-                let _e3375 = phi_4043_;
-                let _e3382 = (1f / sqrt((((_e3370 * _e3370) + (_e3375 * _e3375)) + (_e3361 * _e3361))));
-                let _e3398 = (f32((bitcast<i32>((_e3103[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3404 = (f32((bitcast<i32>(_e3103[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3408 = ((1f - abs(_e3398)) - abs(_e3404));
-                if (_e3408 < 0f) {
-                    phi_4078_ = -(_e3408);
+                let _e3372 = phi_4043_;
+                let _e3379 = (1f / sqrt((((_e3367 * _e3367) + (_e3372 * _e3372)) + (_e3358 * _e3358))));
+                let _e3395 = (f32((bitcast<i32>((_e3100[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3401 = (f32((bitcast<i32>(_e3100[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3405 = ((1f - abs(_e3395)) - abs(_e3401));
+                if (_e3405 < 0f) {
+                    phi_4078_ = -(_e3405);
                 } else {
                     phi_4078_ = 0f;
                 }
-                let _e3412 = phi_4078_;
-                if (_e3398 < 0f) {
-                    phi_4085_ = (_e3398 + _e3412);
+                let _e3409 = phi_4078_;
+                if (_e3395 < 0f) {
+                    phi_4085_ = (_e3395 + _e3409);
                 } else {
-                    phi_4085_ = (_e3398 - _e3412);
+                    phi_4085_ = (_e3395 - _e3409);
                 }
-                let _e3417 = phi_4085_;
-                if (_e3404 < 0f) {
-                    phi_4092_ = (_e3404 + _e3412);
+                let _e3414 = phi_4085_;
+                if (_e3401 < 0f) {
+                    phi_4092_ = (_e3401 + _e3409);
                 } else {
-                    phi_4092_ = (_e3404 - _e3412);
+                    phi_4092_ = (_e3401 - _e3409);
                 }
-                let _e3422 = phi_4092_;
-                let _e3429 = (1f / sqrt((((_e3417 * _e3417) + (_e3422 * _e3422)) + (_e3408 * _e3408))));
-                let _e3448 = (f32((bitcast<i32>((_e3103[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3454 = (f32((bitcast<i32>(_e3103[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3458 = ((1f - abs(_e3448)) - abs(_e3454));
-                if (_e3458 < 0f) {
-                    phi_4130_ = -(_e3458);
+                let _e3419 = phi_4092_;
+                let _e3426 = (1f / sqrt((((_e3414 * _e3414) + (_e3419 * _e3419)) + (_e3405 * _e3405))));
+                let _e3445 = (f32((bitcast<i32>((_e3100[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3451 = (f32((bitcast<i32>(_e3100[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3455 = ((1f - abs(_e3445)) - abs(_e3451));
+                if (_e3455 < 0f) {
+                    phi_4130_ = -(_e3455);
                 } else {
                     phi_4130_ = 0f;
                 }
-                let _e3462 = phi_4130_;
-                if (_e3448 < 0f) {
-                    phi_4137_ = (_e3448 + _e3462);
+                let _e3459 = phi_4130_;
+                if (_e3445 < 0f) {
+                    phi_4137_ = (_e3445 + _e3459);
                 } else {
-                    phi_4137_ = (_e3448 - _e3462);
+                    phi_4137_ = (_e3445 - _e3459);
                 }
-                let _e3467 = phi_4137_;
-                if (_e3454 < 0f) {
-                    phi_4144_ = (_e3454 + _e3462);
+                let _e3464 = phi_4137_;
+                if (_e3451 < 0f) {
+                    phi_4144_ = (_e3451 + _e3459);
                 } else {
-                    phi_4144_ = (_e3454 - _e3462);
+                    phi_4144_ = (_e3451 - _e3459);
                 }
-                let _e3472 = phi_4144_;
-                let _e3479 = (1f / sqrt((((_e3467 * _e3467) + (_e3472 * _e3472)) + (_e3458 * _e3458))));
-                let _e3486 = ((((_e3370 * _e3382) * _e2835) + ((_e3417 * _e3429) * _e2829.u)) + ((_e3467 * _e3479) * _e2829.v));
-                let _e3487 = ((((_e3375 * _e3382) * _e2835) + ((_e3422 * _e3429) * _e2829.u)) + ((_e3472 * _e3479) * _e2829.v));
-                let _e3488 = ((((_e3361 * _e3382) * _e2835) + ((_e3408 * _e3429) * _e2829.u)) + ((_e3458 * _e3479) * _e2829.v));
-                if (_e2829.instance < _e93) {
+                let _e3469 = phi_4144_;
+                let _e3476 = (1f / sqrt((((_e3464 * _e3464) + (_e3469 * _e3469)) + (_e3455 * _e3455))));
+                let _e3483 = ((((_e3367 * _e3379) * _e2832) + ((_e3414 * _e3426) * _e2826.u)) + ((_e3464 * _e3476) * _e2826.v));
+                let _e3484 = ((((_e3372 * _e3379) * _e2832) + ((_e3419 * _e3426) * _e2826.u)) + ((_e3469 * _e3476) * _e2826.v));
+                let _e3485 = ((((_e3358 * _e3379) * _e2832) + ((_e3405 * _e3426) * _e2826.u)) + ((_e3455 * _e3476) * _e2826.v));
+                if (_e2826.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3495 = instances.member[(0u + _e2829.instance)].world_to_object[0u];
-                let _e3504 = instances.member[(0u + _e2829.instance)].world_to_object[1u];
-                let _e3516 = instances.member[(0u + _e2829.instance)].world_to_object[2u];
-                let _e3523 = (((_e3495.x * _e3486) + (_e3504.x * _e3487)) + (_e3516.x * _e3488));
-                let _e3524 = (((_e3495.y * _e3486) + (_e3504.y * _e3487)) + (_e3516.y * _e3488));
-                let _e3525 = (((_e3495.z * _e3486) + (_e3504.z * _e3487)) + (_e3516.z * _e3488));
-                let _e3531 = sqrt((((_e3523 * _e3523) + (_e3524 * _e3524)) + (_e3525 * _e3525)));
-                if (_e3531 > 0f) {
-                    let _e3533 = (_e3523 / _e3531);
-                    let _e3534 = (_e3524 / _e3531);
-                    let _e3535 = (_e3525 / _e3531);
-                    if ((((_e3533 * _e3081.x) + (_e3534 * _e3081.y)) + (_e3535 * _e3081.z)) < 0f) {
-                        phi_4230_ = vec3<f32>(-(_e3533), -(_e3534), -(_e3535));
+                let _e3492 = instances.member[(0u + _e2826.instance)].world_to_object[0u];
+                let _e3501 = instances.member[(0u + _e2826.instance)].world_to_object[1u];
+                let _e3513 = instances.member[(0u + _e2826.instance)].world_to_object[2u];
+                let _e3520 = (((_e3492.x * _e3483) + (_e3501.x * _e3484)) + (_e3513.x * _e3485));
+                let _e3521 = (((_e3492.y * _e3483) + (_e3501.y * _e3484)) + (_e3513.y * _e3485));
+                let _e3522 = (((_e3492.z * _e3483) + (_e3501.z * _e3484)) + (_e3513.z * _e3485));
+                let _e3528 = sqrt((((_e3520 * _e3520) + (_e3521 * _e3521)) + (_e3522 * _e3522)));
+                if (_e3528 > 0f) {
+                    let _e3530 = (_e3520 / _e3528);
+                    let _e3531 = (_e3521 / _e3528);
+                    let _e3532 = (_e3522 / _e3528);
+                    if ((((_e3530 * _e3078.x) + (_e3531 * _e3078.y)) + (_e3532 * _e3078.z)) < 0f) {
+                        phi_4230_ = vec3<f32>(-(_e3530), -(_e3531), -(_e3532));
                     } else {
-                        phi_4230_ = vec3<f32>(_e3533, _e3534, _e3535);
+                        phi_4230_ = vec3<f32>(_e3530, _e3531, _e3532);
                     }
-                    let _e3551 = phi_4230_;
-                    phi_4231_ = _e3551;
+                    let _e3548 = phi_4230_;
+                    phi_4231_ = _e3548;
                 } else {
-                    phi_4231_ = _e3081;
+                    phi_4231_ = _e3078;
                 }
-                let _e3553 = phi_4231_;
-                phi_4232_ = _e3553;
+                let _e3550 = phi_4231_;
+                phi_4232_ = _e3550;
             }
-            let _e3555 = phi_4232_;
-            if (_e3327 > 0f) {
-                if (_e3327 < 1f) {
-                    phi_4241_ = _e3327;
+            let _e3552 = phi_4232_;
+            if (_e3324 > 0f) {
+                if (_e3324 < 1f) {
+                    phi_4241_ = _e3324;
                 } else {
                     phi_4241_ = 1f;
                 }
-                let _e3559 = phi_4241_;
-                phi_4242_ = _e3559;
+                let _e3556 = phi_4241_;
+                phi_4242_ = _e3556;
             } else {
                 phi_4242_ = 0f;
             }
-            let _e3561 = phi_4242_;
-            if (_e3329 > 0f) {
-                if (_e3329 < 1f) {
-                    phi_4252_ = _e3329;
+            let _e3558 = phi_4242_;
+            if (_e3326 > 0f) {
+                if (_e3326 < 1f) {
+                    phi_4252_ = _e3326;
                 } else {
                     phi_4252_ = 1f;
                 }
-                let _e3566 = phi_4252_;
-                phi_4253_ = _e3566;
+                let _e3563 = phi_4252_;
+                phi_4253_ = _e3563;
             } else {
                 phi_4253_ = 0f;
             }
-            let _e3568 = phi_4253_;
-            if (_e3331 > 0f) {
-                if (_e3331 < 1f) {
-                    phi_4263_ = _e3331;
+            let _e3565 = phi_4253_;
+            if (_e3328 > 0f) {
+                if (_e3328 < 1f) {
+                    phi_4263_ = _e3328;
                 } else {
                     phi_4263_ = 1f;
                 }
-                let _e3573 = phi_4263_;
-                phi_4264_ = _e3573;
+                let _e3570 = phi_4263_;
+                phi_4264_ = _e3570;
             } else {
                 phi_4264_ = 0f;
             }
-            let _e3575 = phi_4264_;
-            let _e3578 = ((sqrt(_e3561) * 255f) + 0.5f);
-            let _e3587 = ((sqrt(_e3568) * 255f) + 0.5f);
-            let _e3599 = ((sqrt(_e3575) * 255f) + 0.5f);
-            phi_4299_ = abi_Sample(vec3<f32>(_e2989, _e2990, _e2991), _e3333, _e3081, _e3338, _e3555, ((select(select(u32(_e3578), 0u, (_e3578 < bitcast<f32>(0u))), 4294967295u, (_e3578 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3587), 0u, (_e3587 < bitcast<f32>(0u))), 4294967295u, (_e3587 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3599), 0u, (_e3599 < bitcast<f32>(0u))), 4294967295u, (_e3599 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3572 = phi_4264_;
+            let _e3575 = ((sqrt(_e3558) * 255f) + 0.5f);
+            let _e3584 = ((sqrt(_e3565) * 255f) + 0.5f);
+            let _e3596 = ((sqrt(_e3572) * 255f) + 0.5f);
+            phi_4299_ = abi_Sample(vec3<f32>(_e2986, _e2987, _e2988), _e3330, _e3078, _e3335, _e3552, ((select(select(u32(_e3575), 0u, (_e3575 < bitcast<f32>(0u))), 4294967295u, (_e3575 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3584), 0u, (_e3584 < bitcast<f32>(0u))), 4294967295u, (_e3584 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3596), 0u, (_e3596 < bitcast<f32>(0u))), 4294967295u, (_e3596 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_4299_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3613 = phi_4299_;
+        let _e3610 = phi_4299_;
         if (_e105.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.shift)] = _e3613;
+        samples.member[(0u + _e105.shift)] = _e3610;
     }
     return;
 }

@@ -1083,2139 +1083,2139 @@ fn function_() {
                 } else {
                     phi_925_ = abs(_e170.direction.x);
                 }
-                let _e319 = phi_925_;
+                let _e318 = phi_925_;
                 if (_e170.direction.x < 0f) {
-                    phi_932_ = (-1f / _e319);
+                    phi_932_ = (-1f / _e318);
                 } else {
-                    phi_932_ = (1f / _e319);
+                    phi_932_ = (1f / _e318);
                 }
-                let _e324 = phi_932_;
+                let _e323 = phi_932_;
                 if (abs(_e170.direction.y) < _e312) {
                     phi_940_ = _e312;
                 } else {
                     phi_940_ = abs(_e170.direction.y);
                 }
-                let _e331 = phi_940_;
+                let _e329 = phi_940_;
                 if (_e170.direction.y < 0f) {
-                    phi_947_ = (-1f / _e331);
+                    phi_947_ = (-1f / _e329);
                 } else {
-                    phi_947_ = (1f / _e331);
+                    phi_947_ = (1f / _e329);
                 }
-                let _e336 = phi_947_;
+                let _e334 = phi_947_;
                 if (abs(_e170.direction.z) < _e312) {
                     phi_955_ = _e312;
                 } else {
                     phi_955_ = abs(_e170.direction.z);
                 }
-                let _e343 = phi_955_;
+                let _e340 = phi_955_;
                 if (_e170.direction.z < 0f) {
-                    phi_962_ = (-1f / _e343);
+                    phi_962_ = (-1f / _e340);
                 } else {
-                    phi_962_ = (1f / _e343);
+                    phi_962_ = (1f / _e340);
                 }
-                let _e348 = phi_962_;
-                let _e356 = abs((bitcast<f32>(_e248) - _e170.origin.x));
-                let _e357 = abs((bitcast<f32>(_e252) - _e170.origin.y));
-                let _e358 = abs((bitcast<f32>(_e256) - _e170.origin.z));
-                let _e366 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e272 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.x));
-                let _e367 = abs(((bitcast<f32>(_e264) + (bitcast<f32>((((_e272 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.y));
-                let _e368 = abs(((bitcast<f32>(_e268) + (bitcast<f32>((((_e272 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.z));
-                if (_e356 > _e366) {
-                    phi_987_ = _e356;
+                let _e345 = phi_962_;
+                let _e353 = abs((bitcast<f32>(_e248) - _e170.origin.x));
+                let _e354 = abs((bitcast<f32>(_e252) - _e170.origin.y));
+                let _e355 = abs((bitcast<f32>(_e256) - _e170.origin.z));
+                let _e363 = abs(((bitcast<f32>(_e260) + (bitcast<f32>((((_e272 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.x));
+                let _e364 = abs(((bitcast<f32>(_e264) + (bitcast<f32>((((_e272 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.y));
+                let _e365 = abs(((bitcast<f32>(_e268) + (bitcast<f32>((((_e272 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e170.origin.z));
+                if (_e353 > _e363) {
+                    phi_987_ = _e353;
                 } else {
-                    phi_987_ = _e366;
+                    phi_987_ = _e363;
                 }
-                let _e371 = phi_987_;
-                if (_e357 > _e367) {
-                    phi_992_ = _e357;
+                let _e368 = phi_987_;
+                if (_e354 > _e364) {
+                    phi_992_ = _e354;
                 } else {
-                    phi_992_ = _e367;
+                    phi_992_ = _e364;
                 }
-                let _e374 = phi_992_;
-                if (_e358 > _e368) {
-                    phi_997_ = _e358;
+                let _e371 = phi_992_;
+                if (_e355 > _e365) {
+                    phi_997_ = _e355;
                 } else {
-                    phi_997_ = _e368;
+                    phi_997_ = _e365;
                 }
-                let _e377 = phi_997_;
-                let _e378 = core_intrinsics_maximum_number_nsz_f32_(_e371, _e374);
-                let _e379 = core_intrinsics_maximum_number_nsz_f32_(_e378, _e377);
-                let _e384 = (_e379 * 0.0000019073486f);
-                let _e385 = (abs(_e324) * _e384);
-                let _e386 = (abs(_e336) * _e384);
-                let _e387 = (abs(_e348) * _e384);
-                let _e391 = (_e379 * 0.0000009536743f);
-                let _e392 = (abs(_e324) * _e391);
-                let _e393 = (abs(_e336) * _e391);
-                let _e394 = (abs(_e348) * _e391);
-                if (_e324 < 0f) {
+                let _e374 = phi_997_;
+                let _e375 = core_intrinsics_maximum_number_nsz_f32_(_e368, _e371);
+                let _e376 = core_intrinsics_maximum_number_nsz_f32_(_e375, _e374);
+                let _e381 = (_e376 * 0.0000019073486f);
+                let _e382 = (abs(_e323) * _e381);
+                let _e383 = (abs(_e334) * _e381);
+                let _e384 = (abs(_e345) * _e381);
+                let _e388 = (_e376 * 0.0000009536743f);
+                let _e389 = (abs(_e323) * _e388);
+                let _e390 = (abs(_e334) * _e388);
+                let _e391 = (abs(_e345) * _e388);
+                if (_e323 < 0f) {
                     phi_1019_ = 0u;
                 } else {
                     phi_1019_ = 1u;
                 }
-                let _e397 = phi_1019_;
-                if (_e336 < 0f) {
+                let _e394 = phi_1019_;
+                if (_e334 < 0f) {
                     phi_1024_ = 0u;
                 } else {
                     phi_1024_ = 2u;
                 }
-                let _e400 = phi_1024_;
-                if (_e348 < 0f) {
+                let _e397 = phi_1024_;
+                if (_e345 < 0f) {
                     phi_1029_ = 0u;
                 } else {
                     phi_1029_ = 4u;
                 }
-                let _e403 = phi_1029_;
-                let _e405 = ((_e397 | _e400) | _e403);
-                let _e406 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e119, 2147483648u);
-                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e406.first[0], _e406.first[1], _e406.first[2], _e406.first[3], _e406.first[4], _e406.first[5], _e406.first[6], _e406.first[7], _e406.first[8], _e406.first[9], _e406.first[10], _e406.first[11], _e406.first[12], _e406.first[13], _e406.first[14], _e406.first[15], _e406.first[16], _e406.first[17], _e406.first[18], _e406.first[19], _e406.first[20], _e406.first[21], _e406.first[22], _e406.first[23], _e406.first[24], _e406.first[25], _e406.first[26], _e406.first[27], _e406.first[28], _e406.first[29], _e406.first[30], _e406.first[31]), array<u32, 32>(_e406.mask[0], _e406.mask[1], _e406.mask[2], _e406.mask[3], _e406.mask[4], _e406.mask[5], _e406.mask[6], _e406.mask[7], _e406.mask[8], _e406.mask[9], _e406.mask[10], _e406.mask[11], _e406.mask[12], _e406.mask[13], _e406.mask[14], _e406.mask[15], _e406.mask[16], _e406.mask[17], _e406.mask[18], _e406.mask[19], _e406.mask[20], _e406.mask[21], _e406.mask[22], _e406.mask[23], _e406.mask[24], _e406.mask[25], _e406.mask[26], _e406.mask[27], _e406.mask[28], _e406.mask[29], _e406.mask[30], _e406.mask[31]), _e406.len, _e406.group, _e406.group_mask);
-                let _e480 = local_3.group_mask;
-                if ((_e480 & 4278190080u) == 0u) {
-                    let _e484 = local_3.len;
-                    if (_e484 == 0u) {
+                let _e400 = phi_1029_;
+                let _e402 = ((_e394 | _e397) | _e400);
+                let _e403 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e119, 2147483648u);
+                local_3 = lt_bvh_traverse_Stack(array<u32, 32>(_e403.first[0], _e403.first[1], _e403.first[2], _e403.first[3], _e403.first[4], _e403.first[5], _e403.first[6], _e403.first[7], _e403.first[8], _e403.first[9], _e403.first[10], _e403.first[11], _e403.first[12], _e403.first[13], _e403.first[14], _e403.first[15], _e403.first[16], _e403.first[17], _e403.first[18], _e403.first[19], _e403.first[20], _e403.first[21], _e403.first[22], _e403.first[23], _e403.first[24], _e403.first[25], _e403.first[26], _e403.first[27], _e403.first[28], _e403.first[29], _e403.first[30], _e403.first[31]), array<u32, 32>(_e403.mask[0], _e403.mask[1], _e403.mask[2], _e403.mask[3], _e403.mask[4], _e403.mask[5], _e403.mask[6], _e403.mask[7], _e403.mask[8], _e403.mask[9], _e403.mask[10], _e403.mask[11], _e403.mask[12], _e403.mask[13], _e403.mask[14], _e403.mask[15], _e403.mask[16], _e403.mask[17], _e403.mask[18], _e403.mask[19], _e403.mask[20], _e403.mask[21], _e403.mask[22], _e403.mask[23], _e403.mask[24], _e403.mask[25], _e403.mask[26], _e403.mask[27], _e403.mask[28], _e403.mask[29], _e403.mask[30], _e403.mask[31]), _e403.len, _e403.group, _e403.group_mask);
+                let _e477 = local_3.group_mask;
+                if ((_e477 & 4278190080u) == 0u) {
+                    let _e481 = local_3.len;
+                    if (_e481 == 0u) {
                         phi_1143_ = false;
                     } else {
+                        let _e485 = local_3.len;
+                        local_3.len = (_e485 - 1u);
                         let _e488 = local_3.len;
-                        local_3.len = (_e488 - 1u);
-                        let _e491 = local_3.len;
-                        if (_e491 < 32u) {
+                        if (_e488 < 32u) {
                         } else {
                             return;
                         }
-                        let _e496 = local_3.first[(0u + _e491)];
-                        local_3.group = _e496;
-                        let _e499 = local_3.len;
-                        if (_e499 < 32u) {
+                        let _e493 = local_3.first[(0u + _e488)];
+                        local_3.group = _e493;
+                        let _e496 = local_3.len;
+                        if (_e496 < 32u) {
                         } else {
                             return;
                         }
-                        let _e504 = local_3.mask[(0u + _e499)];
-                        local_3.group_mask = _e504;
+                        let _e501 = local_3.mask[(0u + _e496)];
+                        local_3.group_mask = _e501;
                         phi_1143_ = true;
                     }
-                    let _e507 = phi_1143_;
-                    phi_1144_ = _e507;
+                    let _e504 = phi_1143_;
+                    phi_1144_ = _e504;
                 } else {
                     phi_1144_ = true;
                 }
-                let _e509 = phi_1144_;
-                if _e509 {
-                    let _e511 = local_3.group_mask;
-                    let _e517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e511)), 32u, (_e511 == 0u)));
-                    let _e521 = local_3.group_mask;
-                    let _e535 = local_3.group_mask;
-                    local_3.group_mask = (_e535 & ~((1u << bitcast<u32>((_e517 & 31u)))));
-                    let _e538 = local_3.group;
-                    phi_1175_ = (_e538 + countOneBits(((_e521 & ~((4294967295u << bitcast<u32>((((_e517 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e506 = phi_1144_;
+                if _e506 {
+                    let _e508 = local_3.group_mask;
+                    let _e514 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e508)), 32u, (_e508 == 0u)));
+                    let _e518 = local_3.group_mask;
+                    let _e532 = local_3.group_mask;
+                    local_3.group_mask = (_e532 & ~((1u << bitcast<u32>((_e514 & 31u)))));
+                    let _e535 = local_3.group;
+                    phi_1175_ = (_e535 + countOneBits(((_e518 & ~((4294967295u << bitcast<u32>((((_e514 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1175_ = 4294967295u;
                 }
-                let _e541 = phi_1175_;
-                phi_1177_ = _e541;
+                let _e538 = phi_1175_;
+                phi_1177_ = _e538;
                 phi_1180_ = _e172;
                 loop {
-                    let _e543 = phi_1177_;
-                    let _e545 = phi_1180_;
-                    local_13 = _e545;
-                    let _e546 = (_e543 != 4294967295u);
-                    if _e546 {
-                        if (_e543 < _e80) {
+                    let _e540 = phi_1177_;
+                    let _e542 = phi_1180_;
+                    local_13 = _e542;
+                    let _e543 = (_e540 != 4294967295u);
+                    if _e543 {
+                        if (_e540 < _e80) {
                         } else {
                             return;
                         }
-                        let _e554 = nodes.member[(0u + _e543)].frame[3u];
-                        let _e579 = (bitcast<f32>((((_e554 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e580 = (bitcast<f32>((((_e554 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e336);
-                        let _e581 = (bitcast<f32>((((_e554 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e348);
-                        let _e584 = nodes.member[(0u + _e543)].frame[0u];
-                        let _e588 = nodes.member[(0u + _e543)].frame[1u];
-                        let _e592 = nodes.member[(0u + _e543)].frame[2u];
-                        let _e600 = ((bitcast<f32>(_e584) - _e170.origin.x) * _e324);
-                        let _e601 = ((bitcast<f32>(_e588) - _e170.origin.y) * _e336);
-                        let _e602 = ((bitcast<f32>(_e592) - _e170.origin.z) * _e348);
-                        let _e610 = nodes.member[(0u + _e543)].x;
-                        if (_e324 < 0f) {
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.unnamed.word, _e610.w), _e621.unnamed_1);
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e610.x, _e627.unnamed_1.shift));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e633.unnamed_1.word, _e610.y));
+                        let _e551 = nodes.member[(0u + _e540)].frame[3u];
+                        let _e576 = (bitcast<f32>((((_e551 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
+                        let _e577 = (bitcast<f32>((((_e551 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e334);
+                        let _e578 = (bitcast<f32>((((_e551 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e345);
+                        let _e581 = nodes.member[(0u + _e540)].frame[0u];
+                        let _e585 = nodes.member[(0u + _e540)].frame[1u];
+                        let _e589 = nodes.member[(0u + _e540)].frame[2u];
+                        let _e597 = ((bitcast<f32>(_e581) - _e170.origin.x) * _e323);
+                        let _e598 = ((bitcast<f32>(_e585) - _e170.origin.y) * _e334);
+                        let _e599 = ((bitcast<f32>(_e589) - _e170.origin.z) * _e345);
+                        let _e607 = nodes.member[(0u + _e540)].x;
+                        if (_e323 < 0f) {
+                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.unnamed.word, _e607.w), _e618.unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_mask_LightPlace(_e607.x, _e624.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_mask_LightPlace(_e630.unnamed_1.word, _e607.y));
                         } else {
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e610.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.unnamed.word, _e610.y), _e649.unnamed_1);
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e610.z, _e655.unnamed_1.shift));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_mask_LightPlace(_e661.unnamed_1.word, _e610.w));
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e607.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.unnamed.word, _e607.y), _e646.unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_mask_LightPlace(_e607.z, _e652.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e658.unnamed_1.word, _e607.w));
                         }
-                        let _e669 = phi_1265_;
-                        let _e679 = nodes.member[(0u + _e543)].y;
-                        if (_e336 < 0f) {
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.unnamed.word, _e679.w), _e690.unnamed_1);
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e679.x, _e696.unnamed_1.shift));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e702.unnamed_1.word, _e679.y));
+                        let _e666 = phi_1265_;
+                        let _e676 = nodes.member[(0u + _e540)].y;
+                        if (_e334 < 0f) {
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.unnamed.word, _e676.w), _e687.unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_mask_LightPlace(_e676.x, _e693.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e699.unnamed_1.word, _e676.y));
                         } else {
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.unnamed.word, _e679.y), _e718.unnamed_1);
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e679.z, _e724.unnamed_1.shift));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_mask_LightPlace(_e730.unnamed_1.word, _e679.w));
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e676.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.unnamed.word, _e676.y), _e715.unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_mask_LightPlace(_e676.z, _e721.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e727.unnamed_1.word, _e676.w));
                         }
-                        let _e738 = phi_1292_;
-                        let _e748 = nodes.member[(0u + _e543)].z;
-                        if (_e348 < 0f) {
-                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.unnamed.word, _e748.w), _e759.unnamed_1);
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e748.x, _e765.unnamed_1.shift));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e771.unnamed_1.word, _e748.y));
+                        let _e735 = phi_1292_;
+                        let _e745 = nodes.member[(0u + _e540)].z;
+                        if (_e345 < 0f) {
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.unnamed.word, _e745.w), _e756.unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_mask_LightPlace(_e745.x, _e762.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e768.unnamed_1.word, _e745.y));
                         } else {
-                            let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.unnamed.word, _e748.y), _e787.unnamed_1);
-                            let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e748.z, _e793.unnamed_1.shift));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_mask_LightPlace(_e799.unnamed_1.word, _e748.w));
+                            let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e745.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.unnamed.word, _e745.y), _e784.unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_mask_LightPlace(_e745.z, _e790.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e796.unnamed_1.word, _e745.w));
                         }
-                        let _e807 = phi_1319_;
+                        let _e804 = phi_1319_;
                         phi_1325_ = 0u;
                         phi_1328_ = 0u;
                         loop {
-                            let _e817 = phi_1325_;
-                            let _e819 = phi_1328_;
-                            local_4 = _e819;
-                            local_5 = _e819;
-                            local_6 = _e819;
-                            let _e820 = (_e817 < 8u);
-                            if _e820 {
-                                let _e822 = (_e817 >> bitcast<u32>(2i));
-                                let _e823 = (_e817 & 3u);
-                                if (_e822 == 0u) {
-                                    phi_1342_ = _e669.unnamed.word;
+                            let _e814 = phi_1325_;
+                            let _e816 = phi_1328_;
+                            local_4 = _e816;
+                            local_5 = _e816;
+                            local_6 = _e816;
+                            let _e817 = (_e814 < 8u);
+                            if _e817 {
+                                let _e819 = (_e814 >> bitcast<u32>(2i));
+                                let _e820 = (_e814 & 3u);
+                                if (_e819 == 0u) {
+                                    phi_1342_ = _e666.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e669.unnamed.shift;
+                                    phi_1342_ = _e666.unnamed.shift;
                                 }
-                                let _e826 = phi_1342_;
-                                if (_e822 == 0u) {
-                                    phi_1352_ = _e738.unnamed.word;
+                                let _e823 = phi_1342_;
+                                if (_e819 == 0u) {
+                                    phi_1352_ = _e735.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e738.unnamed.shift;
+                                    phi_1352_ = _e735.unnamed.shift;
                                 }
-                                let _e835 = phi_1352_;
-                                if (_e822 == 0u) {
-                                    phi_1362_ = _e807.unnamed.word;
+                                let _e832 = phi_1352_;
+                                if (_e819 == 0u) {
+                                    phi_1362_ = _e804.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e807.unnamed.shift;
+                                    phi_1362_ = _e804.unnamed.shift;
                                 }
-                                let _e844 = phi_1362_;
-                                let _e857 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e826 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 - _e385)), ((f32(((_e835 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e386)));
-                                let _e858 = core_intrinsics_maximum_number_nsz_f32_(_e857, ((f32(((_e844 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e387)));
-                                if (_e822 == 0u) {
-                                    phi_1380_ = _e669.unnamed_1.word;
+                                let _e841 = phi_1362_;
+                                let _e854 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e823 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)), ((f32(((_e832 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e577) + (_e598 - _e383)));
+                                let _e855 = core_intrinsics_maximum_number_nsz_f32_(_e854, ((f32(((_e841 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e578) + (_e599 - _e384)));
+                                if (_e819 == 0u) {
+                                    phi_1380_ = _e666.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e669.unnamed_1.shift;
+                                    phi_1380_ = _e666.unnamed_1.shift;
                                 }
-                                let _e861 = phi_1380_;
-                                if (_e822 == 0u) {
-                                    phi_1390_ = _e738.unnamed_1.word;
+                                let _e858 = phi_1380_;
+                                if (_e819 == 0u) {
+                                    phi_1390_ = _e735.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e738.unnamed_1.shift;
+                                    phi_1390_ = _e735.unnamed_1.shift;
                                 }
-                                let _e870 = phi_1390_;
-                                if (_e822 == 0u) {
-                                    phi_1400_ = _e807.unnamed_1.word;
+                                let _e867 = phi_1390_;
+                                if (_e819 == 0u) {
+                                    phi_1400_ = _e804.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e807.unnamed_1.shift;
+                                    phi_1400_ = _e804.unnamed_1.shift;
                                 }
-                                let _e879 = phi_1400_;
-                                let _e892 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e861 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e579) + (_e600 + _e385)), ((f32(((_e870 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e386)));
-                                let _e893 = core_intrinsics_minimum_number_nsz_f32_(_e892, ((f32(((_e879 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u)) * _e581) + (_e602 + _e387)));
-                                if (_e858 <= _e893) {
-                                    if (_e858 <= _e545.t) {
-                                        if (_e893 >= _e170.tmin) {
-                                            if (_e822 == 0u) {
-                                                let _e900 = nodes.member[(0u + _e543)].links[2u];
+                                let _e876 = phi_1400_;
+                                let _e889 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e858 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)), ((f32(((_e867 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e577) + (_e598 + _e383)));
+                                let _e890 = core_intrinsics_minimum_number_nsz_f32_(_e889, ((f32(((_e876 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u)) * _e578) + (_e599 + _e384)));
+                                if (_e855 <= _e890) {
+                                    if (_e855 <= _e542.t) {
+                                        if (_e890 >= _e170.tmin) {
+                                            if (_e819 == 0u) {
+                                                let _e897 = nodes.member[(0u + _e540)].links[2u];
+                                                phi_1436_ = _e897;
+                                            } else {
+                                                let _e900 = nodes.member[(0u + _e540)].links[3u];
                                                 phi_1436_ = _e900;
-                                            } else {
-                                                let _e903 = nodes.member[(0u + _e543)].links[3u];
-                                                phi_1436_ = _e903;
                                             }
-                                            let _e905 = phi_1436_;
-                                            let _e910 = ((_e905 >> bitcast<u32>(((_e823 * 8u) & 31u))) & 255u);
-                                            let _e911 = (_e910 & 31u);
-                                            if (_e911 >= 24u) {
-                                                phi_1449_ = (24u + ((_e911 - 24u) ^ _e405));
+                                            let _e902 = phi_1436_;
+                                            let _e907 = ((_e902 >> bitcast<u32>(((_e820 * 8u) & 31u))) & 255u);
+                                            let _e908 = (_e907 & 31u);
+                                            if (_e908 >= 24u) {
+                                                phi_1449_ = (24u + ((_e908 - 24u) ^ _e402));
                                             } else {
-                                                phi_1449_ = _e911;
+                                                phi_1449_ = _e908;
                                             }
-                                            let _e917 = phi_1449_;
-                                            phi_1454_ = (_e819 | ((_e910 >> bitcast<u32>(5i)) << bitcast<u32>((_e917 & 31u))));
+                                            let _e914 = phi_1449_;
+                                            phi_1454_ = (_e816 | ((_e907 >> bitcast<u32>(5i)) << bitcast<u32>((_e914 & 31u))));
                                         } else {
-                                            phi_1454_ = _e819;
+                                            phi_1454_ = _e816;
                                         }
-                                        let _e925 = phi_1454_;
-                                        phi_1455_ = _e925;
+                                        let _e922 = phi_1454_;
+                                        phi_1455_ = _e922;
                                     } else {
-                                        phi_1455_ = _e819;
+                                        phi_1455_ = _e816;
                                     }
-                                    let _e927 = phi_1455_;
-                                    phi_1456_ = _e927;
+                                    let _e924 = phi_1455_;
+                                    phi_1456_ = _e924;
                                 } else {
-                                    phi_1456_ = _e819;
+                                    phi_1456_ = _e816;
                                 }
-                                let _e929 = phi_1456_;
-                                phi_1326_ = (_e817 + 1u);
-                                phi_1329_ = _e929;
+                                let _e926 = phi_1456_;
+                                phi_1326_ = (_e814 + 1u);
+                                phi_1329_ = _e926;
                             } else {
                                 phi_1326_ = u32();
                                 phi_1329_ = u32();
                             }
-                            let _e932 = phi_1326_;
-                            let _e934 = phi_1329_;
+                            let _e929 = phi_1326_;
+                            let _e931 = phi_1329_;
                             continue;
                             continuing {
-                                phi_1325_ = _e932;
-                                phi_1328_ = _e934;
-                                break if !(_e820);
+                                phi_1325_ = _e929;
+                                phi_1328_ = _e931;
+                                break if !(_e817);
                             }
                         }
-                        let _e938 = nodes.member[(0u + _e543)].links[0u];
-                        let _e942 = nodes.member[(0u + _e543)].frame[3u];
-                        let _e946 = local_4;
-                        if ((_e946 & 4278190080u) == 0u) {
+                        let _e935 = nodes.member[(0u + _e540)].links[0u];
+                        let _e939 = nodes.member[(0u + _e540)].frame[3u];
+                        let _e943 = local_4;
+                        if ((_e943 & 4278190080u) == 0u) {
                         } else {
-                            let _e950 = local_3.group_mask;
-                            if ((_e950 & 4278190080u) == 0u) {
+                            let _e947 = local_3.group_mask;
+                            if ((_e947 & 4278190080u) == 0u) {
                             } else {
-                                let _e954 = local_3.len;
-                                if (_e954 < 32u) {
-                                    let _e957 = local_3.group;
-                                    let _e959 = local_3.len;
-                                    if (_e959 < 32u) {
+                                let _e951 = local_3.len;
+                                if (_e951 < 32u) {
+                                    let _e954 = local_3.group;
+                                    let _e956 = local_3.len;
+                                    if (_e956 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.first[(0u + _e959)] = _e957;
-                                    let _e965 = local_3.group_mask;
-                                    let _e967 = local_3.len;
-                                    if (_e967 < 32u) {
+                                    local_3.first[(0u + _e956)] = _e954;
+                                    let _e962 = local_3.group_mask;
+                                    let _e964 = local_3.len;
+                                    if (_e964 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_3.mask[(0u + _e967)] = _e965;
-                                    let _e974 = local_3.len;
-                                    local_3.len = (_e974 + 1u);
+                                    local_3.mask[(0u + _e964)] = _e962;
+                                    let _e971 = local_3.len;
+                                    local_3.len = (_e971 + 1u);
                                 }
                             }
-                            local_3.group = (_e119 + _e938);
-                            let _e978 = local_5;
-                            local_3.group_mask = ((_e978 & 4278190080u) | (_e942 >> bitcast<u32>(24i)));
+                            local_3.group = (_e119 + _e935);
+                            let _e975 = local_5;
+                            local_3.group_mask = ((_e975 & 4278190080u) | (_e939 >> bitcast<u32>(24i)));
                         }
-                        let _e983 = local_6;
-                        phi_1514_ = (_e983 & 16777215u);
-                        phi_1517_ = _e545;
+                        let _e980 = local_6;
+                        phi_1514_ = (_e980 & 16777215u);
+                        phi_1517_ = _e542;
                         loop {
-                            let _e986 = phi_1514_;
-                            let _e988 = phi_1517_;
-                            local_12 = _e988;
-                            if (_e986 == 0u) {
+                            let _e983 = phi_1514_;
+                            let _e985 = phi_1517_;
+                            local_12 = _e985;
+                            if (_e983 == 0u) {
                                 phi_1515_ = u32();
                                 phi_1518_ = lt_bvh_Hit();
                                 phi_3397_ = false;
                             } else {
-                                let _e992 = nodes.member[(0u + _e543)].links[1u];
-                                let _e996 = (_e992 + select(firstTrailingBit(_e986), 32u, (_e986 == 0u)));
-                                if (_e996 < _e95) {
+                                let _e989 = nodes.member[(0u + _e540)].links[1u];
+                                let _e993 = (_e989 + select(firstTrailingBit(_e983), 32u, (_e983 == 0u)));
+                                if (_e993 < _e95) {
                                 } else {
                                     return;
                                 }
-                                let _e1003 = instances.member[(0u + _e996)].low_world;
-                                let _e1005 = instances.member[(0u + _e996)].high_world;
-                                let _e1015 = ((_e1003.x - _e170.origin.x) * _e324);
-                                let _e1016 = ((_e1003.y - _e170.origin.y) * _e336);
-                                let _e1017 = ((_e1003.z - _e170.origin.z) * _e348);
-                                let _e1027 = ((_e1005.x - _e170.origin.x) * _e324);
-                                let _e1028 = ((_e1005.y - _e170.origin.y) * _e336);
-                                let _e1029 = ((_e1005.z - _e170.origin.z) * _e348);
-                                if (_e1015 < _e1027) {
-                                    phi_1572_ = _e1015;
+                                let _e1000 = instances.member[(0u + _e993)].low_world;
+                                let _e1002 = instances.member[(0u + _e993)].high_world;
+                                let _e1012 = ((_e1000.x - _e170.origin.x) * _e323);
+                                let _e1013 = ((_e1000.y - _e170.origin.y) * _e334);
+                                let _e1014 = ((_e1000.z - _e170.origin.z) * _e345);
+                                let _e1024 = ((_e1002.x - _e170.origin.x) * _e323);
+                                let _e1025 = ((_e1002.y - _e170.origin.y) * _e334);
+                                let _e1026 = ((_e1002.z - _e170.origin.z) * _e345);
+                                if (_e1012 < _e1024) {
+                                    phi_1572_ = _e1012;
                                 } else {
-                                    phi_1572_ = _e1027;
+                                    phi_1572_ = _e1024;
                                 }
-                                let _e1032 = phi_1572_;
-                                if (_e1016 < _e1028) {
-                                    phi_1577_ = _e1016;
+                                let _e1029 = phi_1572_;
+                                if (_e1013 < _e1025) {
+                                    phi_1577_ = _e1013;
                                 } else {
-                                    phi_1577_ = _e1028;
+                                    phi_1577_ = _e1025;
                                 }
-                                let _e1035 = phi_1577_;
-                                if (_e1017 < _e1029) {
-                                    phi_1582_ = _e1017;
+                                let _e1032 = phi_1577_;
+                                if (_e1014 < _e1026) {
+                                    phi_1582_ = _e1014;
                                 } else {
-                                    phi_1582_ = _e1029;
+                                    phi_1582_ = _e1026;
                                 }
-                                let _e1038 = phi_1582_;
-                                if (_e1015 > _e1027) {
-                                    phi_1590_ = _e1015;
+                                let _e1035 = phi_1582_;
+                                if (_e1012 > _e1024) {
+                                    phi_1590_ = _e1012;
                                 } else {
-                                    phi_1590_ = _e1027;
+                                    phi_1590_ = _e1024;
                                 }
-                                let _e1044 = phi_1590_;
-                                if (_e1016 > _e1028) {
-                                    phi_1595_ = _e1016;
+                                let _e1041 = phi_1590_;
+                                if (_e1013 > _e1025) {
+                                    phi_1595_ = _e1013;
                                 } else {
-                                    phi_1595_ = _e1028;
+                                    phi_1595_ = _e1025;
                                 }
-                                let _e1047 = phi_1595_;
-                                if (_e1017 > _e1029) {
-                                    phi_1600_ = _e1017;
+                                let _e1044 = phi_1595_;
+                                if (_e1014 > _e1026) {
+                                    phi_1600_ = _e1014;
                                 } else {
-                                    phi_1600_ = _e1029;
+                                    phi_1600_ = _e1026;
                                 }
-                                let _e1050 = phi_1600_;
-                                let _e1054 = core_intrinsics_maximum_number_nsz_f32_((_e1032 - _e392), (_e1035 - _e393));
-                                let _e1055 = core_intrinsics_maximum_number_nsz_f32_(_e1054, (_e1038 - _e394));
-                                let _e1056 = core_intrinsics_minimum_number_nsz_f32_((_e1044 + _e392), (_e1047 + _e393));
-                                let _e1057 = core_intrinsics_minimum_number_nsz_f32_(_e1056, (_e1050 + _e394));
-                                if (_e1055 <= _e1057) {
-                                    if (_e1055 <= _e988.t) {
-                                        if (_e1057 >= _e170.tmin) {
-                                            let _e1069 = instances.member[(0u + _e996)].world_to_object[0u];
-                                            let _e1080 = ((((_e1069.x * _e170.origin.x) + (_e1069.y * _e170.origin.y)) + (_e1069.z * _e170.origin.z)) + (_e1069.w * 1f));
-                                            let _e1082 = instances.member[(0u + _e996)].world_to_object[1u];
-                                            let _e1093 = ((((_e1082.x * _e170.origin.x) + (_e1082.y * _e170.origin.y)) + (_e1082.z * _e170.origin.z)) + (_e1082.w * 1f));
-                                            let _e1095 = instances.member[(0u + _e996)].world_to_object[2u];
-                                            let _e1106 = ((((_e1095.x * _e170.origin.x) + (_e1095.y * _e170.origin.y)) + (_e1095.z * _e170.origin.z)) + (_e1095.w * 1f));
-                                            let _e1113 = instances.member[(0u + _e996)].world_to_object[0u];
-                                            let _e1124 = ((((_e1113.x * _e170.direction.x) + (_e1113.y * _e170.direction.y)) + (_e1113.z * _e170.direction.z)) + (_e1113.w * 0f));
-                                            let _e1126 = instances.member[(0u + _e996)].world_to_object[1u];
-                                            let _e1137 = ((((_e1126.x * _e170.direction.x) + (_e1126.y * _e170.direction.y)) + (_e1126.z * _e170.direction.z)) + (_e1126.w * 0f));
-                                            let _e1139 = instances.member[(0u + _e996)].world_to_object[2u];
-                                            let _e1150 = ((((_e1139.x * _e170.direction.x) + (_e1139.y * _e170.direction.y)) + (_e1139.z * _e170.direction.z)) + (_e1139.w * 0f));
-                                            let _e1155 = instances.member[(0u + _e996)].root;
-                                            let _e1157 = instances.member[(0u + _e996)].first_triangle;
-                                            let _e1161 = abs(_e1124);
-                                            let _e1162 = abs(_e1137);
-                                            let _e1163 = abs(_e1150);
-                                            if (abs(_e1080) < 1000000000000000f) {
-                                                if (abs(_e1093) < 1000000000000000f) {
-                                                    if (abs(_e1106) < 1000000000000000f) {
-                                                        if (_e1161 < 1000000000000000f) {
-                                                            if (_e1162 < 1000000000000000f) {
-                                                                if (_e1163 < 1000000000000000f) {
-                                                                    if (_e1161 > 0f) {
+                                let _e1047 = phi_1600_;
+                                let _e1051 = core_intrinsics_maximum_number_nsz_f32_((_e1029 - _e389), (_e1032 - _e390));
+                                let _e1052 = core_intrinsics_maximum_number_nsz_f32_(_e1051, (_e1035 - _e391));
+                                let _e1053 = core_intrinsics_minimum_number_nsz_f32_((_e1041 + _e389), (_e1044 + _e390));
+                                let _e1054 = core_intrinsics_minimum_number_nsz_f32_(_e1053, (_e1047 + _e391));
+                                if (_e1052 <= _e1054) {
+                                    if (_e1052 <= _e985.t) {
+                                        if (_e1054 >= _e170.tmin) {
+                                            let _e1066 = instances.member[(0u + _e993)].world_to_object[0u];
+                                            let _e1077 = ((((_e1066.x * _e170.origin.x) + (_e1066.y * _e170.origin.y)) + (_e1066.z * _e170.origin.z)) + (_e1066.w * 1f));
+                                            let _e1079 = instances.member[(0u + _e993)].world_to_object[1u];
+                                            let _e1090 = ((((_e1079.x * _e170.origin.x) + (_e1079.y * _e170.origin.y)) + (_e1079.z * _e170.origin.z)) + (_e1079.w * 1f));
+                                            let _e1092 = instances.member[(0u + _e993)].world_to_object[2u];
+                                            let _e1103 = ((((_e1092.x * _e170.origin.x) + (_e1092.y * _e170.origin.y)) + (_e1092.z * _e170.origin.z)) + (_e1092.w * 1f));
+                                            let _e1110 = instances.member[(0u + _e993)].world_to_object[0u];
+                                            let _e1121 = ((((_e1110.x * _e170.direction.x) + (_e1110.y * _e170.direction.y)) + (_e1110.z * _e170.direction.z)) + (_e1110.w * 0f));
+                                            let _e1123 = instances.member[(0u + _e993)].world_to_object[1u];
+                                            let _e1134 = ((((_e1123.x * _e170.direction.x) + (_e1123.y * _e170.direction.y)) + (_e1123.z * _e170.direction.z)) + (_e1123.w * 0f));
+                                            let _e1136 = instances.member[(0u + _e993)].world_to_object[2u];
+                                            let _e1147 = ((((_e1136.x * _e170.direction.x) + (_e1136.y * _e170.direction.y)) + (_e1136.z * _e170.direction.z)) + (_e1136.w * 0f));
+                                            let _e1152 = instances.member[(0u + _e993)].root;
+                                            let _e1154 = instances.member[(0u + _e993)].first_triangle;
+                                            let _e1158 = abs(_e1121);
+                                            let _e1159 = abs(_e1134);
+                                            let _e1160 = abs(_e1147);
+                                            if (abs(_e1077) < 1000000000000000f) {
+                                                if (abs(_e1090) < 1000000000000000f) {
+                                                    if (abs(_e1103) < 1000000000000000f) {
+                                                        if (_e1158 < 1000000000000000f) {
+                                                            if (_e1159 < 1000000000000000f) {
+                                                                if (_e1160 < 1000000000000000f) {
+                                                                    if (_e1158 > 0f) {
                                                                         phi_1757_ = bool();
                                                                         phi_1758_ = true;
                                                                     } else {
-                                                                        let _e1171 = (_e1162 > 0f);
-                                                                        if _e1171 {
+                                                                        let _e1168 = (_e1159 > 0f);
+                                                                        if _e1168 {
                                                                             phi_1756_ = bool();
                                                                         } else {
-                                                                            phi_1756_ = (_e1163 > 0f);
+                                                                            phi_1756_ = (_e1160 > 0f);
                                                                         }
-                                                                        let _e1174 = phi_1756_;
-                                                                        phi_1757_ = _e1174;
-                                                                        phi_1758_ = _e1171;
+                                                                        let _e1171 = phi_1756_;
+                                                                        phi_1757_ = _e1171;
+                                                                        phi_1758_ = _e1168;
                                                                     }
-                                                                    let _e1176 = phi_1757_;
-                                                                    let _e1178 = phi_1758_;
-                                                                    if _e1178 {
+                                                                    let _e1173 = phi_1757_;
+                                                                    let _e1175 = phi_1758_;
+                                                                    if _e1175 {
                                                                         phi_1762_ = true;
                                                                     } else {
-                                                                        phi_1762_ = _e1176;
+                                                                        phi_1762_ = _e1173;
                                                                     }
-                                                                    let _e1180 = phi_1762_;
-                                                                    phi_1763_ = _e1180;
+                                                                    let _e1177 = phi_1762_;
+                                                                    phi_1763_ = _e1177;
                                                                     phi_1764_ = false;
                                                                 } else {
                                                                     phi_1763_ = bool();
                                                                     phi_1764_ = true;
                                                                 }
-                                                                let _e1182 = phi_1763_;
-                                                                let _e1184 = phi_1764_;
-                                                                phi_1765_ = _e1182;
+                                                                let _e1179 = phi_1763_;
+                                                                let _e1181 = phi_1764_;
+                                                                phi_1765_ = _e1179;
                                                                 phi_1766_ = false;
-                                                                phi_1767_ = _e1184;
+                                                                phi_1767_ = _e1181;
                                                             } else {
                                                                 phi_1765_ = bool();
                                                                 phi_1766_ = true;
                                                                 phi_1767_ = false;
                                                             }
-                                                            let _e1186 = phi_1765_;
-                                                            let _e1188 = phi_1766_;
-                                                            let _e1190 = phi_1767_;
-                                                            phi_1768_ = _e1186;
-                                                            phi_1769_ = _e1188;
-                                                            phi_1770_ = _e1190;
+                                                            let _e1183 = phi_1765_;
+                                                            let _e1185 = phi_1766_;
+                                                            let _e1187 = phi_1767_;
+                                                            phi_1768_ = _e1183;
+                                                            phi_1769_ = _e1185;
+                                                            phi_1770_ = _e1187;
                                                         } else {
                                                             phi_1768_ = bool();
                                                             phi_1769_ = true;
                                                             phi_1770_ = false;
                                                         }
-                                                        let _e1192 = phi_1768_;
-                                                        let _e1194 = phi_1769_;
-                                                        let _e1196 = phi_1770_;
-                                                        phi_1771_ = _e1192;
-                                                        phi_1772_ = _e1194;
-                                                        phi_1773_ = _e1196;
+                                                        let _e1189 = phi_1768_;
+                                                        let _e1191 = phi_1769_;
+                                                        let _e1193 = phi_1770_;
+                                                        phi_1771_ = _e1189;
+                                                        phi_1772_ = _e1191;
+                                                        phi_1773_ = _e1193;
                                                     } else {
                                                         phi_1771_ = bool();
                                                         phi_1772_ = true;
                                                         phi_1773_ = false;
                                                     }
-                                                    let _e1198 = phi_1771_;
-                                                    let _e1200 = phi_1772_;
-                                                    let _e1202 = phi_1773_;
-                                                    phi_1774_ = _e1198;
-                                                    phi_1775_ = _e1200;
-                                                    phi_1776_ = _e1202;
+                                                    let _e1195 = phi_1771_;
+                                                    let _e1197 = phi_1772_;
+                                                    let _e1199 = phi_1773_;
+                                                    phi_1774_ = _e1195;
+                                                    phi_1775_ = _e1197;
+                                                    phi_1776_ = _e1199;
                                                 } else {
                                                     phi_1774_ = bool();
                                                     phi_1775_ = true;
                                                     phi_1776_ = false;
                                                 }
-                                                let _e1204 = phi_1774_;
-                                                let _e1206 = phi_1775_;
-                                                let _e1208 = phi_1776_;
-                                                phi_1777_ = _e1204;
-                                                phi_1778_ = _e1206;
-                                                phi_1779_ = _e1208;
+                                                let _e1201 = phi_1774_;
+                                                let _e1203 = phi_1775_;
+                                                let _e1205 = phi_1776_;
+                                                phi_1777_ = _e1201;
+                                                phi_1778_ = _e1203;
+                                                phi_1779_ = _e1205;
                                             } else {
                                                 phi_1777_ = bool();
                                                 phi_1778_ = true;
                                                 phi_1779_ = false;
                                             }
-                                            let _e1210 = phi_1777_;
-                                            let _e1212 = phi_1778_;
-                                            let _e1214 = phi_1779_;
-                                            if _e1212 {
+                                            let _e1207 = phi_1777_;
+                                            let _e1209 = phi_1778_;
+                                            let _e1211 = phi_1779_;
+                                            if _e1209 {
                                                 phi_1783_ = true;
                                             } else {
-                                                phi_1783_ = _e1214;
+                                                phi_1783_ = _e1211;
                                             }
-                                            let _e1216 = phi_1783_;
-                                            if _e1216 {
+                                            let _e1213 = phi_1783_;
+                                            if _e1213 {
                                                 phi_1787_ = false;
                                             } else {
-                                                phi_1787_ = _e1210;
+                                                phi_1787_ = _e1207;
                                             }
-                                            let _e1218 = phi_1787_;
-                                            if _e1218 {
-                                                let _e1219 = (_e1155 >= _e80);
-                                                if _e1219 {
+                                            let _e1215 = phi_1787_;
+                                            if _e1215 {
+                                                let _e1216 = (_e1152 >= _e80);
+                                                if _e1216 {
                                                     phi_3387_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1155 < _e80) {
+                                                    if (_e1152 < _e80) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1225 = nodes.member[(0u + _e1155)].frame[0u];
-                                                    let _e1229 = nodes.member[(0u + _e1155)].frame[1u];
-                                                    let _e1233 = nodes.member[(0u + _e1155)].frame[2u];
-                                                    let _e1237 = nodes.member[(0u + _e1155)].frame[0u];
-                                                    let _e1241 = nodes.member[(0u + _e1155)].frame[1u];
-                                                    let _e1245 = nodes.member[(0u + _e1155)].frame[2u];
-                                                    let _e1249 = nodes.member[(0u + _e1155)].frame[3u];
-                                                    let _e1283 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1124), abs(_e1137));
-                                                    let _e1284 = core_intrinsics_maximum_number_nsz_f32_(_e1283, abs(_e1150));
-                                                    let _e1285 = (_e1284 * 0.0000000000009094947f);
-                                                    if (abs(_e1124) < _e1285) {
-                                                        phi_1857_ = _e1285;
+                                                    let _e1222 = nodes.member[(0u + _e1152)].frame[0u];
+                                                    let _e1226 = nodes.member[(0u + _e1152)].frame[1u];
+                                                    let _e1230 = nodes.member[(0u + _e1152)].frame[2u];
+                                                    let _e1234 = nodes.member[(0u + _e1152)].frame[0u];
+                                                    let _e1238 = nodes.member[(0u + _e1152)].frame[1u];
+                                                    let _e1242 = nodes.member[(0u + _e1152)].frame[2u];
+                                                    let _e1246 = nodes.member[(0u + _e1152)].frame[3u];
+                                                    let _e1280 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1121), abs(_e1134));
+                                                    let _e1281 = core_intrinsics_maximum_number_nsz_f32_(_e1280, abs(_e1147));
+                                                    let _e1282 = (_e1281 * 0.0000000000009094947f);
+                                                    if (abs(_e1121) < _e1282) {
+                                                        phi_1857_ = _e1282;
                                                     } else {
-                                                        phi_1857_ = abs(_e1124);
+                                                        phi_1857_ = abs(_e1121);
                                                     }
-                                                    let _e1290 = phi_1857_;
-                                                    if (_e1124 < 0f) {
-                                                        phi_1864_ = (-1f / _e1290);
+                                                    let _e1287 = phi_1857_;
+                                                    if (_e1121 < 0f) {
+                                                        phi_1864_ = (-1f / _e1287);
                                                     } else {
-                                                        phi_1864_ = (1f / _e1290);
+                                                        phi_1864_ = (1f / _e1287);
                                                     }
-                                                    let _e1295 = phi_1864_;
-                                                    if (abs(_e1137) < _e1285) {
-                                                        phi_1871_ = _e1285;
+                                                    let _e1292 = phi_1864_;
+                                                    if (abs(_e1134) < _e1282) {
+                                                        phi_1871_ = _e1282;
                                                     } else {
-                                                        phi_1871_ = abs(_e1137);
+                                                        phi_1871_ = abs(_e1134);
                                                     }
-                                                    let _e1300 = phi_1871_;
-                                                    if (_e1137 < 0f) {
-                                                        phi_1878_ = (-1f / _e1300);
+                                                    let _e1297 = phi_1871_;
+                                                    if (_e1134 < 0f) {
+                                                        phi_1878_ = (-1f / _e1297);
                                                     } else {
-                                                        phi_1878_ = (1f / _e1300);
+                                                        phi_1878_ = (1f / _e1297);
                                                     }
-                                                    let _e1305 = phi_1878_;
-                                                    if (abs(_e1150) < _e1285) {
-                                                        phi_1885_ = _e1285;
+                                                    let _e1302 = phi_1878_;
+                                                    if (abs(_e1147) < _e1282) {
+                                                        phi_1885_ = _e1282;
                                                     } else {
-                                                        phi_1885_ = abs(_e1150);
+                                                        phi_1885_ = abs(_e1147);
                                                     }
-                                                    let _e1310 = phi_1885_;
-                                                    if (_e1150 < 0f) {
-                                                        phi_1892_ = (-1f / _e1310);
+                                                    let _e1307 = phi_1885_;
+                                                    if (_e1147 < 0f) {
+                                                        phi_1892_ = (-1f / _e1307);
                                                     } else {
-                                                        phi_1892_ = (1f / _e1310);
+                                                        phi_1892_ = (1f / _e1307);
                                                     }
-                                                    let _e1315 = phi_1892_;
-                                                    let _e1319 = abs((bitcast<f32>(_e1225) - _e1080));
-                                                    let _e1320 = abs((bitcast<f32>(_e1229) - _e1093));
-                                                    let _e1321 = abs((bitcast<f32>(_e1233) - _e1106));
-                                                    let _e1325 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1249 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1080));
-                                                    let _e1326 = abs(((bitcast<f32>(_e1241) + (bitcast<f32>((((_e1249 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1093));
-                                                    let _e1327 = abs(((bitcast<f32>(_e1245) + (bitcast<f32>((((_e1249 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1106));
-                                                    if (_e1319 > _e1325) {
-                                                        phi_1909_ = _e1319;
+                                                    let _e1312 = phi_1892_;
+                                                    let _e1316 = abs((bitcast<f32>(_e1222) - _e1077));
+                                                    let _e1317 = abs((bitcast<f32>(_e1226) - _e1090));
+                                                    let _e1318 = abs((bitcast<f32>(_e1230) - _e1103));
+                                                    let _e1322 = abs(((bitcast<f32>(_e1234) + (bitcast<f32>((((_e1246 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1077));
+                                                    let _e1323 = abs(((bitcast<f32>(_e1238) + (bitcast<f32>((((_e1246 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1090));
+                                                    let _e1324 = abs(((bitcast<f32>(_e1242) + (bitcast<f32>((((_e1246 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1103));
+                                                    if (_e1316 > _e1322) {
+                                                        phi_1909_ = _e1316;
                                                     } else {
-                                                        phi_1909_ = _e1325;
+                                                        phi_1909_ = _e1322;
                                                     }
-                                                    let _e1330 = phi_1909_;
-                                                    if (_e1320 > _e1326) {
-                                                        phi_1914_ = _e1320;
+                                                    let _e1327 = phi_1909_;
+                                                    if (_e1317 > _e1323) {
+                                                        phi_1914_ = _e1317;
                                                     } else {
-                                                        phi_1914_ = _e1326;
+                                                        phi_1914_ = _e1323;
                                                     }
-                                                    let _e1333 = phi_1914_;
-                                                    if (_e1321 > _e1327) {
-                                                        phi_1919_ = _e1321;
+                                                    let _e1330 = phi_1914_;
+                                                    if (_e1318 > _e1324) {
+                                                        phi_1919_ = _e1318;
                                                     } else {
-                                                        phi_1919_ = _e1327;
+                                                        phi_1919_ = _e1324;
                                                     }
-                                                    let _e1336 = phi_1919_;
-                                                    let _e1337 = core_intrinsics_maximum_number_nsz_f32_(_e1330, _e1333);
-                                                    let _e1338 = core_intrinsics_maximum_number_nsz_f32_(_e1337, _e1336);
-                                                    let _e1342 = (_e1338 * 0.0000019073486f);
-                                                    let _e1343 = (abs(_e1295) * _e1342);
-                                                    let _e1344 = (abs(_e1305) * _e1342);
-                                                    let _e1345 = (abs(_e1315) * _e1342);
-                                                    let _e1349 = (_e1338 * 0.0000009536743f);
-                                                    let _e1350 = (abs(_e1295) * _e1349);
-                                                    let _e1351 = (abs(_e1305) * _e1349);
-                                                    let _e1352 = (abs(_e1315) * _e1349);
-                                                    let _e1353 = abs(_e1124);
-                                                    let _e1354 = abs(_e1137);
-                                                    let _e1355 = abs(_e1150);
-                                                    if (_e1353 >= _e1354) {
-                                                        if (_e1353 >= _e1355) {
+                                                    let _e1333 = phi_1919_;
+                                                    let _e1334 = core_intrinsics_maximum_number_nsz_f32_(_e1327, _e1330);
+                                                    let _e1335 = core_intrinsics_maximum_number_nsz_f32_(_e1334, _e1333);
+                                                    let _e1339 = (_e1335 * 0.0000019073486f);
+                                                    let _e1340 = (abs(_e1292) * _e1339);
+                                                    let _e1341 = (abs(_e1302) * _e1339);
+                                                    let _e1342 = (abs(_e1312) * _e1339);
+                                                    let _e1346 = (_e1335 * 0.0000009536743f);
+                                                    let _e1347 = (abs(_e1292) * _e1346);
+                                                    let _e1348 = (abs(_e1302) * _e1346);
+                                                    let _e1349 = (abs(_e1312) * _e1346);
+                                                    let _e1350 = abs(_e1121);
+                                                    let _e1351 = abs(_e1134);
+                                                    let _e1352 = abs(_e1147);
+                                                    if (_e1350 >= _e1351) {
+                                                        if (_e1350 >= _e1352) {
                                                             phi_1947_ = false;
                                                         } else {
                                                             phi_1947_ = true;
                                                         }
-                                                        let _e1359 = phi_1947_;
-                                                        phi_1948_ = _e1359;
+                                                        let _e1356 = phi_1947_;
+                                                        phi_1948_ = _e1356;
                                                     } else {
                                                         phi_1948_ = true;
                                                     }
-                                                    let _e1361 = phi_1948_;
-                                                    if _e1361 {
-                                                        if (_e1354 >= _e1355) {
+                                                    let _e1358 = phi_1948_;
+                                                    if _e1358 {
+                                                        if (_e1351 >= _e1352) {
                                                             phi_1956_ = 1u;
                                                         } else {
                                                             phi_1956_ = 2u;
                                                         }
-                                                        let _e1364 = phi_1956_;
-                                                        phi_1957_ = _e1364;
+                                                        let _e1361 = phi_1956_;
+                                                        phi_1957_ = _e1361;
                                                     } else {
                                                         phi_1957_ = 0u;
                                                     }
-                                                    let _e1366 = phi_1957_;
-                                                    if (_e1366 == 0u) {
-                                                        phi_1969_ = vec3<f32>(_e1137, _e1150, _e1124);
+                                                    let _e1363 = phi_1957_;
+                                                    if (_e1363 == 0u) {
+                                                        phi_1969_ = vec3<f32>(_e1134, _e1147, _e1121);
                                                     } else {
-                                                        if (_e1366 == 1u) {
-                                                            phi_1968_ = vec3<f32>(_e1150, _e1124, _e1137);
+                                                        if (_e1363 == 1u) {
+                                                            phi_1968_ = vec3<f32>(_e1147, _e1121, _e1134);
                                                         } else {
-                                                            phi_1968_ = vec3<f32>(_e1124, _e1137, _e1150);
+                                                            phi_1968_ = vec3<f32>(_e1121, _e1134, _e1147);
                                                         }
-                                                        let _e1372 = phi_1968_;
-                                                        phi_1969_ = _e1372;
+                                                        let _e1369 = phi_1968_;
+                                                        phi_1969_ = _e1369;
                                                     }
-                                                    let _e1374 = phi_1969_;
-                                                    let _e1377 = (_e1374.x / _e1374.z);
-                                                    let _e1380 = (_e1374.y / _e1374.z);
-                                                    if (_e1295 < 0f) {
+                                                    let _e1371 = phi_1969_;
+                                                    let _e1374 = (_e1371.x / _e1371.z);
+                                                    let _e1377 = (_e1371.y / _e1371.z);
+                                                    if (_e1292 < 0f) {
                                                         phi_1982_ = 0u;
                                                     } else {
                                                         phi_1982_ = 1u;
                                                     }
-                                                    let _e1385 = phi_1982_;
-                                                    if (_e1305 < 0f) {
+                                                    let _e1382 = phi_1982_;
+                                                    if (_e1302 < 0f) {
                                                         phi_1987_ = 0u;
                                                     } else {
                                                         phi_1987_ = 2u;
                                                     }
-                                                    let _e1388 = phi_1987_;
-                                                    if (_e1315 < 0f) {
+                                                    let _e1385 = phi_1987_;
+                                                    if (_e1312 < 0f) {
                                                         phi_1992_ = 0u;
                                                     } else {
                                                         phi_1992_ = 4u;
                                                     }
-                                                    let _e1391 = phi_1992_;
-                                                    let _e1393 = ((_e1385 | _e1388) | _e1391);
-                                                    let _e1394 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1155, 2147483648u);
-                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1394.first[0], _e1394.first[1], _e1394.first[2], _e1394.first[3], _e1394.first[4], _e1394.first[5], _e1394.first[6], _e1394.first[7], _e1394.first[8], _e1394.first[9], _e1394.first[10], _e1394.first[11], _e1394.first[12], _e1394.first[13], _e1394.first[14], _e1394.first[15], _e1394.first[16], _e1394.first[17], _e1394.first[18], _e1394.first[19], _e1394.first[20], _e1394.first[21], _e1394.first[22], _e1394.first[23], _e1394.first[24], _e1394.first[25], _e1394.first[26], _e1394.first[27], _e1394.first[28], _e1394.first[29], _e1394.first[30], _e1394.first[31]), array<u32, 32>(_e1394.mask[0], _e1394.mask[1], _e1394.mask[2], _e1394.mask[3], _e1394.mask[4], _e1394.mask[5], _e1394.mask[6], _e1394.mask[7], _e1394.mask[8], _e1394.mask[9], _e1394.mask[10], _e1394.mask[11], _e1394.mask[12], _e1394.mask[13], _e1394.mask[14], _e1394.mask[15], _e1394.mask[16], _e1394.mask[17], _e1394.mask[18], _e1394.mask[19], _e1394.mask[20], _e1394.mask[21], _e1394.mask[22], _e1394.mask[23], _e1394.mask[24], _e1394.mask[25], _e1394.mask[26], _e1394.mask[27], _e1394.mask[28], _e1394.mask[29], _e1394.mask[30], _e1394.mask[31]), _e1394.len, _e1394.group, _e1394.group_mask);
-                                                    let _e1468 = local_2.group_mask;
-                                                    if ((_e1468 & 4278190080u) == 0u) {
-                                                        let _e1472 = local_2.len;
-                                                        if (_e1472 == 0u) {
+                                                    let _e1388 = phi_1992_;
+                                                    let _e1390 = ((_e1382 | _e1385) | _e1388);
+                                                    let _e1391 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1152, 2147483648u);
+                                                    local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e1391.first[0], _e1391.first[1], _e1391.first[2], _e1391.first[3], _e1391.first[4], _e1391.first[5], _e1391.first[6], _e1391.first[7], _e1391.first[8], _e1391.first[9], _e1391.first[10], _e1391.first[11], _e1391.first[12], _e1391.first[13], _e1391.first[14], _e1391.first[15], _e1391.first[16], _e1391.first[17], _e1391.first[18], _e1391.first[19], _e1391.first[20], _e1391.first[21], _e1391.first[22], _e1391.first[23], _e1391.first[24], _e1391.first[25], _e1391.first[26], _e1391.first[27], _e1391.first[28], _e1391.first[29], _e1391.first[30], _e1391.first[31]), array<u32, 32>(_e1391.mask[0], _e1391.mask[1], _e1391.mask[2], _e1391.mask[3], _e1391.mask[4], _e1391.mask[5], _e1391.mask[6], _e1391.mask[7], _e1391.mask[8], _e1391.mask[9], _e1391.mask[10], _e1391.mask[11], _e1391.mask[12], _e1391.mask[13], _e1391.mask[14], _e1391.mask[15], _e1391.mask[16], _e1391.mask[17], _e1391.mask[18], _e1391.mask[19], _e1391.mask[20], _e1391.mask[21], _e1391.mask[22], _e1391.mask[23], _e1391.mask[24], _e1391.mask[25], _e1391.mask[26], _e1391.mask[27], _e1391.mask[28], _e1391.mask[29], _e1391.mask[30], _e1391.mask[31]), _e1391.len, _e1391.group, _e1391.group_mask);
+                                                    let _e1465 = local_2.group_mask;
+                                                    if ((_e1465 & 4278190080u) == 0u) {
+                                                        let _e1469 = local_2.len;
+                                                        if (_e1469 == 0u) {
                                                             phi_2106_ = false;
                                                         } else {
+                                                            let _e1473 = local_2.len;
+                                                            local_2.len = (_e1473 - 1u);
                                                             let _e1476 = local_2.len;
-                                                            local_2.len = (_e1476 - 1u);
-                                                            let _e1479 = local_2.len;
-                                                            if (_e1479 < 32u) {
+                                                            if (_e1476 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1484 = local_2.first[(0u + _e1479)];
-                                                            local_2.group = _e1484;
-                                                            let _e1487 = local_2.len;
-                                                            if (_e1487 < 32u) {
+                                                            let _e1481 = local_2.first[(0u + _e1476)];
+                                                            local_2.group = _e1481;
+                                                            let _e1484 = local_2.len;
+                                                            if (_e1484 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1492 = local_2.mask[(0u + _e1487)];
-                                                            local_2.group_mask = _e1492;
+                                                            let _e1489 = local_2.mask[(0u + _e1484)];
+                                                            local_2.group_mask = _e1489;
                                                             phi_2106_ = true;
                                                         }
-                                                        let _e1495 = phi_2106_;
-                                                        phi_2107_ = _e1495;
+                                                        let _e1492 = phi_2106_;
+                                                        phi_2107_ = _e1492;
                                                     } else {
                                                         phi_2107_ = true;
                                                     }
-                                                    let _e1497 = phi_2107_;
-                                                    if _e1497 {
-                                                        let _e1499 = local_2.group_mask;
-                                                        let _e1505 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1499)), 32u, (_e1499 == 0u)));
-                                                        let _e1509 = local_2.group_mask;
-                                                        let _e1523 = local_2.group_mask;
-                                                        local_2.group_mask = (_e1523 & ~((1u << bitcast<u32>((_e1505 & 31u)))));
-                                                        let _e1526 = local_2.group;
-                                                        phi_2138_ = (_e1526 + countOneBits(((_e1509 & ~((4294967295u << bitcast<u32>((((_e1505 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1494 = phi_2107_;
+                                                    if _e1494 {
+                                                        let _e1496 = local_2.group_mask;
+                                                        let _e1502 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1496)), 32u, (_e1496 == 0u)));
+                                                        let _e1506 = local_2.group_mask;
+                                                        let _e1520 = local_2.group_mask;
+                                                        local_2.group_mask = (_e1520 & ~((1u << bitcast<u32>((_e1502 & 31u)))));
+                                                        let _e1523 = local_2.group;
+                                                        phi_2138_ = (_e1523 + countOneBits(((_e1506 & ~((4294967295u << bitcast<u32>((((_e1502 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
                                                         phi_2138_ = 4294967295u;
                                                     }
-                                                    let _e1529 = phi_2138_;
-                                                    phi_2140_ = _e988;
-                                                    phi_2143_ = _e1529;
+                                                    let _e1526 = phi_2138_;
+                                                    phi_2140_ = _e985;
+                                                    phi_2143_ = _e1526;
                                                     loop {
-                                                        let _e1531 = phi_2140_;
-                                                        let _e1533 = phi_2143_;
-                                                        local_11 = _e1531;
-                                                        let _e1534 = (_e1533 != 4294967295u);
-                                                        if _e1534 {
-                                                            if (_e1533 < _e80) {
+                                                        let _e1528 = phi_2140_;
+                                                        let _e1530 = phi_2143_;
+                                                        local_11 = _e1528;
+                                                        let _e1531 = (_e1530 != 4294967295u);
+                                                        if _e1531 {
+                                                            if (_e1530 < _e80) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1541 = nodes.member[(0u + _e1533)].frame[3u];
-                                                            let _e1566 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1295);
-                                                            let _e1567 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1305);
-                                                            let _e1568 = (bitcast<f32>((((_e1541 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1315);
-                                                            let _e1571 = nodes.member[(0u + _e1533)].frame[0u];
-                                                            let _e1575 = nodes.member[(0u + _e1533)].frame[1u];
-                                                            let _e1579 = nodes.member[(0u + _e1533)].frame[2u];
-                                                            let _e1584 = ((bitcast<f32>(_e1571) - _e1080) * _e1295);
-                                                            let _e1585 = ((bitcast<f32>(_e1575) - _e1093) * _e1305);
-                                                            let _e1586 = ((bitcast<f32>(_e1579) - _e1106) * _e1315);
-                                                            let _e1594 = nodes.member[(0u + _e1533)].x;
-                                                            if (_e1295 < 0f) {
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1605.unnamed.word, _e1594.w), _e1605.unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_mask_LightPlace(_e1594.x, _e1611.unnamed_1.shift));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_mask_LightPlace(_e1617.unnamed_1.word, _e1594.y));
+                                                            let _e1538 = nodes.member[(0u + _e1530)].frame[3u];
+                                                            let _e1563 = (bitcast<f32>((((_e1538 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1292);
+                                                            let _e1564 = (bitcast<f32>((((_e1538 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1302);
+                                                            let _e1565 = (bitcast<f32>((((_e1538 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1312);
+                                                            let _e1568 = nodes.member[(0u + _e1530)].frame[0u];
+                                                            let _e1572 = nodes.member[(0u + _e1530)].frame[1u];
+                                                            let _e1576 = nodes.member[(0u + _e1530)].frame[2u];
+                                                            let _e1581 = ((bitcast<f32>(_e1568) - _e1077) * _e1292);
+                                                            let _e1582 = ((bitcast<f32>(_e1572) - _e1090) * _e1302);
+                                                            let _e1583 = ((bitcast<f32>(_e1576) - _e1103) * _e1312);
+                                                            let _e1591 = nodes.member[(0u + _e1530)].x;
+                                                            if (_e1292 < 0f) {
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1602.unnamed.word, _e1591.w), _e1602.unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_mask_LightPlace(_e1591.x, _e1608.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1614.unnamed_1.word, _e1591.y));
                                                             } else {
-                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1633.unnamed.word, _e1594.y), _e1633.unnamed_1);
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_mask_LightPlace(_e1594.z, _e1639.unnamed_1.shift));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1645.unnamed_1.word, _e1594.w));
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1630.unnamed.word, _e1591.y), _e1630.unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_mask_LightPlace(_e1591.z, _e1636.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1642.unnamed_1.word, _e1591.w));
                                                             }
-                                                            let _e1653 = phi_2224_;
-                                                            let _e1663 = nodes.member[(0u + _e1533)].y;
-                                                            if (_e1305 < 0f) {
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1674.unnamed.word, _e1663.w), _e1674.unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_mask_LightPlace(_e1663.x, _e1680.unnamed_1.shift));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_mask_LightPlace(_e1686.unnamed_1.word, _e1663.y));
+                                                            let _e1650 = phi_2224_;
+                                                            let _e1660 = nodes.member[(0u + _e1530)].y;
+                                                            if (_e1302 < 0f) {
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1671.unnamed.word, _e1660.w), _e1671.unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_mask_LightPlace(_e1660.x, _e1677.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1683.unnamed_1.word, _e1660.y));
                                                             } else {
-                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1702.unnamed.word, _e1663.y), _e1702.unnamed_1);
-                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_mask_LightPlace(_e1663.z, _e1708.unnamed_1.shift));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_mask_LightPlace(_e1714.unnamed_1.word, _e1663.w));
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1699.unnamed.word, _e1660.y), _e1699.unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_mask_LightPlace(_e1660.z, _e1705.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1711.unnamed_1.word, _e1660.w));
                                                             }
-                                                            let _e1722 = phi_2251_;
-                                                            let _e1732 = nodes.member[(0u + _e1533)].z;
-                                                            if (_e1315 < 0f) {
-                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1743.unnamed.word, _e1732.w), _e1743.unnamed_1);
-                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_mask_LightPlace(_e1732.x, _e1749.unnamed_1.shift));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_mask_LightPlace(_e1755.unnamed_1.word, _e1732.y));
+                                                            let _e1719 = phi_2251_;
+                                                            let _e1729 = nodes.member[(0u + _e1530)].z;
+                                                            if (_e1312 < 0f) {
+                                                                let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1740.unnamed.word, _e1729.w), _e1740.unnamed_1);
+                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_mask_LightPlace(_e1729.x, _e1746.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1752.unnamed_1.word, _e1729.y));
                                                             } else {
-                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1771.unnamed.word, _e1732.y), _e1771.unnamed_1);
-                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_mask_LightPlace(_e1732.z, _e1777.unnamed_1.shift));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_mask_LightPlace(_e1783.unnamed_1.word, _e1732.w));
+                                                                let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1768.unnamed.word, _e1729.y), _e1768.unnamed_1);
+                                                                let _e1780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1774.unnamed, lt_mask_LightPlace(_e1729.z, _e1774.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1780.unnamed, lt_mask_LightPlace(_e1780.unnamed_1.word, _e1729.w));
                                                             }
-                                                            let _e1791 = phi_2278_;
+                                                            let _e1788 = phi_2278_;
                                                             phi_2284_ = 0u;
                                                             phi_2287_ = 0u;
                                                             loop {
-                                                                let _e1801 = phi_2284_;
-                                                                let _e1803 = phi_2287_;
-                                                                local_7 = _e1803;
-                                                                local_8 = _e1803;
-                                                                local_9 = _e1803;
-                                                                let _e1804 = (_e1801 < 8u);
-                                                                if _e1804 {
-                                                                    let _e1806 = (_e1801 >> bitcast<u32>(2i));
-                                                                    let _e1807 = (_e1801 & 3u);
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2301_ = _e1653.unnamed.word;
+                                                                let _e1798 = phi_2284_;
+                                                                let _e1800 = phi_2287_;
+                                                                local_7 = _e1800;
+                                                                local_8 = _e1800;
+                                                                local_9 = _e1800;
+                                                                let _e1801 = (_e1798 < 8u);
+                                                                if _e1801 {
+                                                                    let _e1803 = (_e1798 >> bitcast<u32>(2i));
+                                                                    let _e1804 = (_e1798 & 3u);
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2301_ = _e1650.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1653.unnamed.shift;
+                                                                        phi_2301_ = _e1650.unnamed.shift;
                                                                     }
-                                                                    let _e1810 = phi_2301_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2311_ = _e1722.unnamed.word;
+                                                                    let _e1807 = phi_2301_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2311_ = _e1719.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1722.unnamed.shift;
+                                                                        phi_2311_ = _e1719.unnamed.shift;
                                                                     }
-                                                                    let _e1819 = phi_2311_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2321_ = _e1791.unnamed.word;
+                                                                    let _e1816 = phi_2311_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2321_ = _e1788.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1791.unnamed.shift;
+                                                                        phi_2321_ = _e1788.unnamed.shift;
                                                                     }
-                                                                    let _e1828 = phi_2321_;
-                                                                    let _e1841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1810 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 - _e1343)), ((f32(((_e1819 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 - _e1344)));
-                                                                    let _e1842 = core_intrinsics_maximum_number_nsz_f32_(_e1841, ((f32(((_e1828 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 - _e1345)));
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2339_ = _e1653.unnamed_1.word;
+                                                                    let _e1825 = phi_2321_;
+                                                                    let _e1838 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1807 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)), ((f32(((_e1816 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 - _e1341)));
+                                                                    let _e1839 = core_intrinsics_maximum_number_nsz_f32_(_e1838, ((f32(((_e1825 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1565) + (_e1583 - _e1342)));
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2339_ = _e1650.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1653.unnamed_1.shift;
+                                                                        phi_2339_ = _e1650.unnamed_1.shift;
                                                                     }
-                                                                    let _e1845 = phi_2339_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2349_ = _e1722.unnamed_1.word;
+                                                                    let _e1842 = phi_2339_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2349_ = _e1719.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1722.unnamed_1.shift;
+                                                                        phi_2349_ = _e1719.unnamed_1.shift;
                                                                     }
-                                                                    let _e1854 = phi_2349_;
-                                                                    if (_e1806 == 0u) {
-                                                                        phi_2359_ = _e1791.unnamed_1.word;
+                                                                    let _e1851 = phi_2349_;
+                                                                    if (_e1803 == 0u) {
+                                                                        phi_2359_ = _e1788.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1791.unnamed_1.shift;
+                                                                        phi_2359_ = _e1788.unnamed_1.shift;
                                                                     }
-                                                                    let _e1863 = phi_2359_;
-                                                                    let _e1876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1845 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 + _e1343)), ((f32(((_e1854 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 + _e1344)));
-                                                                    let _e1877 = core_intrinsics_minimum_number_nsz_f32_(_e1876, ((f32(((_e1863 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 + _e1345)));
-                                                                    if (_e1842 <= _e1877) {
-                                                                        if (_e1842 <= _e1531.t) {
-                                                                            if (_e1877 >= _e170.tmin) {
-                                                                                if (_e1806 == 0u) {
-                                                                                    let _e1884 = nodes.member[(0u + _e1533)].links[2u];
+                                                                    let _e1860 = phi_2359_;
+                                                                    let _e1873 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1842 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)), ((f32(((_e1851 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 + _e1341)));
+                                                                    let _e1874 = core_intrinsics_minimum_number_nsz_f32_(_e1873, ((f32(((_e1860 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1565) + (_e1583 + _e1342)));
+                                                                    if (_e1839 <= _e1874) {
+                                                                        if (_e1839 <= _e1528.t) {
+                                                                            if (_e1874 >= _e170.tmin) {
+                                                                                if (_e1803 == 0u) {
+                                                                                    let _e1881 = nodes.member[(0u + _e1530)].links[2u];
+                                                                                    phi_2395_ = _e1881;
+                                                                                } else {
+                                                                                    let _e1884 = nodes.member[(0u + _e1530)].links[3u];
                                                                                     phi_2395_ = _e1884;
-                                                                                } else {
-                                                                                    let _e1887 = nodes.member[(0u + _e1533)].links[3u];
-                                                                                    phi_2395_ = _e1887;
                                                                                 }
-                                                                                let _e1889 = phi_2395_;
-                                                                                let _e1894 = ((_e1889 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u);
-                                                                                let _e1895 = (_e1894 & 31u);
-                                                                                if (_e1895 >= 24u) {
-                                                                                    phi_2408_ = (24u + ((_e1895 - 24u) ^ _e1393));
+                                                                                let _e1886 = phi_2395_;
+                                                                                let _e1891 = ((_e1886 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u);
+                                                                                let _e1892 = (_e1891 & 31u);
+                                                                                if (_e1892 >= 24u) {
+                                                                                    phi_2408_ = (24u + ((_e1892 - 24u) ^ _e1390));
                                                                                 } else {
-                                                                                    phi_2408_ = _e1895;
+                                                                                    phi_2408_ = _e1892;
                                                                                 }
-                                                                                let _e1901 = phi_2408_;
-                                                                                phi_2413_ = (_e1803 | ((_e1894 >> bitcast<u32>(5i)) << bitcast<u32>((_e1901 & 31u))));
+                                                                                let _e1898 = phi_2408_;
+                                                                                phi_2413_ = (_e1800 | ((_e1891 >> bitcast<u32>(5i)) << bitcast<u32>((_e1898 & 31u))));
                                                                             } else {
-                                                                                phi_2413_ = _e1803;
+                                                                                phi_2413_ = _e1800;
                                                                             }
-                                                                            let _e1909 = phi_2413_;
-                                                                            phi_2414_ = _e1909;
+                                                                            let _e1906 = phi_2413_;
+                                                                            phi_2414_ = _e1906;
                                                                         } else {
-                                                                            phi_2414_ = _e1803;
+                                                                            phi_2414_ = _e1800;
                                                                         }
-                                                                        let _e1911 = phi_2414_;
-                                                                        phi_2415_ = _e1911;
+                                                                        let _e1908 = phi_2414_;
+                                                                        phi_2415_ = _e1908;
                                                                     } else {
-                                                                        phi_2415_ = _e1803;
+                                                                        phi_2415_ = _e1800;
                                                                     }
-                                                                    let _e1913 = phi_2415_;
-                                                                    phi_2285_ = (_e1801 + 1u);
-                                                                    phi_2288_ = _e1913;
+                                                                    let _e1910 = phi_2415_;
+                                                                    phi_2285_ = (_e1798 + 1u);
+                                                                    phi_2288_ = _e1910;
                                                                 } else {
                                                                     phi_2285_ = u32();
                                                                     phi_2288_ = u32();
                                                                 }
-                                                                let _e1916 = phi_2285_;
-                                                                let _e1918 = phi_2288_;
+                                                                let _e1913 = phi_2285_;
+                                                                let _e1915 = phi_2288_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2284_ = _e1916;
-                                                                    phi_2287_ = _e1918;
-                                                                    break if !(_e1804);
+                                                                    phi_2284_ = _e1913;
+                                                                    phi_2287_ = _e1915;
+                                                                    break if !(_e1801);
                                                                 }
                                                             }
-                                                            let _e1922 = nodes.member[(0u + _e1533)].links[0u];
-                                                            let _e1926 = nodes.member[(0u + _e1533)].frame[3u];
-                                                            let _e1930 = local_7;
-                                                            if ((_e1930 & 4278190080u) == 0u) {
+                                                            let _e1919 = nodes.member[(0u + _e1530)].links[0u];
+                                                            let _e1923 = nodes.member[(0u + _e1530)].frame[3u];
+                                                            let _e1927 = local_7;
+                                                            if ((_e1927 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1934 = local_2.group_mask;
-                                                                if ((_e1934 & 4278190080u) == 0u) {
+                                                                let _e1931 = local_2.group_mask;
+                                                                if ((_e1931 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1938 = local_2.len;
-                                                                    if (_e1938 < 32u) {
-                                                                        let _e1941 = local_2.group;
-                                                                        let _e1943 = local_2.len;
-                                                                        if (_e1943 < 32u) {
+                                                                    let _e1935 = local_2.len;
+                                                                    if (_e1935 < 32u) {
+                                                                        let _e1938 = local_2.group;
+                                                                        let _e1940 = local_2.len;
+                                                                        if (_e1940 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.first[(0u + _e1943)] = _e1941;
-                                                                        let _e1949 = local_2.group_mask;
-                                                                        let _e1951 = local_2.len;
-                                                                        if (_e1951 < 32u) {
+                                                                        local_2.first[(0u + _e1940)] = _e1938;
+                                                                        let _e1946 = local_2.group_mask;
+                                                                        let _e1948 = local_2.len;
+                                                                        if (_e1948 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_2.mask[(0u + _e1951)] = _e1949;
-                                                                        let _e1958 = local_2.len;
-                                                                        local_2.len = (_e1958 + 1u);
+                                                                        local_2.mask[(0u + _e1948)] = _e1946;
+                                                                        let _e1955 = local_2.len;
+                                                                        local_2.len = (_e1955 + 1u);
                                                                     }
                                                                 }
-                                                                local_2.group = (_e1155 + _e1922);
-                                                                let _e1962 = local_8;
-                                                                local_2.group_mask = ((_e1962 & 4278190080u) | (_e1926 >> bitcast<u32>(24i)));
+                                                                local_2.group = (_e1152 + _e1919);
+                                                                let _e1959 = local_8;
+                                                                local_2.group_mask = ((_e1959 & 4278190080u) | (_e1923 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1967 = local_9;
-                                                            phi_2473_ = _e1531;
-                                                            phi_2476_ = (_e1967 & 16777215u);
+                                                            let _e1964 = local_9;
+                                                            phi_2473_ = _e1528;
+                                                            phi_2476_ = (_e1964 & 16777215u);
                                                             loop {
-                                                                let _e1970 = phi_2473_;
-                                                                let _e1972 = phi_2476_;
-                                                                local_10 = _e1970;
-                                                                if (_e1972 == 0u) {
+                                                                let _e1967 = phi_2473_;
+                                                                let _e1969 = phi_2476_;
+                                                                local_10 = _e1967;
+                                                                if (_e1969 == 0u) {
                                                                     phi_2474_ = lt_bvh_Hit();
                                                                     phi_2477_ = u32();
                                                                     phi_3315_ = false;
                                                                 } else {
-                                                                    let _e1976 = nodes.member[(0u + _e1533)].links[1u];
-                                                                    let _e1981 = ((_e1157 + _e1976) + select(firstTrailingBit(_e1972), 32u, (_e1972 == 0u)));
-                                                                    if (_e1981 < _e83) {
+                                                                    let _e1973 = nodes.member[(0u + _e1530)].links[1u];
+                                                                    let _e1978 = ((_e1154 + _e1973) + select(firstTrailingBit(_e1969), 32u, (_e1969 == 0u)));
+                                                                    if (_e1978 < _e83) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1988 = triangles.member[(0u + _e1981)].v0_;
-                                                                    let _e1990 = (_e1988.x - _e1080);
-                                                                    let _e1992 = (_e1988.y - _e1093);
-                                                                    let _e1994 = (_e1988.z - _e1106);
-                                                                    if (_e1366 == 0u) {
-                                                                        phi_2521_ = vec3<f32>(_e1992, _e1994, _e1990);
+                                                                    let _e1985 = triangles.member[(0u + _e1978)].v0_;
+                                                                    let _e1987 = (_e1985.x - _e1077);
+                                                                    let _e1989 = (_e1985.y - _e1090);
+                                                                    let _e1991 = (_e1985.z - _e1103);
+                                                                    if (_e1363 == 0u) {
+                                                                        phi_2521_ = vec3<f32>(_e1989, _e1991, _e1987);
                                                                     } else {
-                                                                        if (_e1366 == 1u) {
-                                                                            phi_2520_ = vec3<f32>(_e1994, _e1990, _e1992);
+                                                                        if (_e1363 == 1u) {
+                                                                            phi_2520_ = vec3<f32>(_e1991, _e1987, _e1989);
                                                                         } else {
-                                                                            phi_2520_ = (_e1988 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2520_ = (_e1985 - vec3<f32>(_e1077, _e1090, _e1103));
                                                                         }
-                                                                        let _e2002 = phi_2520_;
-                                                                        phi_2521_ = _e2002;
+                                                                        let _e1999 = phi_2520_;
+                                                                        phi_2521_ = _e1999;
                                                                     }
-                                                                    let _e2004 = phi_2521_;
-                                                                    let _e2008 = (_e2004.x - (_e1377 * _e2004.z));
-                                                                    let _e2012 = (_e2004.y - (_e1380 * _e2004.z));
-                                                                    let _e2014 = triangles.member[(0u + _e1981)].v1_;
-                                                                    let _e2016 = (_e2014.x - _e1080);
-                                                                    let _e2018 = (_e2014.y - _e1093);
-                                                                    let _e2020 = (_e2014.z - _e1106);
-                                                                    if (_e1366 == 0u) {
-                                                                        phi_2551_ = vec3<f32>(_e2018, _e2020, _e2016);
+                                                                    let _e2001 = phi_2521_;
+                                                                    let _e2005 = (_e2001.x - (_e1374 * _e2001.z));
+                                                                    let _e2009 = (_e2001.y - (_e1377 * _e2001.z));
+                                                                    let _e2011 = triangles.member[(0u + _e1978)].v1_;
+                                                                    let _e2013 = (_e2011.x - _e1077);
+                                                                    let _e2015 = (_e2011.y - _e1090);
+                                                                    let _e2017 = (_e2011.z - _e1103);
+                                                                    if (_e1363 == 0u) {
+                                                                        phi_2551_ = vec3<f32>(_e2015, _e2017, _e2013);
                                                                     } else {
-                                                                        if (_e1366 == 1u) {
-                                                                            phi_2550_ = vec3<f32>(_e2020, _e2016, _e2018);
+                                                                        if (_e1363 == 1u) {
+                                                                            phi_2550_ = vec3<f32>(_e2017, _e2013, _e2015);
                                                                         } else {
-                                                                            phi_2550_ = (_e2014 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2550_ = (_e2011 - vec3<f32>(_e1077, _e1090, _e1103));
                                                                         }
-                                                                        let _e2028 = phi_2550_;
-                                                                        phi_2551_ = _e2028;
+                                                                        let _e2025 = phi_2550_;
+                                                                        phi_2551_ = _e2025;
                                                                     }
-                                                                    let _e2030 = phi_2551_;
-                                                                    let _e2034 = (_e2030.x - (_e1377 * _e2030.z));
-                                                                    let _e2038 = (_e2030.y - (_e1380 * _e2030.z));
-                                                                    let _e2040 = triangles.member[(0u + _e1981)].v2_;
-                                                                    let _e2042 = (_e2040.x - _e1080);
-                                                                    let _e2044 = (_e2040.y - _e1093);
-                                                                    let _e2046 = (_e2040.z - _e1106);
-                                                                    if (_e1366 == 0u) {
-                                                                        phi_2581_ = vec3<f32>(_e2044, _e2046, _e2042);
+                                                                    let _e2027 = phi_2551_;
+                                                                    let _e2031 = (_e2027.x - (_e1374 * _e2027.z));
+                                                                    let _e2035 = (_e2027.y - (_e1377 * _e2027.z));
+                                                                    let _e2037 = triangles.member[(0u + _e1978)].v2_;
+                                                                    let _e2039 = (_e2037.x - _e1077);
+                                                                    let _e2041 = (_e2037.y - _e1090);
+                                                                    let _e2043 = (_e2037.z - _e1103);
+                                                                    if (_e1363 == 0u) {
+                                                                        phi_2581_ = vec3<f32>(_e2041, _e2043, _e2039);
                                                                     } else {
-                                                                        if (_e1366 == 1u) {
-                                                                            phi_2580_ = vec3<f32>(_e2046, _e2042, _e2044);
+                                                                        if (_e1363 == 1u) {
+                                                                            phi_2580_ = vec3<f32>(_e2043, _e2039, _e2041);
                                                                         } else {
-                                                                            phi_2580_ = (_e2040 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2580_ = (_e2037 - vec3<f32>(_e1077, _e1090, _e1103));
                                                                         }
-                                                                        let _e2054 = phi_2580_;
-                                                                        phi_2581_ = _e2054;
+                                                                        let _e2051 = phi_2580_;
+                                                                        phi_2581_ = _e2051;
                                                                     }
-                                                                    let _e2056 = phi_2581_;
-                                                                    let _e2060 = (_e2056.x - (_e1377 * _e2056.z));
-                                                                    let _e2064 = (_e2056.y - (_e1380 * _e2056.z));
-                                                                    if (_e2034 < _e2060) {
+                                                                    let _e2053 = phi_2581_;
+                                                                    let _e2057 = (_e2053.x - (_e1374 * _e2053.z));
+                                                                    let _e2061 = (_e2053.y - (_e1377 * _e2053.z));
+                                                                    if (_e2031 < _e2057) {
                                                                         phi_2600_ = true;
                                                                     } else {
-                                                                        if (_e2034 == _e2060) {
-                                                                            phi_2599_ = (_e2038 < _e2064);
+                                                                        if (_e2031 == _e2057) {
+                                                                            phi_2599_ = (_e2035 < _e2061);
                                                                         } else {
                                                                             phi_2599_ = false;
                                                                         }
-                                                                        let _e2069 = phi_2599_;
-                                                                        phi_2600_ = _e2069;
+                                                                        let _e2066 = phi_2599_;
+                                                                        phi_2600_ = _e2066;
                                                                     }
-                                                                    let _e2071 = phi_2600_;
-                                                                    if _e2071 {
-                                                                        phi_2604_ = _e2064;
-                                                                        phi_2605_ = _e2060;
-                                                                        phi_2606_ = _e2038;
-                                                                        phi_2607_ = _e2034;
+                                                                    let _e2068 = phi_2600_;
+                                                                    if _e2068 {
+                                                                        phi_2604_ = _e2061;
+                                                                        phi_2605_ = _e2057;
+                                                                        phi_2606_ = _e2035;
+                                                                        phi_2607_ = _e2031;
                                                                     } else {
-                                                                        phi_2604_ = _e2038;
-                                                                        phi_2605_ = _e2034;
-                                                                        phi_2606_ = _e2064;
-                                                                        phi_2607_ = _e2060;
+                                                                        phi_2604_ = _e2035;
+                                                                        phi_2605_ = _e2031;
+                                                                        phi_2606_ = _e2061;
+                                                                        phi_2607_ = _e2057;
                                                                     }
-                                                                    let _e2073 = phi_2604_;
-                                                                    let _e2075 = phi_2605_;
-                                                                    let _e2077 = phi_2606_;
-                                                                    let _e2079 = phi_2607_;
-                                                                    let _e2082 = ((_e2079 * _e2073) - (_e2077 * _e2075));
-                                                                    if _e2071 {
-                                                                        phi_2615_ = -(_e2082);
+                                                                    let _e2070 = phi_2604_;
+                                                                    let _e2072 = phi_2605_;
+                                                                    let _e2074 = phi_2606_;
+                                                                    let _e2076 = phi_2607_;
+                                                                    let _e2079 = ((_e2076 * _e2070) - (_e2074 * _e2072));
+                                                                    if _e2068 {
+                                                                        phi_2615_ = -(_e2079);
                                                                     } else {
-                                                                        phi_2615_ = _e2082;
+                                                                        phi_2615_ = _e2079;
                                                                     }
-                                                                    let _e2085 = phi_2615_;
-                                                                    if (_e2060 < _e2008) {
+                                                                    let _e2082 = phi_2615_;
+                                                                    if (_e2057 < _e2005) {
                                                                         phi_2626_ = true;
                                                                     } else {
-                                                                        if (_e2060 == _e2008) {
-                                                                            phi_2625_ = (_e2064 < _e2012);
+                                                                        if (_e2057 == _e2005) {
+                                                                            phi_2625_ = (_e2061 < _e2009);
                                                                         } else {
                                                                             phi_2625_ = false;
                                                                         }
-                                                                        let _e2090 = phi_2625_;
-                                                                        phi_2626_ = _e2090;
+                                                                        let _e2087 = phi_2625_;
+                                                                        phi_2626_ = _e2087;
                                                                     }
-                                                                    let _e2092 = phi_2626_;
-                                                                    if _e2092 {
-                                                                        phi_2630_ = _e2012;
-                                                                        phi_2631_ = _e2008;
-                                                                        phi_2632_ = _e2064;
-                                                                        phi_2633_ = _e2060;
+                                                                    let _e2089 = phi_2626_;
+                                                                    if _e2089 {
+                                                                        phi_2630_ = _e2009;
+                                                                        phi_2631_ = _e2005;
+                                                                        phi_2632_ = _e2061;
+                                                                        phi_2633_ = _e2057;
                                                                     } else {
-                                                                        phi_2630_ = _e2064;
-                                                                        phi_2631_ = _e2060;
-                                                                        phi_2632_ = _e2012;
-                                                                        phi_2633_ = _e2008;
+                                                                        phi_2630_ = _e2061;
+                                                                        phi_2631_ = _e2057;
+                                                                        phi_2632_ = _e2009;
+                                                                        phi_2633_ = _e2005;
                                                                     }
-                                                                    let _e2094 = phi_2630_;
-                                                                    let _e2096 = phi_2631_;
-                                                                    let _e2098 = phi_2632_;
-                                                                    let _e2100 = phi_2633_;
-                                                                    let _e2103 = ((_e2100 * _e2094) - (_e2098 * _e2096));
-                                                                    if _e2092 {
-                                                                        phi_2641_ = -(_e2103);
+                                                                    let _e2091 = phi_2630_;
+                                                                    let _e2093 = phi_2631_;
+                                                                    let _e2095 = phi_2632_;
+                                                                    let _e2097 = phi_2633_;
+                                                                    let _e2100 = ((_e2097 * _e2091) - (_e2095 * _e2093));
+                                                                    if _e2089 {
+                                                                        phi_2641_ = -(_e2100);
                                                                     } else {
-                                                                        phi_2641_ = _e2103;
+                                                                        phi_2641_ = _e2100;
                                                                     }
-                                                                    let _e2106 = phi_2641_;
-                                                                    if (_e2008 < _e2034) {
+                                                                    let _e2103 = phi_2641_;
+                                                                    if (_e2005 < _e2031) {
                                                                         phi_2652_ = true;
                                                                     } else {
-                                                                        if (_e2008 == _e2034) {
-                                                                            phi_2651_ = (_e2012 < _e2038);
+                                                                        if (_e2005 == _e2031) {
+                                                                            phi_2651_ = (_e2009 < _e2035);
                                                                         } else {
                                                                             phi_2651_ = false;
                                                                         }
-                                                                        let _e2111 = phi_2651_;
-                                                                        phi_2652_ = _e2111;
+                                                                        let _e2108 = phi_2651_;
+                                                                        phi_2652_ = _e2108;
                                                                     }
-                                                                    let _e2113 = phi_2652_;
-                                                                    if _e2113 {
-                                                                        phi_2656_ = _e2038;
-                                                                        phi_2657_ = _e2034;
-                                                                        phi_2658_ = _e2012;
-                                                                        phi_2659_ = _e2008;
+                                                                    let _e2110 = phi_2652_;
+                                                                    if _e2110 {
+                                                                        phi_2656_ = _e2035;
+                                                                        phi_2657_ = _e2031;
+                                                                        phi_2658_ = _e2009;
+                                                                        phi_2659_ = _e2005;
                                                                     } else {
-                                                                        phi_2656_ = _e2012;
-                                                                        phi_2657_ = _e2008;
-                                                                        phi_2658_ = _e2038;
-                                                                        phi_2659_ = _e2034;
+                                                                        phi_2656_ = _e2009;
+                                                                        phi_2657_ = _e2005;
+                                                                        phi_2658_ = _e2035;
+                                                                        phi_2659_ = _e2031;
                                                                     }
-                                                                    let _e2115 = phi_2656_;
-                                                                    let _e2117 = phi_2657_;
-                                                                    let _e2119 = phi_2658_;
-                                                                    let _e2121 = phi_2659_;
-                                                                    let _e2124 = ((_e2121 * _e2115) - (_e2119 * _e2117));
-                                                                    if _e2113 {
-                                                                        phi_2667_ = -(_e2124);
+                                                                    let _e2112 = phi_2656_;
+                                                                    let _e2114 = phi_2657_;
+                                                                    let _e2116 = phi_2658_;
+                                                                    let _e2118 = phi_2659_;
+                                                                    let _e2121 = ((_e2118 * _e2112) - (_e2116 * _e2114));
+                                                                    if _e2110 {
+                                                                        phi_2667_ = -(_e2121);
                                                                     } else {
-                                                                        phi_2667_ = _e2124;
+                                                                        phi_2667_ = _e2121;
                                                                     }
-                                                                    let _e2127 = phi_2667_;
-                                                                    if (_e2085 >= 0f) {
-                                                                        if (_e2106 >= 0f) {
-                                                                            if (_e2127 >= 0f) {
-                                                                                phi_2682_ = ((_e2085 + _e2106) + _e2127);
+                                                                    let _e2124 = phi_2667_;
+                                                                    if (_e2082 >= 0f) {
+                                                                        if (_e2103 >= 0f) {
+                                                                            if (_e2124 >= 0f) {
+                                                                                phi_2682_ = ((_e2082 + _e2103) + _e2124);
                                                                                 phi_2683_ = false;
                                                                             } else {
                                                                                 phi_2682_ = f32();
                                                                                 phi_2683_ = true;
                                                                             }
-                                                                            let _e2134 = phi_2682_;
-                                                                            let _e2136 = phi_2683_;
-                                                                            phi_2684_ = _e2134;
-                                                                            phi_2685_ = _e2136;
+                                                                            let _e2131 = phi_2682_;
+                                                                            let _e2133 = phi_2683_;
+                                                                            phi_2684_ = _e2131;
+                                                                            phi_2685_ = _e2133;
                                                                         } else {
                                                                             phi_2684_ = f32();
                                                                             phi_2685_ = true;
                                                                         }
-                                                                        let _e2138 = phi_2684_;
-                                                                        let _e2140 = phi_2685_;
-                                                                        phi_2686_ = _e2138;
-                                                                        phi_2687_ = _e2140;
+                                                                        let _e2135 = phi_2684_;
+                                                                        let _e2137 = phi_2685_;
+                                                                        phi_2686_ = _e2135;
+                                                                        phi_2687_ = _e2137;
                                                                     } else {
                                                                         phi_2686_ = f32();
                                                                         phi_2687_ = true;
                                                                     }
-                                                                    let _e2142 = phi_2686_;
-                                                                    let _e2144 = phi_2687_;
-                                                                    if _e2144 {
-                                                                        if (_e2085 <= 0f) {
-                                                                            if (_e2106 <= 0f) {
-                                                                                let _e2147 = (_e2127 <= 0f);
-                                                                                if _e2147 {
+                                                                    let _e2139 = phi_2686_;
+                                                                    let _e2141 = phi_2687_;
+                                                                    if _e2141 {
+                                                                        if (_e2082 <= 0f) {
+                                                                            if (_e2103 <= 0f) {
+                                                                                let _e2144 = (_e2124 <= 0f);
+                                                                                if _e2144 {
                                                                                 }
-                                                                                phi_2705_ = ((_e2085 + _e2106) + _e2127);
+                                                                                phi_2705_ = ((_e2082 + _e2103) + _e2124);
                                                                                 phi_2706_ = false;
-                                                                                phi_2707_ = _e2147;
+                                                                                phi_2707_ = _e2144;
                                                                             } else {
                                                                                 phi_2705_ = f32();
                                                                                 phi_2706_ = true;
                                                                                 phi_2707_ = false;
                                                                             }
-                                                                            let _e2151 = phi_2705_;
-                                                                            let _e2153 = phi_2706_;
-                                                                            let _e2155 = phi_2707_;
-                                                                            phi_2708_ = _e2151;
-                                                                            phi_2709_ = _e2153;
-                                                                            phi_2710_ = _e2155;
+                                                                            let _e2148 = phi_2705_;
+                                                                            let _e2150 = phi_2706_;
+                                                                            let _e2152 = phi_2707_;
+                                                                            phi_2708_ = _e2148;
+                                                                            phi_2709_ = _e2150;
+                                                                            phi_2710_ = _e2152;
                                                                         } else {
                                                                             phi_2708_ = f32();
                                                                             phi_2709_ = true;
                                                                             phi_2710_ = false;
                                                                         }
-                                                                        let _e2157 = phi_2708_;
-                                                                        let _e2159 = phi_2709_;
-                                                                        let _e2161 = phi_2710_;
-                                                                        if _e2159 {
+                                                                        let _e2154 = phi_2708_;
+                                                                        let _e2156 = phi_2709_;
+                                                                        let _e2158 = phi_2710_;
+                                                                        if _e2156 {
                                                                             phi_2714_ = false;
                                                                         } else {
-                                                                            phi_2714_ = _e2161;
+                                                                            phi_2714_ = _e2158;
                                                                         }
-                                                                        let _e2163 = phi_2714_;
-                                                                        phi_2715_ = _e2157;
-                                                                        phi_2716_ = _e2163;
+                                                                        let _e2160 = phi_2714_;
+                                                                        phi_2715_ = _e2154;
+                                                                        phi_2716_ = _e2160;
                                                                     } else {
-                                                                        phi_2715_ = _e2142;
+                                                                        phi_2715_ = _e2139;
                                                                         phi_2716_ = true;
                                                                     }
-                                                                    let _e2165 = phi_2715_;
-                                                                    let _e2167 = phi_2716_;
-                                                                    if _e2167 {
-                                                                        let _e2168 = (_e2165 == 0f);
-                                                                        if _e2168 {
+                                                                    let _e2162 = phi_2715_;
+                                                                    let _e2164 = phi_2716_;
+                                                                    if _e2164 {
+                                                                        let _e2165 = (_e2162 == 0f);
+                                                                        if _e2165 {
                                                                             phi_3032_ = lt_bvh_triangle_Intersection();
                                                                             phi_3033_ = false;
                                                                         } else {
-                                                                            let _e2170 = triangles.member[(0u + _e1981)].v0_;
-                                                                            let _e2172 = (_e2170.x - _e1080);
-                                                                            let _e2174 = (_e2170.y - _e1093);
-                                                                            let _e2176 = (_e2170.z - _e1106);
-                                                                            if (_e1366 == 0u) {
-                                                                                phi_2745_ = vec3<f32>(_e2174, _e2176, _e2172);
+                                                                            let _e2167 = triangles.member[(0u + _e1978)].v0_;
+                                                                            let _e2169 = (_e2167.x - _e1077);
+                                                                            let _e2171 = (_e2167.y - _e1090);
+                                                                            let _e2173 = (_e2167.z - _e1103);
+                                                                            if (_e1363 == 0u) {
+                                                                                phi_2745_ = vec3<f32>(_e2171, _e2173, _e2169);
                                                                             } else {
-                                                                                if (_e1366 == 1u) {
-                                                                                    phi_2744_ = vec3<f32>(_e2176, _e2172, _e2174);
+                                                                                if (_e1363 == 1u) {
+                                                                                    phi_2744_ = vec3<f32>(_e2173, _e2169, _e2171);
                                                                                 } else {
-                                                                                    phi_2744_ = (_e2170 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                                    phi_2744_ = (_e2167 - vec3<f32>(_e1077, _e1090, _e1103));
                                                                                 }
-                                                                                let _e2184 = phi_2744_;
-                                                                                phi_2745_ = _e2184;
+                                                                                let _e2181 = phi_2744_;
+                                                                                phi_2745_ = _e2181;
                                                                             }
-                                                                            let _e2186 = phi_2745_;
-                                                                            let _e2188 = triangles.member[(0u + _e1981)].v1_;
-                                                                            let _e2190 = triangles.member[(0u + _e1981)].v0_;
-                                                                            let _e2193 = (_e2188.x - _e2190.x);
-                                                                            let _e2196 = (_e2188.y - _e2190.y);
-                                                                            let _e2199 = (_e2188.z - _e2190.z);
-                                                                            if (_e1366 == 0u) {
-                                                                                phi_2771_ = vec3<f32>(_e2196, _e2199, _e2193);
+                                                                            let _e2183 = phi_2745_;
+                                                                            let _e2185 = triangles.member[(0u + _e1978)].v1_;
+                                                                            let _e2187 = triangles.member[(0u + _e1978)].v0_;
+                                                                            let _e2190 = (_e2185.x - _e2187.x);
+                                                                            let _e2193 = (_e2185.y - _e2187.y);
+                                                                            let _e2196 = (_e2185.z - _e2187.z);
+                                                                            if (_e1363 == 0u) {
+                                                                                phi_2771_ = vec3<f32>(_e2193, _e2196, _e2190);
                                                                             } else {
-                                                                                if (_e1366 == 1u) {
-                                                                                    phi_2770_ = vec3<f32>(_e2199, _e2193, _e2196);
+                                                                                if (_e1363 == 1u) {
+                                                                                    phi_2770_ = vec3<f32>(_e2196, _e2190, _e2193);
                                                                                 } else {
-                                                                                    phi_2770_ = (_e2188 - _e2190);
+                                                                                    phi_2770_ = (_e2185 - _e2187);
                                                                                 }
-                                                                                let _e2206 = phi_2770_;
-                                                                                phi_2771_ = _e2206;
+                                                                                let _e2203 = phi_2770_;
+                                                                                phi_2771_ = _e2203;
                                                                             }
-                                                                            let _e2208 = phi_2771_;
-                                                                            let _e2210 = triangles.member[(0u + _e1981)].v2_;
-                                                                            let _e2212 = triangles.member[(0u + _e1981)].v0_;
-                                                                            let _e2215 = (_e2210.x - _e2212.x);
-                                                                            let _e2218 = (_e2210.y - _e2212.y);
-                                                                            let _e2221 = (_e2210.z - _e2212.z);
-                                                                            if (_e1366 == 0u) {
-                                                                                phi_2797_ = vec3<f32>(_e2218, _e2221, _e2215);
+                                                                            let _e2205 = phi_2771_;
+                                                                            let _e2207 = triangles.member[(0u + _e1978)].v2_;
+                                                                            let _e2209 = triangles.member[(0u + _e1978)].v0_;
+                                                                            let _e2212 = (_e2207.x - _e2209.x);
+                                                                            let _e2215 = (_e2207.y - _e2209.y);
+                                                                            let _e2218 = (_e2207.z - _e2209.z);
+                                                                            if (_e1363 == 0u) {
+                                                                                phi_2797_ = vec3<f32>(_e2215, _e2218, _e2212);
                                                                             } else {
-                                                                                if (_e1366 == 1u) {
-                                                                                    phi_2796_ = vec3<f32>(_e2221, _e2215, _e2218);
+                                                                                if (_e1363 == 1u) {
+                                                                                    phi_2796_ = vec3<f32>(_e2218, _e2212, _e2215);
                                                                                 } else {
-                                                                                    phi_2796_ = (_e2210 - _e2212);
+                                                                                    phi_2796_ = (_e2207 - _e2209);
                                                                                 }
-                                                                                let _e2228 = phi_2796_;
-                                                                                phi_2797_ = _e2228;
+                                                                                let _e2225 = phi_2796_;
+                                                                                phi_2797_ = _e2225;
                                                                             }
-                                                                            let _e2230 = phi_2797_;
-                                                                            let _e2237 = ((_e2208.y * _e2230.z) - (_e2208.z * _e2230.y));
-                                                                            let _e2244 = ((_e2208.z * _e2230.x) - (_e2208.x * _e2230.z));
-                                                                            let _e2251 = ((_e2208.x * _e2230.y) - (_e2208.y * _e2230.x));
-                                                                            let _e2265 = (((1f / _e1374.z) * (((_e2237 * _e2186.x) + (_e2244 * _e2186.y)) + (_e2251 * _e2186.z))) / (((_e2237 * _e1377) + (_e2244 * _e1380)) + _e2251));
-                                                                            if (_e2265 > _e170.tmin) {
-                                                                                if (_e2265 < _e170.tmax) {
-                                                                                    let _e2269 = triangles.member[(0u + _e1981)].v0_;
-                                                                                    let _e2271 = triangles.member[(0u + _e1981)].v1_;
-                                                                                    if (_e2269.x < _e2271.x) {
-                                                                                        phi_2853_ = _e2269.x;
+                                                                            let _e2227 = phi_2797_;
+                                                                            let _e2234 = ((_e2205.y * _e2227.z) - (_e2205.z * _e2227.y));
+                                                                            let _e2241 = ((_e2205.z * _e2227.x) - (_e2205.x * _e2227.z));
+                                                                            let _e2248 = ((_e2205.x * _e2227.y) - (_e2205.y * _e2227.x));
+                                                                            let _e2262 = (((1f / _e1371.z) * (((_e2234 * _e2183.x) + (_e2241 * _e2183.y)) + (_e2248 * _e2183.z))) / (((_e2234 * _e1374) + (_e2241 * _e1377)) + _e2248));
+                                                                            if (_e2262 > _e170.tmin) {
+                                                                                if (_e2262 < _e170.tmax) {
+                                                                                    let _e2266 = triangles.member[(0u + _e1978)].v0_;
+                                                                                    let _e2268 = triangles.member[(0u + _e1978)].v1_;
+                                                                                    if (_e2266.x < _e2268.x) {
+                                                                                        phi_2853_ = _e2266.x;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2271.x;
+                                                                                        phi_2853_ = _e2268.x;
                                                                                     }
-                                                                                    let _e2278 = phi_2853_;
-                                                                                    if (_e2269.y < _e2271.y) {
-                                                                                        phi_2862_ = _e2269.y;
+                                                                                    let _e2275 = phi_2853_;
+                                                                                    if (_e2266.y < _e2268.y) {
+                                                                                        phi_2862_ = _e2266.y;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2271.y;
+                                                                                        phi_2862_ = _e2268.y;
                                                                                     }
-                                                                                    let _e2285 = phi_2862_;
-                                                                                    if (_e2269.z < _e2271.z) {
-                                                                                        phi_2871_ = _e2269.z;
+                                                                                    let _e2282 = phi_2862_;
+                                                                                    if (_e2266.z < _e2268.z) {
+                                                                                        phi_2871_ = _e2266.z;
                                                                                     } else {
-                                                                                        phi_2871_ = _e2271.z;
+                                                                                        phi_2871_ = _e2268.z;
                                                                                     }
-                                                                                    let _e2292 = phi_2871_;
-                                                                                    let _e2294 = triangles.member[(0u + _e1981)].v2_;
-                                                                                    if (_e2278 < _e2294.x) {
-                                                                                        phi_2880_ = _e2278;
+                                                                                    let _e2289 = phi_2871_;
+                                                                                    let _e2291 = triangles.member[(0u + _e1978)].v2_;
+                                                                                    if (_e2275 < _e2291.x) {
+                                                                                        phi_2880_ = _e2275;
                                                                                     } else {
-                                                                                        phi_2880_ = _e2294.x;
+                                                                                        phi_2880_ = _e2291.x;
                                                                                     }
-                                                                                    let _e2299 = phi_2880_;
-                                                                                    if (_e2285 < _e2294.y) {
-                                                                                        phi_2887_ = _e2285;
+                                                                                    let _e2296 = phi_2880_;
+                                                                                    if (_e2282 < _e2291.y) {
+                                                                                        phi_2887_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2887_ = _e2294.y;
+                                                                                        phi_2887_ = _e2291.y;
                                                                                     }
-                                                                                    let _e2304 = phi_2887_;
-                                                                                    if (_e2292 < _e2294.z) {
-                                                                                        phi_2894_ = _e2292;
+                                                                                    let _e2301 = phi_2887_;
+                                                                                    if (_e2289 < _e2291.z) {
+                                                                                        phi_2894_ = _e2289;
                                                                                     } else {
-                                                                                        phi_2894_ = _e2294.z;
+                                                                                        phi_2894_ = _e2291.z;
                                                                                     }
-                                                                                    let _e2309 = phi_2894_;
-                                                                                    let _e2311 = triangles.member[(0u + _e1981)].v0_;
-                                                                                    let _e2313 = triangles.member[(0u + _e1981)].v1_;
-                                                                                    if (_e2311.x > _e2313.x) {
-                                                                                        phi_2907_ = _e2311.x;
+                                                                                    let _e2306 = phi_2894_;
+                                                                                    let _e2308 = triangles.member[(0u + _e1978)].v0_;
+                                                                                    let _e2310 = triangles.member[(0u + _e1978)].v1_;
+                                                                                    if (_e2308.x > _e2310.x) {
+                                                                                        phi_2907_ = _e2308.x;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2313.x;
+                                                                                        phi_2907_ = _e2310.x;
                                                                                     }
-                                                                                    let _e2320 = phi_2907_;
-                                                                                    if (_e2311.y > _e2313.y) {
-                                                                                        phi_2916_ = _e2311.y;
+                                                                                    let _e2317 = phi_2907_;
+                                                                                    if (_e2308.y > _e2310.y) {
+                                                                                        phi_2916_ = _e2308.y;
                                                                                     } else {
-                                                                                        phi_2916_ = _e2313.y;
+                                                                                        phi_2916_ = _e2310.y;
                                                                                     }
-                                                                                    let _e2327 = phi_2916_;
-                                                                                    if (_e2311.z > _e2313.z) {
-                                                                                        phi_2925_ = _e2311.z;
+                                                                                    let _e2324 = phi_2916_;
+                                                                                    if (_e2308.z > _e2310.z) {
+                                                                                        phi_2925_ = _e2308.z;
                                                                                     } else {
-                                                                                        phi_2925_ = _e2313.z;
+                                                                                        phi_2925_ = _e2310.z;
                                                                                     }
-                                                                                    let _e2334 = phi_2925_;
-                                                                                    let _e2336 = triangles.member[(0u + _e1981)].v2_;
-                                                                                    if (_e2320 > _e2336.x) {
-                                                                                        phi_2934_ = _e2320;
+                                                                                    let _e2331 = phi_2925_;
+                                                                                    let _e2333 = triangles.member[(0u + _e1978)].v2_;
+                                                                                    if (_e2317 > _e2333.x) {
+                                                                                        phi_2934_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2934_ = _e2336.x;
+                                                                                        phi_2934_ = _e2333.x;
                                                                                     }
-                                                                                    let _e2341 = phi_2934_;
-                                                                                    if (_e2327 > _e2336.y) {
-                                                                                        phi_2941_ = _e2327;
+                                                                                    let _e2338 = phi_2934_;
+                                                                                    if (_e2324 > _e2333.y) {
+                                                                                        phi_2941_ = _e2324;
                                                                                     } else {
-                                                                                        phi_2941_ = _e2336.y;
+                                                                                        phi_2941_ = _e2333.y;
                                                                                     }
-                                                                                    let _e2346 = phi_2941_;
-                                                                                    if (_e2334 > _e2336.z) {
-                                                                                        phi_2948_ = _e2334;
+                                                                                    let _e2343 = phi_2941_;
+                                                                                    if (_e2331 > _e2333.z) {
+                                                                                        phi_2948_ = _e2331;
                                                                                     } else {
-                                                                                        phi_2948_ = _e2336.z;
+                                                                                        phi_2948_ = _e2333.z;
                                                                                     }
-                                                                                    let _e2351 = phi_2948_;
-                                                                                    let _e2355 = ((_e2299 - _e1080) * _e1295);
-                                                                                    let _e2356 = ((_e2304 - _e1093) * _e1305);
-                                                                                    let _e2357 = ((_e2309 - _e1106) * _e1315);
-                                                                                    let _e2361 = ((_e2341 - _e1080) * _e1295);
-                                                                                    let _e2362 = ((_e2346 - _e1093) * _e1305);
-                                                                                    let _e2363 = ((_e2351 - _e1106) * _e1315);
-                                                                                    if (_e2355 < _e2361) {
-                                                                                        phi_2965_ = _e2355;
+                                                                                    let _e2348 = phi_2948_;
+                                                                                    let _e2352 = ((_e2296 - _e1077) * _e1292);
+                                                                                    let _e2353 = ((_e2301 - _e1090) * _e1302);
+                                                                                    let _e2354 = ((_e2306 - _e1103) * _e1312);
+                                                                                    let _e2358 = ((_e2338 - _e1077) * _e1292);
+                                                                                    let _e2359 = ((_e2343 - _e1090) * _e1302);
+                                                                                    let _e2360 = ((_e2348 - _e1103) * _e1312);
+                                                                                    if (_e2352 < _e2358) {
+                                                                                        phi_2965_ = _e2352;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2361;
+                                                                                        phi_2965_ = _e2358;
                                                                                     }
-                                                                                    let _e2366 = phi_2965_;
-                                                                                    if (_e2356 < _e2362) {
-                                                                                        phi_2970_ = _e2356;
+                                                                                    let _e2363 = phi_2965_;
+                                                                                    if (_e2353 < _e2359) {
+                                                                                        phi_2970_ = _e2353;
                                                                                     } else {
-                                                                                        phi_2970_ = _e2362;
+                                                                                        phi_2970_ = _e2359;
                                                                                     }
-                                                                                    let _e2369 = phi_2970_;
-                                                                                    if (_e2357 < _e2363) {
-                                                                                        phi_2975_ = _e2357;
+                                                                                    let _e2366 = phi_2970_;
+                                                                                    if (_e2354 < _e2360) {
+                                                                                        phi_2975_ = _e2354;
                                                                                     } else {
-                                                                                        phi_2975_ = _e2363;
+                                                                                        phi_2975_ = _e2360;
                                                                                     }
-                                                                                    let _e2372 = phi_2975_;
-                                                                                    if (_e2355 > _e2361) {
-                                                                                        phi_2983_ = _e2355;
+                                                                                    let _e2369 = phi_2975_;
+                                                                                    if (_e2352 > _e2358) {
+                                                                                        phi_2983_ = _e2352;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2361;
+                                                                                        phi_2983_ = _e2358;
                                                                                     }
-                                                                                    let _e2378 = phi_2983_;
-                                                                                    if (_e2356 > _e2362) {
-                                                                                        phi_2988_ = _e2356;
+                                                                                    let _e2375 = phi_2983_;
+                                                                                    if (_e2353 > _e2359) {
+                                                                                        phi_2988_ = _e2353;
                                                                                     } else {
-                                                                                        phi_2988_ = _e2362;
+                                                                                        phi_2988_ = _e2359;
                                                                                     }
-                                                                                    let _e2381 = phi_2988_;
-                                                                                    if (_e2357 > _e2363) {
-                                                                                        phi_2993_ = _e2357;
+                                                                                    let _e2378 = phi_2988_;
+                                                                                    if (_e2354 > _e2360) {
+                                                                                        phi_2993_ = _e2354;
                                                                                     } else {
-                                                                                        phi_2993_ = _e2363;
+                                                                                        phi_2993_ = _e2360;
                                                                                     }
-                                                                                    let _e2384 = phi_2993_;
-                                                                                    let _e2388 = core_intrinsics_maximum_number_nsz_f32_((_e2366 - _e1350), (_e2369 - _e1351));
-                                                                                    let _e2389 = core_intrinsics_maximum_number_nsz_f32_(_e2388, (_e2372 - _e1352));
-                                                                                    let _e2390 = core_intrinsics_minimum_number_nsz_f32_((_e2378 + _e1350), (_e2381 + _e1351));
-                                                                                    let _e2391 = core_intrinsics_minimum_number_nsz_f32_(_e2390, (_e2384 + _e1352));
-                                                                                    if (_e2389 > _e1055) {
-                                                                                        phi_3005_ = _e2389;
+                                                                                    let _e2381 = phi_2993_;
+                                                                                    let _e2385 = core_intrinsics_maximum_number_nsz_f32_((_e2363 - _e1347), (_e2366 - _e1348));
+                                                                                    let _e2386 = core_intrinsics_maximum_number_nsz_f32_(_e2385, (_e2369 - _e1349));
+                                                                                    let _e2387 = core_intrinsics_minimum_number_nsz_f32_((_e2375 + _e1347), (_e2378 + _e1348));
+                                                                                    let _e2388 = core_intrinsics_minimum_number_nsz_f32_(_e2387, (_e2381 + _e1349));
+                                                                                    if (_e2386 > _e1052) {
+                                                                                        phi_3005_ = _e2386;
                                                                                     } else {
-                                                                                        phi_3005_ = _e1055;
+                                                                                        phi_3005_ = _e1052;
                                                                                     }
-                                                                                    let _e2394 = phi_3005_;
-                                                                                    if (_e2391 < _e1057) {
-                                                                                        phi_3010_ = _e2391;
+                                                                                    let _e2391 = phi_3005_;
+                                                                                    if (_e2388 < _e1054) {
+                                                                                        phi_3010_ = _e2388;
                                                                                     } else {
-                                                                                        phi_3010_ = _e1057;
+                                                                                        phi_3010_ = _e1054;
                                                                                     }
-                                                                                    let _e2397 = phi_3010_;
-                                                                                    if (_e2265 < _e2394) {
-                                                                                        phi_3015_ = _e2394;
+                                                                                    let _e2394 = phi_3010_;
+                                                                                    if (_e2262 < _e2391) {
+                                                                                        phi_3015_ = _e2391;
                                                                                     } else {
-                                                                                        phi_3015_ = _e2265;
+                                                                                        phi_3015_ = _e2262;
                                                                                     }
-                                                                                    let _e2400 = phi_3015_;
-                                                                                    if (_e2400 > _e2397) {
+                                                                                    let _e2397 = phi_3015_;
+                                                                                    if (_e2397 > _e2394) {
+                                                                                        phi_3020_ = _e2394;
+                                                                                    } else {
                                                                                         phi_3020_ = _e2397;
-                                                                                    } else {
-                                                                                        phi_3020_ = _e2400;
                                                                                     }
-                                                                                    let _e2403 = phi_3020_;
-                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2403, (_e2106 / _e2165), (_e2127 / _e2165), (_e2394 <= _e2397));
+                                                                                    let _e2400 = phi_3020_;
+                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2400, (_e2103 / _e2162), (_e2124 / _e2162), (_e2391 <= _e2394));
                                                                                     phi_3026_ = false;
                                                                                 } else {
                                                                                     phi_3025_ = lt_bvh_triangle_Intersection();
                                                                                     phi_3026_ = true;
                                                                                 }
-                                                                                let _e2409 = phi_3025_;
-                                                                                let _e2411 = phi_3026_;
-                                                                                phi_3027_ = _e2409;
-                                                                                phi_3028_ = _e2411;
+                                                                                let _e2406 = phi_3025_;
+                                                                                let _e2408 = phi_3026_;
+                                                                                phi_3027_ = _e2406;
+                                                                                phi_3028_ = _e2408;
                                                                             } else {
                                                                                 phi_3027_ = lt_bvh_triangle_Intersection();
                                                                                 phi_3028_ = true;
                                                                             }
-                                                                            let _e2413 = phi_3027_;
-                                                                            let _e2415 = phi_3028_;
-                                                                            if _e2415 {
+                                                                            let _e2410 = phi_3027_;
+                                                                            let _e2412 = phi_3028_;
+                                                                            if _e2412 {
                                                                             }
-                                                                            phi_3032_ = _e2413;
-                                                                            phi_3033_ = _e2415;
+                                                                            phi_3032_ = _e2410;
+                                                                            phi_3033_ = _e2412;
                                                                         }
-                                                                        let _e2417 = phi_3032_;
-                                                                        let _e2419 = phi_3033_;
-                                                                        phi_3034_ = _e2417;
-                                                                        phi_3035_ = _e2168;
-                                                                        phi_3036_ = _e2419;
+                                                                        let _e2414 = phi_3032_;
+                                                                        let _e2416 = phi_3033_;
+                                                                        phi_3034_ = _e2414;
+                                                                        phi_3035_ = _e2165;
+                                                                        phi_3036_ = _e2416;
                                                                     } else {
                                                                         phi_3034_ = lt_bvh_triangle_Intersection();
                                                                         phi_3035_ = true;
                                                                         phi_3036_ = false;
                                                                     }
-                                                                    let _e2421 = phi_3034_;
-                                                                    let _e2423 = phi_3035_;
-                                                                    let _e2425 = phi_3036_;
-                                                                    if _e2423 {
+                                                                    let _e2418 = phi_3034_;
+                                                                    let _e2420 = phi_3035_;
+                                                                    let _e2422 = phi_3036_;
+                                                                    if _e2420 {
                                                                         phi_3040_ = true;
                                                                     } else {
-                                                                        phi_3040_ = _e2425;
+                                                                        phi_3040_ = _e2422;
                                                                     }
-                                                                    let _e2427 = phi_3040_;
-                                                                    if _e2427 {
+                                                                    let _e2424 = phi_3040_;
+                                                                    if _e2424 {
                                                                         phi_3044_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3044_ = _e2421;
+                                                                        phi_3044_ = _e2418;
                                                                     }
-                                                                    let _e2429 = phi_3044_;
-                                                                    if _e2429.is_hit {
-                                                                        if (_e2429.t > _e170.tmin) {
-                                                                            if (_e2429.t < _e1970.t) {
+                                                                    let _e2426 = phi_3044_;
+                                                                    if _e2426.is_hit {
+                                                                        if (_e2426.t > _e170.tmin) {
+                                                                            if (_e2426.t < _e1967.t) {
                                                                                 phi_3092_ = true;
                                                                             } else {
-                                                                                if (_e2429.t == _e1970.t) {
-                                                                                    if (_e1970.triangle != 4294967295u) {
-                                                                                        if (_e1981 < _e1970.triangle) {
+                                                                                if (_e2426.t == _e1967.t) {
+                                                                                    if (_e1967.triangle != 4294967295u) {
+                                                                                        if (_e1978 < _e1967.triangle) {
                                                                                             phi_3083_ = true;
                                                                                         } else {
-                                                                                            if (_e1981 == _e1970.triangle) {
-                                                                                                phi_3082_ = (_e996 < _e1970.instance);
+                                                                                            if (_e1978 == _e1967.triangle) {
+                                                                                                phi_3082_ = (_e993 < _e1967.instance);
                                                                                             } else {
                                                                                                 phi_3082_ = false;
                                                                                             }
-                                                                                            let _e2447 = phi_3082_;
-                                                                                            phi_3083_ = _e2447;
+                                                                                            let _e2444 = phi_3082_;
+                                                                                            phi_3083_ = _e2444;
                                                                                         }
-                                                                                        let _e2449 = phi_3083_;
-                                                                                        phi_3084_ = _e2449;
+                                                                                        let _e2446 = phi_3083_;
+                                                                                        phi_3084_ = _e2446;
                                                                                         phi_3085_ = false;
                                                                                     } else {
                                                                                         phi_3084_ = bool();
                                                                                         phi_3085_ = true;
                                                                                     }
-                                                                                    let _e2451 = phi_3084_;
-                                                                                    let _e2453 = phi_3085_;
-                                                                                    phi_3086_ = _e2451;
-                                                                                    phi_3087_ = _e2453;
+                                                                                    let _e2448 = phi_3084_;
+                                                                                    let _e2450 = phi_3085_;
+                                                                                    phi_3086_ = _e2448;
+                                                                                    phi_3087_ = _e2450;
                                                                                 } else {
                                                                                     phi_3086_ = bool();
                                                                                     phi_3087_ = true;
                                                                                 }
-                                                                                let _e2455 = phi_3086_;
-                                                                                let _e2457 = phi_3087_;
-                                                                                if _e2457 {
+                                                                                let _e2452 = phi_3086_;
+                                                                                let _e2454 = phi_3087_;
+                                                                                if _e2454 {
                                                                                     phi_3091_ = false;
                                                                                 } else {
-                                                                                    phi_3091_ = _e2455;
+                                                                                    phi_3091_ = _e2452;
                                                                                 }
-                                                                                let _e2459 = phi_3091_;
-                                                                                phi_3092_ = _e2459;
+                                                                                let _e2456 = phi_3091_;
+                                                                                phi_3092_ = _e2456;
                                                                             }
-                                                                            let _e2461 = phi_3092_;
-                                                                            if _e2461 {
-                                                                                let _e2463 = triangles.member[(0u + _e1981)].i0_;
-                                                                                if ((_e2463 & 2147483648u) == 0u) {
+                                                                            let _e2458 = phi_3092_;
+                                                                            if _e2458 {
+                                                                                let _e2460 = triangles.member[(0u + _e1978)].i0_;
+                                                                                if ((_e2460 & 2147483648u) == 0u) {
                                                                                     phi_3303_ = true;
                                                                                 } else {
-                                                                                    if (_e1981 < _e83) {
+                                                                                    if (_e1978 < _e83) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2472 = triangles.member[(0u + _e1981)].i0_;
-                                                                                    let _e2473 = (_e2472 & 2147483647u);
-                                                                                    let _e2475 = triangles.member[(0u + _e1981)].i1_;
-                                                                                    let _e2477 = triangles.member[(0u + _e1981)].i2_;
-                                                                                    if (_e2473 < _e86) {
+                                                                                    let _e2469 = triangles.member[(0u + _e1978)].i0_;
+                                                                                    let _e2470 = (_e2469 & 2147483647u);
+                                                                                    let _e2472 = triangles.member[(0u + _e1978)].i1_;
+                                                                                    let _e2474 = triangles.member[(0u + _e1978)].i2_;
+                                                                                    if (_e2470 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2481 = vertices.member[(0u + _e2473)];
-                                                                                    if (_e2475 < _e86) {
+                                                                                    let _e2478 = vertices.member[(0u + _e2470)];
+                                                                                    if (_e2472 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2485 = vertices.member[(0u + _e2475)];
-                                                                                    if (_e2477 < _e86) {
+                                                                                    let _e2482 = vertices.member[(0u + _e2472)];
+                                                                                    if (_e2474 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2489 = vertices.member[(0u + _e2477)];
-                                                                                    let _e2490 = array<abi_Vertex, 3>(_e2481, _e2485, _e2489);
-                                                                                    if (_e2490[0].material < _e89) {
+                                                                                    let _e2486 = vertices.member[(0u + _e2474)];
+                                                                                    let _e2487 = array<abi_Vertex, 3>(_e2478, _e2482, _e2486);
+                                                                                    if (_e2487[0].material < _e89) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2496 = materials.member[(0u + _e2490[0].material)];
-                                                                                    if ((_e2496.flags & 0u) == 0u) {
-                                                                                        let _e2501 = ((1f - _e2429.u) - _e2429.v);
-                                                                                        if (_e2496.cutoff <= 0f) {
+                                                                                    let _e2493 = materials.member[(0u + _e2487[0].material)];
+                                                                                    if ((_e2493.flags & 0u) == 0u) {
+                                                                                        let _e2498 = ((1f - _e2426.u) - _e2426.v);
+                                                                                        if (_e2493.cutoff <= 0f) {
                                                                                             phi_3298_ = true;
                                                                                         } else {
-                                                                                            let _e2528 = (_e2496.base_color.w * ((((f32((_e2490[0].color >> bitcast<u32>(24i))) * _e2501) + (f32((_e2490[1].color >> bitcast<u32>(24i))) * _e2429.u)) + (f32((_e2490[2].color >> bitcast<u32>(24i))) * _e2429.v)) * (1f / 255f)));
-                                                                                            if (_e2496.alpha_size == 0u) {
-                                                                                                phi_3295_ = _e2528;
+                                                                                            let _e2525 = (_e2493.base_color.w * ((((f32((_e2487[0].color >> bitcast<u32>(24i))) * _e2498) + (f32((_e2487[1].color >> bitcast<u32>(24i))) * _e2426.u)) + (f32((_e2487[2].color >> bitcast<u32>(24i))) * _e2426.v)) * (1f / 255f)));
+                                                                                            if (_e2493.alpha_size == 0u) {
+                                                                                                phi_3295_ = _e2525;
                                                                                             } else {
-                                                                                                local_1.offset = _e2496.alpha_offset;
-                                                                                                local_1.size = _e2496.alpha_size;
-                                                                                                local_1.flags = _e2496.flags;
-                                                                                                let _e2559 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2490[0].u * _e2501) + (_e2490[1].u * _e2429.u)) + (_e2490[2].u * _e2429.v)), (((_e2490[0].v * _e2501) + (_e2490[1].v * _e2429.u)) + (_e2490[2].v * _e2429.v)));
-                                                                                                let _e2563 = (_e2559.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2563 < _e98) {
+                                                                                                local_1.offset = _e2493.alpha_offset;
+                                                                                                local_1.size = _e2493.alpha_size;
+                                                                                                local_1.flags = _e2493.flags;
+                                                                                                let _e2556 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2487[0].u * _e2498) + (_e2487[1].u * _e2426.u)) + (_e2487[2].u * _e2426.v)), (((_e2487[0].v * _e2498) + (_e2487[1].v * _e2426.u)) + (_e2487[2].v * _e2426.v)));
+                                                                                                let _e2560 = (_e2556.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2560 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2567 = alpha_texels.member[(0u + _e2563)];
-                                                                                                let _e2583 = (_e2559.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2583 < _e98) {
+                                                                                                let _e2564 = alpha_texels.member[(0u + _e2560)];
+                                                                                                let _e2580 = (_e2556.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2580 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2587 = alpha_texels.member[(0u + _e2583)];
-                                                                                                let _e2604 = (_e2559.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2604 < _e98) {
+                                                                                                let _e2584 = alpha_texels.member[(0u + _e2580)];
+                                                                                                let _e2601 = (_e2556.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2601 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2608 = alpha_texels.member[(0u + _e2604)];
-                                                                                                let _e2625 = (_e2559.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2625 < _e98) {
+                                                                                                let _e2605 = alpha_texels.member[(0u + _e2601)];
+                                                                                                let _e2622 = (_e2556.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2622 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2629 = alpha_texels.member[(0u + _e2625)];
-                                                                                                phi_3295_ = (_e2528 * (((((f32(((_e2567 >> bitcast<u32>((((_e2559.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.x) + ((f32(((_e2587 >> bitcast<u32>((((_e2559.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.y)) + ((f32(((_e2608 >> bitcast<u32>((((_e2559.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.z)) + ((f32(((_e2629 >> bitcast<u32>((((_e2559.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.w)));
+                                                                                                let _e2626 = alpha_texels.member[(0u + _e2622)];
+                                                                                                phi_3295_ = (_e2525 * (((((f32(((_e2564 >> bitcast<u32>((((_e2556.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.x) + ((f32(((_e2584 >> bitcast<u32>((((_e2556.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.y)) + ((f32(((_e2605 >> bitcast<u32>((((_e2556.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.z)) + ((f32(((_e2626 >> bitcast<u32>((((_e2556.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2556.weights.w)));
                                                                                             }
-                                                                                            let _e2645 = phi_3295_;
-                                                                                            phi_3298_ = (_e2645 >= _e2496.cutoff);
+                                                                                            let _e2642 = phi_3295_;
+                                                                                            phi_3298_ = (_e2642 >= _e2493.cutoff);
                                                                                         }
-                                                                                        let _e2649 = phi_3298_;
-                                                                                        phi_3299_ = _e2649;
+                                                                                        let _e2646 = phi_3298_;
+                                                                                        phi_3299_ = _e2646;
                                                                                     } else {
                                                                                         phi_3299_ = false;
                                                                                     }
-                                                                                    let _e2651 = phi_3299_;
-                                                                                    if _e2651 {
+                                                                                    let _e2648 = phi_3299_;
+                                                                                    if _e2648 {
                                                                                     }
-                                                                                    phi_3303_ = _e2651;
+                                                                                    phi_3303_ = _e2648;
                                                                                 }
-                                                                                let _e2653 = phi_3303_;
-                                                                                if _e2653 {
-                                                                                    phi_3311_ = lt_bvh_Hit(_e2429.t, _e2429.u, _e2429.v, _e1981, _e996);
+                                                                                let _e2650 = phi_3303_;
+                                                                                if _e2650 {
+                                                                                    phi_3311_ = lt_bvh_Hit(_e2426.t, _e2426.u, _e2426.v, _e1978, _e993);
                                                                                 } else {
-                                                                                    phi_3311_ = _e1970;
+                                                                                    phi_3311_ = _e1967;
                                                                                 }
-                                                                                let _e2659 = phi_3311_;
-                                                                                phi_3312_ = _e2659;
+                                                                                let _e2656 = phi_3311_;
+                                                                                phi_3312_ = _e2656;
                                                                             } else {
-                                                                                phi_3312_ = _e1970;
+                                                                                phi_3312_ = _e1967;
                                                                             }
-                                                                            let _e2661 = phi_3312_;
-                                                                            phi_3313_ = _e2661;
+                                                                            let _e2658 = phi_3312_;
+                                                                            phi_3313_ = _e2658;
                                                                         } else {
-                                                                            phi_3313_ = _e1970;
+                                                                            phi_3313_ = _e1967;
                                                                         }
-                                                                        let _e2663 = phi_3313_;
-                                                                        phi_3314_ = _e2663;
+                                                                        let _e2660 = phi_3313_;
+                                                                        phi_3314_ = _e2660;
                                                                     } else {
-                                                                        phi_3314_ = _e1970;
+                                                                        phi_3314_ = _e1967;
                                                                     }
-                                                                    let _e2665 = phi_3314_;
-                                                                    phi_2474_ = _e2665;
-                                                                    phi_2477_ = (_e1972 & (_e1972 - 1u));
+                                                                    let _e2662 = phi_3314_;
+                                                                    phi_2474_ = _e2662;
+                                                                    phi_2477_ = (_e1969 & (_e1969 - 1u));
                                                                     phi_3315_ = true;
                                                                 }
-                                                                let _e2667 = phi_2474_;
-                                                                let _e2669 = phi_2477_;
-                                                                let _e2671 = phi_3315_;
+                                                                let _e2664 = phi_2474_;
+                                                                let _e2666 = phi_2477_;
+                                                                let _e2668 = phi_3315_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2473_ = _e2667;
-                                                                    phi_2476_ = _e2669;
-                                                                    break if !(_e2671);
+                                                                    phi_2473_ = _e2664;
+                                                                    phi_2476_ = _e2666;
+                                                                    break if !(_e2668);
                                                                 }
                                                             }
-                                                            let _e2674 = local_2.group_mask;
-                                                            if ((_e2674 & 4278190080u) == 0u) {
-                                                                let _e2678 = local_2.len;
-                                                                if (_e2678 == 0u) {
+                                                            let _e2671 = local_2.group_mask;
+                                                            if ((_e2671 & 4278190080u) == 0u) {
+                                                                let _e2675 = local_2.len;
+                                                                if (_e2675 == 0u) {
                                                                     phi_3354_ = false;
                                                                 } else {
+                                                                    let _e2679 = local_2.len;
+                                                                    local_2.len = (_e2679 - 1u);
                                                                     let _e2682 = local_2.len;
-                                                                    local_2.len = (_e2682 - 1u);
-                                                                    let _e2685 = local_2.len;
-                                                                    if (_e2685 < 32u) {
+                                                                    if (_e2682 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2690 = local_2.first[(0u + _e2685)];
-                                                                    local_2.group = _e2690;
-                                                                    let _e2693 = local_2.len;
-                                                                    if (_e2693 < 32u) {
+                                                                    let _e2687 = local_2.first[(0u + _e2682)];
+                                                                    local_2.group = _e2687;
+                                                                    let _e2690 = local_2.len;
+                                                                    if (_e2690 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2698 = local_2.mask[(0u + _e2693)];
-                                                                    local_2.group_mask = _e2698;
+                                                                    let _e2695 = local_2.mask[(0u + _e2690)];
+                                                                    local_2.group_mask = _e2695;
                                                                     phi_3354_ = true;
                                                                 }
-                                                                let _e2701 = phi_3354_;
-                                                                phi_3355_ = _e2701;
+                                                                let _e2698 = phi_3354_;
+                                                                phi_3355_ = _e2698;
                                                             } else {
                                                                 phi_3355_ = true;
                                                             }
-                                                            let _e2703 = phi_3355_;
-                                                            if _e2703 {
-                                                                let _e2705 = local_2.group_mask;
-                                                                let _e2711 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2705)), 32u, (_e2705 == 0u)));
-                                                                let _e2715 = local_2.group_mask;
-                                                                let _e2729 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2729 & ~((1u << bitcast<u32>((_e2711 & 31u)))));
-                                                                let _e2732 = local_2.group;
-                                                                phi_3386_ = (_e2732 + countOneBits(((_e2715 & ~((4294967295u << bitcast<u32>((((_e2711 - 24u) ^ _e1393) & 31u))))) & 255u)));
+                                                            let _e2700 = phi_3355_;
+                                                            if _e2700 {
+                                                                let _e2702 = local_2.group_mask;
+                                                                let _e2708 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2702)), 32u, (_e2702 == 0u)));
+                                                                let _e2712 = local_2.group_mask;
+                                                                let _e2726 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2726 & ~((1u << bitcast<u32>((_e2708 & 31u)))));
+                                                                let _e2729 = local_2.group;
+                                                                phi_3386_ = (_e2729 + countOneBits(((_e2712 & ~((4294967295u << bitcast<u32>((((_e2708 - 24u) ^ _e1390) & 31u))))) & 255u)));
                                                             } else {
                                                                 phi_3386_ = 4294967295u;
                                                             }
-                                                            let _e2735 = phi_3386_;
-                                                            let _e4061 = local_10;
-                                                            phi_2141_ = _e4061;
-                                                            phi_2144_ = _e2735;
+                                                            let _e2732 = phi_3386_;
+                                                            let _e4058 = local_10;
+                                                            phi_2141_ = _e4058;
+                                                            phi_2144_ = _e2732;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
                                                             phi_2144_ = u32();
                                                         }
-                                                        let _e2737 = phi_2141_;
-                                                        let _e2739 = phi_2144_;
+                                                        let _e2734 = phi_2141_;
+                                                        let _e2736 = phi_2144_;
                                                         continue;
                                                         continuing {
-                                                            phi_2140_ = _e2737;
-                                                            phi_2143_ = _e2739;
-                                                            break if !(_e1534);
+                                                            phi_2140_ = _e2734;
+                                                            phi_2143_ = _e2736;
+                                                            break if !(_e1531);
                                                         }
                                                     }
-                                                    let _e4065 = local_11;
-                                                    phi_3387_ = _e4065;
+                                                    let _e4062 = local_11;
+                                                    phi_3387_ = _e4062;
                                                 }
-                                                let _e2742 = phi_3387_;
-                                                phi_3388_ = _e2742;
-                                                phi_3389_ = _e1219;
+                                                let _e2739 = phi_3387_;
+                                                phi_3388_ = _e2739;
+                                                phi_3389_ = _e1216;
                                             } else {
                                                 phi_3388_ = lt_bvh_Hit();
                                                 phi_3389_ = true;
                                             }
-                                            let _e2744 = phi_3388_;
-                                            let _e2746 = phi_3389_;
-                                            if _e2746 {
-                                                phi_3393_ = _e988;
+                                            let _e2741 = phi_3388_;
+                                            let _e2743 = phi_3389_;
+                                            if _e2743 {
+                                                phi_3393_ = _e985;
                                             } else {
-                                                phi_3393_ = _e2744;
+                                                phi_3393_ = _e2741;
                                             }
-                                            let _e2748 = phi_3393_;
-                                            phi_3394_ = _e2748;
+                                            let _e2745 = phi_3393_;
+                                            phi_3394_ = _e2745;
                                         } else {
-                                            phi_3394_ = _e988;
+                                            phi_3394_ = _e985;
                                         }
-                                        let _e2750 = phi_3394_;
-                                        phi_3395_ = _e2750;
+                                        let _e2747 = phi_3394_;
+                                        phi_3395_ = _e2747;
                                     } else {
-                                        phi_3395_ = _e988;
+                                        phi_3395_ = _e985;
                                     }
-                                    let _e2752 = phi_3395_;
-                                    phi_3396_ = _e2752;
+                                    let _e2749 = phi_3395_;
+                                    phi_3396_ = _e2749;
                                 } else {
-                                    phi_3396_ = _e988;
+                                    phi_3396_ = _e985;
                                 }
-                                let _e2754 = phi_3396_;
-                                phi_1515_ = (_e986 & (_e986 - 1u));
-                                phi_1518_ = _e2754;
+                                let _e2751 = phi_3396_;
+                                phi_1515_ = (_e983 & (_e983 - 1u));
+                                phi_1518_ = _e2751;
                                 phi_3397_ = true;
                             }
-                            let _e2756 = phi_1515_;
-                            let _e2758 = phi_1518_;
-                            let _e2760 = phi_3397_;
+                            let _e2753 = phi_1515_;
+                            let _e2755 = phi_1518_;
+                            let _e2757 = phi_3397_;
                             continue;
                             continuing {
-                                phi_1514_ = _e2756;
-                                phi_1517_ = _e2758;
-                                break if !(_e2760);
+                                phi_1514_ = _e2753;
+                                phi_1517_ = _e2755;
+                                break if !(_e2757);
                             }
                         }
-                        let _e2763 = local_3.group_mask;
-                        if ((_e2763 & 4278190080u) == 0u) {
-                            let _e2767 = local_3.len;
-                            if (_e2767 == 0u) {
+                        let _e2760 = local_3.group_mask;
+                        if ((_e2760 & 4278190080u) == 0u) {
+                            let _e2764 = local_3.len;
+                            if (_e2764 == 0u) {
                                 phi_3436_ = false;
                             } else {
+                                let _e2768 = local_3.len;
+                                local_3.len = (_e2768 - 1u);
                                 let _e2771 = local_3.len;
-                                local_3.len = (_e2771 - 1u);
-                                let _e2774 = local_3.len;
-                                if (_e2774 < 32u) {
+                                if (_e2771 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2779 = local_3.first[(0u + _e2774)];
-                                local_3.group = _e2779;
-                                let _e2782 = local_3.len;
-                                if (_e2782 < 32u) {
+                                let _e2776 = local_3.first[(0u + _e2771)];
+                                local_3.group = _e2776;
+                                let _e2779 = local_3.len;
+                                if (_e2779 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2787 = local_3.mask[(0u + _e2782)];
-                                local_3.group_mask = _e2787;
+                                let _e2784 = local_3.mask[(0u + _e2779)];
+                                local_3.group_mask = _e2784;
                                 phi_3436_ = true;
                             }
-                            let _e2790 = phi_3436_;
-                            phi_3437_ = _e2790;
+                            let _e2787 = phi_3436_;
+                            phi_3437_ = _e2787;
                         } else {
                             phi_3437_ = true;
                         }
-                        let _e2792 = phi_3437_;
-                        if _e2792 {
-                            let _e2794 = local_3.group_mask;
-                            let _e2800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2794)), 32u, (_e2794 == 0u)));
-                            let _e2804 = local_3.group_mask;
-                            let _e2818 = local_3.group_mask;
-                            local_3.group_mask = (_e2818 & ~((1u << bitcast<u32>((_e2800 & 31u)))));
-                            let _e2821 = local_3.group;
-                            phi_3468_ = (_e2821 + countOneBits(((_e2804 & ~((4294967295u << bitcast<u32>((((_e2800 - 24u) ^ _e405) & 31u))))) & 255u)));
+                        let _e2789 = phi_3437_;
+                        if _e2789 {
+                            let _e2791 = local_3.group_mask;
+                            let _e2797 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2791)), 32u, (_e2791 == 0u)));
+                            let _e2801 = local_3.group_mask;
+                            let _e2815 = local_3.group_mask;
+                            local_3.group_mask = (_e2815 & ~((1u << bitcast<u32>((_e2797 & 31u)))));
+                            let _e2818 = local_3.group;
+                            phi_3468_ = (_e2818 + countOneBits(((_e2801 & ~((4294967295u << bitcast<u32>((((_e2797 - 24u) ^ _e402) & 31u))))) & 255u)));
                         } else {
                             phi_3468_ = 4294967295u;
                         }
-                        let _e2824 = phi_3468_;
-                        phi_1178_ = _e2824;
-                        let _e4081 = local_12;
-                        phi_1181_ = _e4081;
+                        let _e2821 = phi_3468_;
+                        phi_1178_ = _e2821;
+                        let _e4078 = local_12;
+                        phi_1181_ = _e4078;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
                     }
-                    let _e2826 = phi_1178_;
-                    let _e2828 = phi_1181_;
+                    let _e2823 = phi_1178_;
+                    let _e2825 = phi_1181_;
                     continue;
                     continuing {
-                        phi_1177_ = _e2826;
-                        phi_1180_ = _e2828;
-                        break if !(_e546);
+                        phi_1177_ = _e2823;
+                        phi_1180_ = _e2825;
+                        break if !(_e543);
                     }
                 }
-                let _e4084 = local_13;
-                phi_3469_ = _e4084;
+                let _e4081 = local_13;
+                phi_3469_ = _e4081;
             }
-            let _e2831 = phi_3469_;
-            phi_3470_ = _e2831;
+            let _e2828 = phi_3469_;
+            phi_3470_ = _e2828;
             phi_3471_ = _e242;
         } else {
             phi_3470_ = lt_bvh_Hit();
             phi_3471_ = true;
         }
-        let _e2833 = phi_3470_;
-        let _e2835 = phi_3471_;
-        if _e2835 {
+        let _e2830 = phi_3470_;
+        let _e2832 = phi_3471_;
+        if _e2832 {
             phi_3475_ = _e172;
         } else {
-            phi_3475_ = _e2833;
+            phi_3475_ = _e2830;
         }
-        let _e2837 = phi_3475_;
-        if (_e2837.triangle != 4294967295u) {
-            let _e2843 = ((1f - _e2837.u) - _e2837.v);
-            if (_e2837.triangle < _e83) {
+        let _e2834 = phi_3475_;
+        if (_e2834.triangle != 4294967295u) {
+            let _e2840 = ((1f - _e2834.u) - _e2834.v);
+            if (_e2834.triangle < _e83) {
             } else {
                 return;
             }
-            let _e2848 = triangles.member[(0u + _e2837.triangle)];
-            if (_e2837.instance < _e95) {
+            let _e2845 = triangles.member[(0u + _e2834.triangle)];
+            if (_e2834.instance < _e95) {
             } else {
                 return;
             }
-            let _e2859 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e2870 = ((((_e2859.x * _e2848.v0_.x) + (_e2859.y * _e2848.v0_.y)) + (_e2859.z * _e2848.v0_.z)) + (_e2859.w * 1f));
-            let _e2872 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e2883 = ((((_e2872.x * _e2848.v0_.x) + (_e2872.y * _e2848.v0_.y)) + (_e2872.z * _e2848.v0_.z)) + (_e2872.w * 1f));
-            let _e2885 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            let _e2896 = ((((_e2885.x * _e2848.v0_.x) + (_e2885.y * _e2848.v0_.y)) + (_e2885.z * _e2848.v0_.z)) + (_e2885.w * 1f));
-            let _e2903 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e2914 = ((((_e2903.x * _e2848.v1_.x) + (_e2903.y * _e2848.v1_.y)) + (_e2903.z * _e2848.v1_.z)) + (_e2903.w * 1f));
-            let _e2916 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e2927 = ((((_e2916.x * _e2848.v1_.x) + (_e2916.y * _e2848.v1_.y)) + (_e2916.z * _e2848.v1_.z)) + (_e2916.w * 1f));
-            let _e2929 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            let _e2940 = ((((_e2929.x * _e2848.v1_.x) + (_e2929.y * _e2848.v1_.y)) + (_e2929.z * _e2848.v1_.z)) + (_e2929.w * 1f));
-            let _e2947 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e2958 = ((((_e2947.x * _e2848.v2_.x) + (_e2947.y * _e2848.v2_.y)) + (_e2947.z * _e2848.v2_.z)) + (_e2947.w * 1f));
-            let _e2960 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e2971 = ((((_e2960.x * _e2848.v2_.x) + (_e2960.y * _e2848.v2_.y)) + (_e2960.z * _e2848.v2_.z)) + (_e2960.w * 1f));
-            let _e2973 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            let _e2984 = ((((_e2973.x * _e2848.v2_.x) + (_e2973.y * _e2848.v2_.y)) + (_e2973.z * _e2848.v2_.z)) + (_e2973.w * 1f));
-            let _e2997 = (((_e2870 * _e2843) + (_e2914 * _e2837.u)) + (_e2958 * _e2837.v));
-            let _e2998 = (((_e2883 * _e2843) + (_e2927 * _e2837.u)) + (_e2971 * _e2837.v));
-            let _e2999 = (((_e2896 * _e2843) + (_e2940 * _e2837.u)) + (_e2984 * _e2837.v));
-            let _e3001 = abs(_e2870);
-            let _e3002 = abs(_e2883);
-            let _e3003 = abs(_e2896);
-            let _e3004 = abs(_e2914);
-            let _e3005 = abs(_e2927);
-            let _e3006 = abs(_e2940);
-            if (_e3001 > _e3004) {
+            let _e2856 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e2867 = ((((_e2856.x * _e2845.v0_.x) + (_e2856.y * _e2845.v0_.y)) + (_e2856.z * _e2845.v0_.z)) + (_e2856.w * 1f));
+            let _e2869 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e2880 = ((((_e2869.x * _e2845.v0_.x) + (_e2869.y * _e2845.v0_.y)) + (_e2869.z * _e2845.v0_.z)) + (_e2869.w * 1f));
+            let _e2882 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            let _e2893 = ((((_e2882.x * _e2845.v0_.x) + (_e2882.y * _e2845.v0_.y)) + (_e2882.z * _e2845.v0_.z)) + (_e2882.w * 1f));
+            let _e2900 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e2911 = ((((_e2900.x * _e2845.v1_.x) + (_e2900.y * _e2845.v1_.y)) + (_e2900.z * _e2845.v1_.z)) + (_e2900.w * 1f));
+            let _e2913 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e2924 = ((((_e2913.x * _e2845.v1_.x) + (_e2913.y * _e2845.v1_.y)) + (_e2913.z * _e2845.v1_.z)) + (_e2913.w * 1f));
+            let _e2926 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            let _e2937 = ((((_e2926.x * _e2845.v1_.x) + (_e2926.y * _e2845.v1_.y)) + (_e2926.z * _e2845.v1_.z)) + (_e2926.w * 1f));
+            let _e2944 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e2955 = ((((_e2944.x * _e2845.v2_.x) + (_e2944.y * _e2845.v2_.y)) + (_e2944.z * _e2845.v2_.z)) + (_e2944.w * 1f));
+            let _e2957 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e2968 = ((((_e2957.x * _e2845.v2_.x) + (_e2957.y * _e2845.v2_.y)) + (_e2957.z * _e2845.v2_.z)) + (_e2957.w * 1f));
+            let _e2970 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            let _e2981 = ((((_e2970.x * _e2845.v2_.x) + (_e2970.y * _e2845.v2_.y)) + (_e2970.z * _e2845.v2_.z)) + (_e2970.w * 1f));
+            let _e2994 = (((_e2867 * _e2840) + (_e2911 * _e2834.u)) + (_e2955 * _e2834.v));
+            let _e2995 = (((_e2880 * _e2840) + (_e2924 * _e2834.u)) + (_e2968 * _e2834.v));
+            let _e2996 = (((_e2893 * _e2840) + (_e2937 * _e2834.u)) + (_e2981 * _e2834.v));
+            let _e2998 = abs(_e2867);
+            let _e2999 = abs(_e2880);
+            let _e3000 = abs(_e2893);
+            let _e3001 = abs(_e2911);
+            let _e3002 = abs(_e2924);
+            let _e3003 = abs(_e2937);
+            if (_e2998 > _e3001) {
+                phi_3662_ = _e2998;
+            } else {
                 phi_3662_ = _e3001;
-            } else {
-                phi_3662_ = _e3004;
             }
-            let _e3009 = phi_3662_;
-            if (_e3002 > _e3005) {
+            let _e3006 = phi_3662_;
+            if (_e2999 > _e3002) {
+                phi_3667_ = _e2999;
+            } else {
                 phi_3667_ = _e3002;
-            } else {
-                phi_3667_ = _e3005;
             }
-            let _e3012 = phi_3667_;
-            if (_e3003 > _e3006) {
+            let _e3009 = phi_3667_;
+            if (_e3000 > _e3003) {
+                phi_3672_ = _e3000;
+            } else {
                 phi_3672_ = _e3003;
-            } else {
-                phi_3672_ = _e3006;
             }
-            let _e3015 = phi_3672_;
-            let _e3016 = abs(_e2958);
-            let _e3017 = abs(_e2971);
-            let _e3018 = abs(_e2984);
-            if (_e3009 > _e3016) {
-                phi_3680_ = _e3009;
+            let _e3012 = phi_3672_;
+            let _e3013 = abs(_e2955);
+            let _e3014 = abs(_e2968);
+            let _e3015 = abs(_e2981);
+            if (_e3006 > _e3013) {
+                phi_3680_ = _e3006;
             } else {
-                phi_3680_ = _e3016;
+                phi_3680_ = _e3013;
             }
-            let _e3021 = phi_3680_;
-            if (_e3012 > _e3017) {
-                phi_3685_ = _e3012;
+            let _e3018 = phi_3680_;
+            if (_e3009 > _e3014) {
+                phi_3685_ = _e3009;
             } else {
-                phi_3685_ = _e3017;
+                phi_3685_ = _e3014;
             }
-            let _e3024 = phi_3685_;
-            if (_e3015 > _e3018) {
+            let _e3021 = phi_3685_;
+            if (_e3012 > _e3015) {
+                phi_3690_ = _e3012;
+            } else {
                 phi_3690_ = _e3015;
-            } else {
-                phi_3690_ = _e3018;
             }
-            let _e3027 = phi_3690_;
-            let _e3028 = (_e2914 - _e2870);
-            let _e3029 = (_e2927 - _e2883);
-            let _e3030 = (_e2940 - _e2896);
-            let _e3031 = (_e2958 - _e2870);
-            let _e3032 = (_e2971 - _e2883);
-            let _e3033 = (_e2984 - _e2896);
-            let _e3037 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3029), abs(_e3030));
-            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), _e3037);
-            let _e3039 = (_e3028 / _e3038);
-            let _e3040 = (_e3029 / _e3038);
-            let _e3041 = (_e3030 / _e3038);
-            let _e3045 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3032), abs(_e3033));
-            let _e3046 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3031), _e3045);
-            let _e3047 = (_e3031 / _e3046);
-            let _e3048 = (_e3032 / _e3046);
-            let _e3049 = (_e3033 / _e3046);
-            let _e3052 = ((_e3040 * _e3049) - (_e3048 * _e3041));
-            let _e3055 = ((_e3041 * _e3047) - (_e3049 * _e3039));
-            let _e3058 = ((_e3039 * _e3048) - (_e3047 * _e3040));
-            let _e3060 = p.member.eye;
-            let _e3073 = (1f / sqrt((((_e3052 * _e3052) + (_e3055 * _e3055)) + (_e3058 * _e3058))));
-            let _e3074 = (_e3052 * _e3073);
-            let _e3075 = (_e3055 * _e3073);
-            let _e3076 = (_e3058 * _e3073);
-            if ((((_e3074 * (_e3060.x - _e2997)) + (_e3075 * (_e3060.y - _e2998))) + (_e3076 * (_e3060.z - _e2999))) < 0f) {
-                phi_3754_ = vec3<f32>(-(_e3074), -(_e3075), -(_e3076));
+            let _e3024 = phi_3690_;
+            let _e3025 = (_e2911 - _e2867);
+            let _e3026 = (_e2924 - _e2880);
+            let _e3027 = (_e2937 - _e2893);
+            let _e3028 = (_e2955 - _e2867);
+            let _e3029 = (_e2968 - _e2880);
+            let _e3030 = (_e2981 - _e2893);
+            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3026), abs(_e3027));
+            let _e3035 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3025), _e3034);
+            let _e3036 = (_e3025 / _e3035);
+            let _e3037 = (_e3026 / _e3035);
+            let _e3038 = (_e3027 / _e3035);
+            let _e3042 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3029), abs(_e3030));
+            let _e3043 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), _e3042);
+            let _e3044 = (_e3028 / _e3043);
+            let _e3045 = (_e3029 / _e3043);
+            let _e3046 = (_e3030 / _e3043);
+            let _e3049 = ((_e3037 * _e3046) - (_e3045 * _e3038));
+            let _e3052 = ((_e3038 * _e3044) - (_e3046 * _e3036));
+            let _e3055 = ((_e3036 * _e3045) - (_e3044 * _e3037));
+            let _e3057 = p.member.eye;
+            let _e3070 = (1f / sqrt((((_e3049 * _e3049) + (_e3052 * _e3052)) + (_e3055 * _e3055))));
+            let _e3071 = (_e3049 * _e3070);
+            let _e3072 = (_e3052 * _e3070);
+            let _e3073 = (_e3055 * _e3070);
+            if ((((_e3071 * (_e3057.x - _e2994)) + (_e3072 * (_e3057.y - _e2995))) + (_e3073 * (_e3057.z - _e2996))) < 0f) {
+                phi_3754_ = vec3<f32>(-(_e3071), -(_e3072), -(_e3073));
             } else {
-                phi_3754_ = vec3<f32>(_e3074, _e3075, _e3076);
+                phi_3754_ = vec3<f32>(_e3071, _e3072, _e3073);
             }
-            let _e3089 = phi_3754_;
-            if (_e2837.triangle < _e83) {
+            let _e3086 = phi_3754_;
+            if (_e2834.triangle < _e83) {
             } else {
                 return;
             }
-            let _e3094 = triangles.member[(0u + _e2837.triangle)];
-            let _e3096 = (_e3094.i0_ & 2147483647u);
-            if (_e3096 < _e86) {
+            let _e3091 = triangles.member[(0u + _e2834.triangle)];
+            let _e3093 = (_e3091.i0_ & 2147483647u);
+            if (_e3093 < _e86) {
             } else {
                 return;
             }
-            let _e3102 = vertices.member[(0u + _e3096)];
-            if (_e3094.i1_ < _e86) {
+            let _e3099 = vertices.member[(0u + _e3093)];
+            if (_e3091.i1_ < _e86) {
             } else {
                 return;
             }
-            let _e3106 = vertices.member[(0u + _e3094.i1_)];
-            if (_e3094.i2_ < _e86) {
+            let _e3103 = vertices.member[(0u + _e3091.i1_)];
+            if (_e3091.i2_ < _e86) {
             } else {
                 return;
             }
-            let _e3110 = vertices.member[(0u + _e3094.i2_)];
-            let _e3111 = array<abi_Vertex, 3>(_e3102, _e3106, _e3110);
-            if (_e3111[0].material < _e89) {
+            let _e3107 = vertices.member[(0u + _e3091.i2_)];
+            let _e3108 = array<abi_Vertex, 3>(_e3099, _e3103, _e3107);
+            if (_e3108[0].material < _e89) {
             } else {
                 return;
             }
-            let _e3117 = materials.member[(0u + _e3111[0].material)];
-            let _e3134 = (1f / 255f);
-            let _e3153 = (1f / 255f);
-            let _e3175 = (1f / 255f);
-            if (_e3117.color_size == 0u) {
+            let _e3114 = materials.member[(0u + _e3108[0].material)];
+            let _e3131 = (1f / 255f);
+            let _e3150 = (1f / 255f);
+            let _e3172 = (1f / 255f);
+            if (_e3114.color_size == 0u) {
                 phi_3997_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3117.color_offset;
-                local.size = _e3117.color_size;
-                local.flags = _e3117.flags;
-                let _e3218 = _lt_shaders_texture_TextureView_quad((&local), (((_e3111[0].u * _e2843) + (_e3111[1].u * _e2837.u)) + (_e3111[2].u * _e2837.v)), (((_e3111[0].v * _e2843) + (_e3111[1].v * _e2837.u)) + (_e3111[2].v * _e2837.v)));
-                if (_e3218.indices[0] < _e101) {
+                local.offset = _e3114.color_offset;
+                local.size = _e3114.color_size;
+                local.flags = _e3114.flags;
+                let _e3215 = _lt_shaders_texture_TextureView_quad((&local), (((_e3108[0].u * _e2840) + (_e3108[1].u * _e2834.u)) + (_e3108[2].u * _e2834.v)), (((_e3108[0].v * _e2840) + (_e3108[1].v * _e2834.u)) + (_e3108[2].v * _e2834.v)));
+                if (_e3215.indices[0] < _e101) {
                 } else {
                     return;
                 }
-                let _e3224 = color_texels.member[(0u + _e3218.indices[0])];
-                let _e3235 = (1f / 255f);
-                if (_e3218.indices[1] < _e101) {
+                let _e3221 = color_texels.member[(0u + _e3215.indices[0])];
+                let _e3232 = (1f / 255f);
+                if (_e3215.indices[1] < _e101) {
                 } else {
                     return;
                 }
-                let _e3249 = color_texels.member[(0u + _e3218.indices[1])];
-                let _e3260 = (1f / 255f);
-                if (_e3218.indices[2] < _e101) {
+                let _e3246 = color_texels.member[(0u + _e3215.indices[1])];
+                let _e3257 = (1f / 255f);
+                if (_e3215.indices[2] < _e101) {
                 } else {
                     return;
                 }
-                let _e3277 = color_texels.member[(0u + _e3218.indices[2])];
-                let _e3288 = (1f / 255f);
-                if (_e3218.indices[3] < _e101) {
+                let _e3274 = color_texels.member[(0u + _e3215.indices[2])];
+                let _e3285 = (1f / 255f);
+                if (_e3215.indices[3] < _e101) {
                 } else {
                     return;
                 }
-                let _e3305 = color_texels.member[(0u + _e3218.indices[3])];
-                let _e3316 = (1f / 255f);
-                let _e3325 = (((((f32((_e3224 & 255u)) * _e3235) * _e3218.weights.x) + ((f32((_e3249 & 255u)) * _e3260) * _e3218.weights.y)) + ((f32((_e3277 & 255u)) * _e3288) * _e3218.weights.z)) + ((f32((_e3305 & 255u)) * _e3316) * _e3218.weights.w));
-                let _e3326 = (((((f32(((_e3224 >> bitcast<u32>(8i)) & 255u)) * _e3235) * _e3218.weights.x) + ((f32(((_e3249 >> bitcast<u32>(8i)) & 255u)) * _e3260) * _e3218.weights.y)) + ((f32(((_e3277 >> bitcast<u32>(8i)) & 255u)) * _e3288) * _e3218.weights.z)) + ((f32(((_e3305 >> bitcast<u32>(8i)) & 255u)) * _e3316) * _e3218.weights.w));
-                let _e3327 = (((((f32(((_e3224 >> bitcast<u32>(16i)) & 255u)) * _e3235) * _e3218.weights.x) + ((f32(((_e3249 >> bitcast<u32>(16i)) & 255u)) * _e3260) * _e3218.weights.y)) + ((f32(((_e3277 >> bitcast<u32>(16i)) & 255u)) * _e3288) * _e3218.weights.z)) + ((f32(((_e3305 >> bitcast<u32>(16i)) & 255u)) * _e3316) * _e3218.weights.w));
-                phi_3997_ = vec3<f32>((_e3325 * _e3325), (_e3326 * _e3326), (_e3327 * _e3327));
+                let _e3302 = color_texels.member[(0u + _e3215.indices[3])];
+                let _e3313 = (1f / 255f);
+                let _e3322 = (((((f32((_e3221 & 255u)) * _e3232) * _e3215.weights.x) + ((f32((_e3246 & 255u)) * _e3257) * _e3215.weights.y)) + ((f32((_e3274 & 255u)) * _e3285) * _e3215.weights.z)) + ((f32((_e3302 & 255u)) * _e3313) * _e3215.weights.w));
+                let _e3323 = (((((f32(((_e3221 >> bitcast<u32>(8i)) & 255u)) * _e3232) * _e3215.weights.x) + ((f32(((_e3246 >> bitcast<u32>(8i)) & 255u)) * _e3257) * _e3215.weights.y)) + ((f32(((_e3274 >> bitcast<u32>(8i)) & 255u)) * _e3285) * _e3215.weights.z)) + ((f32(((_e3302 >> bitcast<u32>(8i)) & 255u)) * _e3313) * _e3215.weights.w));
+                let _e3324 = (((((f32(((_e3221 >> bitcast<u32>(16i)) & 255u)) * _e3232) * _e3215.weights.x) + ((f32(((_e3246 >> bitcast<u32>(16i)) & 255u)) * _e3257) * _e3215.weights.y)) + ((f32(((_e3274 >> bitcast<u32>(16i)) & 255u)) * _e3285) * _e3215.weights.z)) + ((f32(((_e3302 >> bitcast<u32>(16i)) & 255u)) * _e3313) * _e3215.weights.w));
+                phi_3997_ = vec3<f32>((_e3322 * _e3322), (_e3323 * _e3323), (_e3324 * _e3324));
             }
-            let _e3333 = phi_3997_;
-            let _e3335 = ((_e3117.base_color.x * ((((f32((_e3111[0].color & 255u)) * _e3134) * _e2843) + ((f32((_e3111[1].color & 255u)) * _e3153) * _e2837.u)) + ((f32((_e3111[2].color & 255u)) * _e3175) * _e2837.v))) * _e3333.x);
-            let _e3337 = ((_e3117.base_color.y * ((((f32(((_e3111[0].color >> bitcast<u32>(8i)) & 255u)) * _e3134) * _e2843) + ((f32(((_e3111[1].color >> bitcast<u32>(8i)) & 255u)) * _e3153) * _e2837.u)) + ((f32(((_e3111[2].color >> bitcast<u32>(8i)) & 255u)) * _e3175) * _e2837.v))) * _e3333.y);
-            let _e3339 = ((_e3117.base_color.z * ((((f32(((_e3111[0].color >> bitcast<u32>(16i)) & 255u)) * _e3134) * _e2843) + ((f32(((_e3111[1].color >> bitcast<u32>(16i)) & 255u)) * _e3153) * _e2837.u)) + ((f32(((_e3111[2].color >> bitcast<u32>(16i)) & 255u)) * _e3175) * _e2837.v))) * _e3333.z);
-            let _e3340 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3024, _e3027);
-            let _e3341 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3021, _e3340);
-            if ((_e3117.flags & 2u) == 0u) {
+            let _e3330 = phi_3997_;
+            let _e3332 = ((_e3114.base_color.x * ((((f32((_e3108[0].color & 255u)) * _e3131) * _e2840) + ((f32((_e3108[1].color & 255u)) * _e3150) * _e2834.u)) + ((f32((_e3108[2].color & 255u)) * _e3172) * _e2834.v))) * _e3330.x);
+            let _e3334 = ((_e3114.base_color.y * ((((f32(((_e3108[0].color >> bitcast<u32>(8i)) & 255u)) * _e3131) * _e2840) + ((f32(((_e3108[1].color >> bitcast<u32>(8i)) & 255u)) * _e3150) * _e2834.u)) + ((f32(((_e3108[2].color >> bitcast<u32>(8i)) & 255u)) * _e3172) * _e2834.v))) * _e3330.y);
+            let _e3336 = ((_e3114.base_color.z * ((((f32(((_e3108[0].color >> bitcast<u32>(16i)) & 255u)) * _e3131) * _e2840) + ((f32(((_e3108[1].color >> bitcast<u32>(16i)) & 255u)) * _e3150) * _e2834.u)) + ((f32(((_e3108[2].color >> bitcast<u32>(16i)) & 255u)) * _e3172) * _e2834.v))) * _e3330.z);
+            let _e3337 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3021, _e3024);
+            let _e3338 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3018, _e3337);
+            if ((_e3114.flags & 2u) == 0u) {
                 phi_4012_ = 0u;
             } else {
                 phi_4012_ = 1u;
             }
-            let _e3346 = phi_4012_;
-            if (_e3111[0].normal == 2147516416u) {
-                phi_4242_ = _e3089;
+            let _e3343 = phi_4012_;
+            if (_e3108[0].normal == 2147516416u) {
+                phi_4242_ = _e3086;
             } else {
-                let _e3359 = (f32((bitcast<i32>((_e3111[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3365 = (f32((bitcast<i32>(_e3111[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3369 = ((1f - abs(_e3359)) - abs(_e3365));
-                if (_e3369 < 0f) {
-                    phi_4039_ = -(_e3369);
+                let _e3356 = (f32((bitcast<i32>((_e3108[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3362 = (f32((bitcast<i32>(_e3108[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3366 = ((1f - abs(_e3356)) - abs(_e3362));
+                if (_e3366 < 0f) {
+                    phi_4039_ = -(_e3366);
                 } else {
                     phi_4039_ = 0f;
                 }
-                let _e3373 = phi_4039_;
-                if (_e3359 < 0f) {
-                    phi_4046_ = (_e3359 + _e3373);
+                let _e3370 = phi_4039_;
+                if (_e3356 < 0f) {
+                    phi_4046_ = (_e3356 + _e3370);
                 } else {
-                    phi_4046_ = (_e3359 - _e3373);
+                    phi_4046_ = (_e3356 - _e3370);
                 }
-                let _e3378 = phi_4046_;
-                if (_e3365 < 0f) {
-                    phi_4053_ = (_e3365 + _e3373);
+                let _e3375 = phi_4046_;
+                if (_e3362 < 0f) {
+                    phi_4053_ = (_e3362 + _e3370);
                 } else {
-                    phi_4053_ = (_e3365 - _e3373);
+                    phi_4053_ = (_e3362 - _e3370);
                 }
-                let _e3383 = phi_4053_;
-                let _e3390 = (1f / sqrt((((_e3378 * _e3378) + (_e3383 * _e3383)) + (_e3369 * _e3369))));
-                let _e3406 = (f32((bitcast<i32>((_e3111[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3412 = (f32((bitcast<i32>(_e3111[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3416 = ((1f - abs(_e3406)) - abs(_e3412));
-                if (_e3416 < 0f) {
-                    phi_4088_ = -(_e3416);
+                let _e3380 = phi_4053_;
+                let _e3387 = (1f / sqrt((((_e3375 * _e3375) + (_e3380 * _e3380)) + (_e3366 * _e3366))));
+                let _e3403 = (f32((bitcast<i32>((_e3108[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3409 = (f32((bitcast<i32>(_e3108[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3413 = ((1f - abs(_e3403)) - abs(_e3409));
+                if (_e3413 < 0f) {
+                    phi_4088_ = -(_e3413);
                 } else {
                     phi_4088_ = 0f;
                 }
-                let _e3420 = phi_4088_;
-                if (_e3406 < 0f) {
-                    phi_4095_ = (_e3406 + _e3420);
+                let _e3417 = phi_4088_;
+                if (_e3403 < 0f) {
+                    phi_4095_ = (_e3403 + _e3417);
                 } else {
-                    phi_4095_ = (_e3406 - _e3420);
+                    phi_4095_ = (_e3403 - _e3417);
                 }
-                let _e3425 = phi_4095_;
-                if (_e3412 < 0f) {
-                    phi_4102_ = (_e3412 + _e3420);
+                let _e3422 = phi_4095_;
+                if (_e3409 < 0f) {
+                    phi_4102_ = (_e3409 + _e3417);
                 } else {
-                    phi_4102_ = (_e3412 - _e3420);
+                    phi_4102_ = (_e3409 - _e3417);
                 }
-                let _e3430 = phi_4102_;
-                let _e3437 = (1f / sqrt((((_e3425 * _e3425) + (_e3430 * _e3430)) + (_e3416 * _e3416))));
-                let _e3456 = (f32((bitcast<i32>((_e3111[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3462 = (f32((bitcast<i32>(_e3111[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3466 = ((1f - abs(_e3456)) - abs(_e3462));
-                if (_e3466 < 0f) {
-                    phi_4140_ = -(_e3466);
+                let _e3427 = phi_4102_;
+                let _e3434 = (1f / sqrt((((_e3422 * _e3422) + (_e3427 * _e3427)) + (_e3413 * _e3413))));
+                let _e3453 = (f32((bitcast<i32>((_e3108[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3459 = (f32((bitcast<i32>(_e3108[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3463 = ((1f - abs(_e3453)) - abs(_e3459));
+                if (_e3463 < 0f) {
+                    phi_4140_ = -(_e3463);
                 } else {
                     phi_4140_ = 0f;
                 }
-                let _e3470 = phi_4140_;
-                if (_e3456 < 0f) {
-                    phi_4147_ = (_e3456 + _e3470);
+                let _e3467 = phi_4140_;
+                if (_e3453 < 0f) {
+                    phi_4147_ = (_e3453 + _e3467);
                 } else {
-                    phi_4147_ = (_e3456 - _e3470);
+                    phi_4147_ = (_e3453 - _e3467);
                 }
-                let _e3475 = phi_4147_;
-                if (_e3462 < 0f) {
-                    phi_4154_ = (_e3462 + _e3470);
+                let _e3472 = phi_4147_;
+                if (_e3459 < 0f) {
+                    phi_4154_ = (_e3459 + _e3467);
                 } else {
-                    phi_4154_ = (_e3462 - _e3470);
+                    phi_4154_ = (_e3459 - _e3467);
                 }
-                let _e3480 = phi_4154_;
-                let _e3487 = (1f / sqrt((((_e3475 * _e3475) + (_e3480 * _e3480)) + (_e3466 * _e3466))));
-                let _e3494 = ((((_e3378 * _e3390) * _e2843) + ((_e3425 * _e3437) * _e2837.u)) + ((_e3475 * _e3487) * _e2837.v));
-                let _e3495 = ((((_e3383 * _e3390) * _e2843) + ((_e3430 * _e3437) * _e2837.u)) + ((_e3480 * _e3487) * _e2837.v));
-                let _e3496 = ((((_e3369 * _e3390) * _e2843) + ((_e3416 * _e3437) * _e2837.u)) + ((_e3466 * _e3487) * _e2837.v));
-                if (_e2837.instance < _e95) {
+                let _e3477 = phi_4154_;
+                let _e3484 = (1f / sqrt((((_e3472 * _e3472) + (_e3477 * _e3477)) + (_e3463 * _e3463))));
+                let _e3491 = ((((_e3375 * _e3387) * _e2840) + ((_e3422 * _e3434) * _e2834.u)) + ((_e3472 * _e3484) * _e2834.v));
+                let _e3492 = ((((_e3380 * _e3387) * _e2840) + ((_e3427 * _e3434) * _e2834.u)) + ((_e3477 * _e3484) * _e2834.v));
+                let _e3493 = ((((_e3366 * _e3387) * _e2840) + ((_e3413 * _e3434) * _e2834.u)) + ((_e3463 * _e3484) * _e2834.v));
+                if (_e2834.instance < _e95) {
                 } else {
                     return;
                 }
-                let _e3503 = instances.member[(0u + _e2837.instance)].world_to_object[0u];
-                let _e3512 = instances.member[(0u + _e2837.instance)].world_to_object[1u];
-                let _e3524 = instances.member[(0u + _e2837.instance)].world_to_object[2u];
-                let _e3531 = (((_e3503.x * _e3494) + (_e3512.x * _e3495)) + (_e3524.x * _e3496));
-                let _e3532 = (((_e3503.y * _e3494) + (_e3512.y * _e3495)) + (_e3524.y * _e3496));
-                let _e3533 = (((_e3503.z * _e3494) + (_e3512.z * _e3495)) + (_e3524.z * _e3496));
-                let _e3539 = sqrt((((_e3531 * _e3531) + (_e3532 * _e3532)) + (_e3533 * _e3533)));
-                if (_e3539 > 0f) {
-                    let _e3541 = (_e3531 / _e3539);
-                    let _e3542 = (_e3532 / _e3539);
-                    let _e3543 = (_e3533 / _e3539);
-                    if ((((_e3541 * _e3089.x) + (_e3542 * _e3089.y)) + (_e3543 * _e3089.z)) < 0f) {
-                        phi_4240_ = vec3<f32>(-(_e3541), -(_e3542), -(_e3543));
+                let _e3500 = instances.member[(0u + _e2834.instance)].world_to_object[0u];
+                let _e3509 = instances.member[(0u + _e2834.instance)].world_to_object[1u];
+                let _e3521 = instances.member[(0u + _e2834.instance)].world_to_object[2u];
+                let _e3528 = (((_e3500.x * _e3491) + (_e3509.x * _e3492)) + (_e3521.x * _e3493));
+                let _e3529 = (((_e3500.y * _e3491) + (_e3509.y * _e3492)) + (_e3521.y * _e3493));
+                let _e3530 = (((_e3500.z * _e3491) + (_e3509.z * _e3492)) + (_e3521.z * _e3493));
+                let _e3536 = sqrt((((_e3528 * _e3528) + (_e3529 * _e3529)) + (_e3530 * _e3530)));
+                if (_e3536 > 0f) {
+                    let _e3538 = (_e3528 / _e3536);
+                    let _e3539 = (_e3529 / _e3536);
+                    let _e3540 = (_e3530 / _e3536);
+                    if ((((_e3538 * _e3086.x) + (_e3539 * _e3086.y)) + (_e3540 * _e3086.z)) < 0f) {
+                        phi_4240_ = vec3<f32>(-(_e3538), -(_e3539), -(_e3540));
                     } else {
-                        phi_4240_ = vec3<f32>(_e3541, _e3542, _e3543);
+                        phi_4240_ = vec3<f32>(_e3538, _e3539, _e3540);
                     }
-                    let _e3559 = phi_4240_;
-                    phi_4241_ = _e3559;
+                    let _e3556 = phi_4240_;
+                    phi_4241_ = _e3556;
                 } else {
-                    phi_4241_ = _e3089;
+                    phi_4241_ = _e3086;
                 }
-                let _e3561 = phi_4241_;
-                phi_4242_ = _e3561;
+                let _e3558 = phi_4241_;
+                phi_4242_ = _e3558;
             }
-            let _e3563 = phi_4242_;
-            if (_e3335 > 0f) {
-                if (_e3335 < 1f) {
-                    phi_4251_ = _e3335;
+            let _e3560 = phi_4242_;
+            if (_e3332 > 0f) {
+                if (_e3332 < 1f) {
+                    phi_4251_ = _e3332;
                 } else {
                     phi_4251_ = 1f;
                 }
-                let _e3567 = phi_4251_;
-                phi_4252_ = _e3567;
+                let _e3564 = phi_4251_;
+                phi_4252_ = _e3564;
             } else {
                 phi_4252_ = 0f;
             }
-            let _e3569 = phi_4252_;
-            if (_e3337 > 0f) {
-                if (_e3337 < 1f) {
-                    phi_4262_ = _e3337;
+            let _e3566 = phi_4252_;
+            if (_e3334 > 0f) {
+                if (_e3334 < 1f) {
+                    phi_4262_ = _e3334;
                 } else {
                     phi_4262_ = 1f;
                 }
-                let _e3574 = phi_4262_;
-                phi_4263_ = _e3574;
+                let _e3571 = phi_4262_;
+                phi_4263_ = _e3571;
             } else {
                 phi_4263_ = 0f;
             }
-            let _e3576 = phi_4263_;
-            if (_e3339 > 0f) {
-                if (_e3339 < 1f) {
-                    phi_4273_ = _e3339;
+            let _e3573 = phi_4263_;
+            if (_e3336 > 0f) {
+                if (_e3336 < 1f) {
+                    phi_4273_ = _e3336;
                 } else {
                     phi_4273_ = 1f;
                 }
-                let _e3581 = phi_4273_;
-                phi_4274_ = _e3581;
+                let _e3578 = phi_4273_;
+                phi_4274_ = _e3578;
             } else {
                 phi_4274_ = 0f;
             }
-            let _e3583 = phi_4274_;
-            let _e3586 = ((sqrt(_e3569) * 255f) + 0.5f);
-            let _e3595 = ((sqrt(_e3576) * 255f) + 0.5f);
-            let _e3607 = ((sqrt(_e3583) * 255f) + 0.5f);
-            phi_4309_ = abi_Sample(vec3<f32>(_e2997, _e2998, _e2999), _e3341, _e3089, _e3346, _e3563, ((select(select(u32(_e3586), 0u, (_e3586 < bitcast<f32>(0u))), 4294967295u, (_e3586 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3595), 0u, (_e3595 < bitcast<f32>(0u))), 4294967295u, (_e3595 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3607), 0u, (_e3607 < bitcast<f32>(0u))), 4294967295u, (_e3607 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3580 = phi_4274_;
+            let _e3583 = ((sqrt(_e3566) * 255f) + 0.5f);
+            let _e3592 = ((sqrt(_e3573) * 255f) + 0.5f);
+            let _e3604 = ((sqrt(_e3580) * 255f) + 0.5f);
+            phi_4309_ = abi_Sample(vec3<f32>(_e2994, _e2995, _e2996), _e3338, _e3086, _e3343, _e3560, ((select(select(u32(_e3583), 0u, (_e3583 < bitcast<f32>(0u))), 4294967295u, (_e3583 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3592), 0u, (_e3592 < bitcast<f32>(0u))), 4294967295u, (_e3592 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3604), 0u, (_e3604 < bitcast<f32>(0u))), 4294967295u, (_e3604 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_4309_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3621 = phi_4309_;
+        let _e3618 = phi_4309_;
         if (_e113.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e113.shift)] = _e3621;
-        if (_e2837.triangle != 4294967295u) {
-            let _e3630 = ((1f - _e2837.u) - _e2837.v);
-            if (_e2837.triangle < _e83) {
+        samples.member[(0u + _e113.shift)] = _e3618;
+        if (_e2834.triangle != 4294967295u) {
+            let _e3627 = ((1f - _e2834.u) - _e2834.v);
+            if (_e2834.triangle < _e83) {
             } else {
                 return;
             }
-            let _e3635 = triangles.member[(0u + _e2837.triangle)];
-            let _e3637 = (_e3635.i0_ & 2147483647u);
-            if (_e3637 < _e104) {
+            let _e3632 = triangles.member[(0u + _e2834.triangle)];
+            let _e3634 = (_e3632.i0_ & 2147483647u);
+            if (_e3634 < _e104) {
             } else {
                 return;
             }
-            let _e3643 = before.member[(0u + _e3637)];
-            if (_e3635.i1_ < _e104) {
+            let _e3640 = before.member[(0u + _e3634)];
+            if (_e3632.i1_ < _e104) {
             } else {
                 return;
             }
-            let _e3647 = before.member[(0u + _e3635.i1_)];
-            if (_e3635.i2_ < _e104) {
+            let _e3644 = before.member[(0u + _e3632.i1_)];
+            if (_e3632.i2_ < _e104) {
             } else {
                 return;
             }
-            let _e3651 = before.member[(0u + _e3635.i2_)];
-            if (_e2837.instance < _e95) {
+            let _e3648 = before.member[(0u + _e3632.i2_)];
+            if (_e2834.instance < _e95) {
             } else {
                 return;
             }
-            let _e3661 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3674 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3687 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            if (_e2837.instance < _e95) {
+            let _e3658 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e3671 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e3684 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            if (_e2834.instance < _e95) {
             } else {
                 return;
             }
-            let _e3711 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3724 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3737 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            if (_e2837.instance < _e95) {
+            let _e3708 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e3721 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e3734 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            if (_e2834.instance < _e95) {
             } else {
                 return;
             }
-            let _e3764 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3777 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3790 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            phi_4532_ = vec3<f32>((((((((_e3661.x * _e3643.x) + (_e3661.y * _e3643.y)) + (_e3661.z * _e3643.z)) + (_e3661.w * 1f)) * _e3630) + (((((_e3711.x * _e3647.x) + (_e3711.y * _e3647.y)) + (_e3711.z * _e3647.z)) + (_e3711.w * 1f)) * _e2837.u)) + (((((_e3764.x * _e3651.x) + (_e3764.y * _e3651.y)) + (_e3764.z * _e3651.z)) + (_e3764.w * 1f)) * _e2837.v)), (((((((_e3674.x * _e3643.x) + (_e3674.y * _e3643.y)) + (_e3674.z * _e3643.z)) + (_e3674.w * 1f)) * _e3630) + (((((_e3724.x * _e3647.x) + (_e3724.y * _e3647.y)) + (_e3724.z * _e3647.z)) + (_e3724.w * 1f)) * _e2837.u)) + (((((_e3777.x * _e3651.x) + (_e3777.y * _e3651.y)) + (_e3777.z * _e3651.z)) + (_e3777.w * 1f)) * _e2837.v)), (((((((_e3687.x * _e3643.x) + (_e3687.y * _e3643.y)) + (_e3687.z * _e3643.z)) + (_e3687.w * 1f)) * _e3630) + (((((_e3737.x * _e3647.x) + (_e3737.y * _e3647.y)) + (_e3737.z * _e3647.z)) + (_e3737.w * 1f)) * _e2837.u)) + (((((_e3790.x * _e3651.x) + (_e3790.y * _e3651.y)) + (_e3790.z * _e3651.z)) + (_e3790.w * 1f)) * _e2837.v)));
+            let _e3761 = instances.member[(0u + _e2834.instance)].object_to_world[0u];
+            let _e3774 = instances.member[(0u + _e2834.instance)].object_to_world[1u];
+            let _e3787 = instances.member[(0u + _e2834.instance)].object_to_world[2u];
+            phi_4532_ = vec3<f32>((((((((_e3658.x * _e3640.x) + (_e3658.y * _e3640.y)) + (_e3658.z * _e3640.z)) + (_e3658.w * 1f)) * _e3627) + (((((_e3708.x * _e3644.x) + (_e3708.y * _e3644.y)) + (_e3708.z * _e3644.z)) + (_e3708.w * 1f)) * _e2834.u)) + (((((_e3761.x * _e3648.x) + (_e3761.y * _e3648.y)) + (_e3761.z * _e3648.z)) + (_e3761.w * 1f)) * _e2834.v)), (((((((_e3671.x * _e3640.x) + (_e3671.y * _e3640.y)) + (_e3671.z * _e3640.z)) + (_e3671.w * 1f)) * _e3627) + (((((_e3721.x * _e3644.x) + (_e3721.y * _e3644.y)) + (_e3721.z * _e3644.z)) + (_e3721.w * 1f)) * _e2834.u)) + (((((_e3774.x * _e3648.x) + (_e3774.y * _e3648.y)) + (_e3774.z * _e3648.z)) + (_e3774.w * 1f)) * _e2834.v)), (((((((_e3684.x * _e3640.x) + (_e3684.y * _e3640.y)) + (_e3684.z * _e3640.z)) + (_e3684.w * 1f)) * _e3627) + (((((_e3734.x * _e3644.x) + (_e3734.y * _e3644.y)) + (_e3734.z * _e3644.z)) + (_e3734.w * 1f)) * _e2834.u)) + (((((_e3787.x * _e3648.x) + (_e3787.y * _e3648.y)) + (_e3787.z * _e3648.z)) + (_e3787.w * 1f)) * _e2834.v)));
         } else {
             phi_4532_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3810 = phi_4532_;
+        let _e3807 = phi_4532_;
         if (_e113.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.shift)] = vec4<f32>(_e3810.x, _e3810.y, _e3810.z, 1f);
+        past.member[(0u + _e113.shift)] = vec4<f32>(_e3807.x, _e3807.y, _e3807.z, 1f);
     }
     return;
 }

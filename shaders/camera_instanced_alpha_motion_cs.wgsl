@@ -1082,2103 +1082,2103 @@ fn function_() {
                 } else {
                     phi_925_ = abs(_e165.direction.x);
                 }
-                let _e314 = phi_925_;
+                let _e313 = phi_925_;
                 if (_e165.direction.x < 0f) {
-                    phi_932_ = (-1f / _e314);
+                    phi_932_ = (-1f / _e313);
                 } else {
-                    phi_932_ = (1f / _e314);
+                    phi_932_ = (1f / _e313);
                 }
-                let _e319 = phi_932_;
+                let _e318 = phi_932_;
                 if (abs(_e165.direction.y) < _e307) {
                     phi_940_ = _e307;
                 } else {
                     phi_940_ = abs(_e165.direction.y);
                 }
-                let _e326 = phi_940_;
+                let _e324 = phi_940_;
                 if (_e165.direction.y < 0f) {
-                    phi_947_ = (-1f / _e326);
+                    phi_947_ = (-1f / _e324);
                 } else {
-                    phi_947_ = (1f / _e326);
+                    phi_947_ = (1f / _e324);
                 }
-                let _e331 = phi_947_;
+                let _e329 = phi_947_;
                 if (abs(_e165.direction.z) < _e307) {
                     phi_955_ = _e307;
                 } else {
                     phi_955_ = abs(_e165.direction.z);
                 }
-                let _e338 = phi_955_;
+                let _e335 = phi_955_;
                 if (_e165.direction.z < 0f) {
-                    phi_962_ = (-1f / _e338);
+                    phi_962_ = (-1f / _e335);
                 } else {
-                    phi_962_ = (1f / _e338);
+                    phi_962_ = (1f / _e335);
                 }
-                let _e343 = phi_962_;
-                let _e351 = abs((bitcast<f32>(_e243) - _e165.origin.x));
-                let _e352 = abs((bitcast<f32>(_e247) - _e165.origin.y));
-                let _e353 = abs((bitcast<f32>(_e251) - _e165.origin.z));
-                let _e361 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
-                let _e362 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
-                let _e363 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
-                if (_e351 > _e361) {
-                    phi_987_ = _e351;
+                let _e340 = phi_962_;
+                let _e348 = abs((bitcast<f32>(_e243) - _e165.origin.x));
+                let _e349 = abs((bitcast<f32>(_e247) - _e165.origin.y));
+                let _e350 = abs((bitcast<f32>(_e251) - _e165.origin.z));
+                let _e358 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
+                let _e359 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
+                let _e360 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
+                if (_e348 > _e358) {
+                    phi_987_ = _e348;
                 } else {
-                    phi_987_ = _e361;
+                    phi_987_ = _e358;
                 }
-                let _e366 = phi_987_;
-                if (_e352 > _e362) {
-                    phi_992_ = _e352;
+                let _e363 = phi_987_;
+                if (_e349 > _e359) {
+                    phi_992_ = _e349;
                 } else {
-                    phi_992_ = _e362;
+                    phi_992_ = _e359;
                 }
-                let _e369 = phi_992_;
-                if (_e353 > _e363) {
-                    phi_997_ = _e353;
+                let _e366 = phi_992_;
+                if (_e350 > _e360) {
+                    phi_997_ = _e350;
                 } else {
-                    phi_997_ = _e363;
+                    phi_997_ = _e360;
                 }
-                let _e372 = phi_997_;
-                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e369);
-                let _e374 = core_intrinsics_maximum_number_nsz_f32_(_e373, _e372);
-                let _e379 = (_e374 * 0.0000019073486f);
-                let _e380 = (abs(_e319) * _e379);
-                let _e381 = (abs(_e331) * _e379);
-                let _e382 = (abs(_e343) * _e379);
-                let _e386 = (_e374 * 0.0000009536743f);
-                let _e387 = (abs(_e319) * _e386);
-                let _e388 = (abs(_e331) * _e386);
-                let _e389 = (abs(_e343) * _e386);
-                if (_e319 < 0f) {
+                let _e369 = phi_997_;
+                let _e370 = core_intrinsics_maximum_number_nsz_f32_(_e363, _e366);
+                let _e371 = core_intrinsics_maximum_number_nsz_f32_(_e370, _e369);
+                let _e376 = (_e371 * 0.0000019073486f);
+                let _e377 = (abs(_e318) * _e376);
+                let _e378 = (abs(_e329) * _e376);
+                let _e379 = (abs(_e340) * _e376);
+                let _e383 = (_e371 * 0.0000009536743f);
+                let _e384 = (abs(_e318) * _e383);
+                let _e385 = (abs(_e329) * _e383);
+                let _e386 = (abs(_e340) * _e383);
+                if (_e318 < 0f) {
                     phi_1019_ = 0u;
                 } else {
                     phi_1019_ = 1u;
                 }
-                let _e392 = phi_1019_;
-                if (_e331 < 0f) {
+                let _e389 = phi_1019_;
+                if (_e329 < 0f) {
                     phi_1024_ = 0u;
                 } else {
                     phi_1024_ = 2u;
                 }
-                let _e395 = phi_1024_;
-                if (_e343 < 0f) {
+                let _e392 = phi_1024_;
+                if (_e340 < 0f) {
                     phi_1029_ = 0u;
                 } else {
                     phi_1029_ = 4u;
                 }
-                let _e398 = phi_1029_;
-                let _e400 = ((_e392 | _e395) | _e398);
-                let _e401 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e401.first[0], _e401.first[1], _e401.first[2], _e401.first[3], _e401.first[4], _e401.first[5], _e401.first[6], _e401.first[7], _e401.first[8], _e401.first[9], _e401.first[10], _e401.first[11], _e401.first[12], _e401.first[13], _e401.first[14], _e401.first[15], _e401.first[16], _e401.first[17], _e401.first[18], _e401.first[19], _e401.first[20], _e401.first[21], _e401.first[22], _e401.first[23], _e401.first[24], _e401.first[25], _e401.first[26], _e401.first[27], _e401.first[28], _e401.first[29], _e401.first[30], _e401.first[31]), array<u32, 32>(_e401.mask[0], _e401.mask[1], _e401.mask[2], _e401.mask[3], _e401.mask[4], _e401.mask[5], _e401.mask[6], _e401.mask[7], _e401.mask[8], _e401.mask[9], _e401.mask[10], _e401.mask[11], _e401.mask[12], _e401.mask[13], _e401.mask[14], _e401.mask[15], _e401.mask[16], _e401.mask[17], _e401.mask[18], _e401.mask[19], _e401.mask[20], _e401.mask[21], _e401.mask[22], _e401.mask[23], _e401.mask[24], _e401.mask[25], _e401.mask[26], _e401.mask[27], _e401.mask[28], _e401.mask[29], _e401.mask[30], _e401.mask[31]), _e401.len, _e401.group, _e401.group_mask);
-                let _e475 = local_2.group_mask;
-                if ((_e475 & 4278190080u) == 0u) {
-                    let _e479 = local_2.len;
-                    if (_e479 == 0u) {
+                let _e395 = phi_1029_;
+                let _e397 = ((_e389 | _e392) | _e395);
+                let _e398 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e398.first[0], _e398.first[1], _e398.first[2], _e398.first[3], _e398.first[4], _e398.first[5], _e398.first[6], _e398.first[7], _e398.first[8], _e398.first[9], _e398.first[10], _e398.first[11], _e398.first[12], _e398.first[13], _e398.first[14], _e398.first[15], _e398.first[16], _e398.first[17], _e398.first[18], _e398.first[19], _e398.first[20], _e398.first[21], _e398.first[22], _e398.first[23], _e398.first[24], _e398.first[25], _e398.first[26], _e398.first[27], _e398.first[28], _e398.first[29], _e398.first[30], _e398.first[31]), array<u32, 32>(_e398.mask[0], _e398.mask[1], _e398.mask[2], _e398.mask[3], _e398.mask[4], _e398.mask[5], _e398.mask[6], _e398.mask[7], _e398.mask[8], _e398.mask[9], _e398.mask[10], _e398.mask[11], _e398.mask[12], _e398.mask[13], _e398.mask[14], _e398.mask[15], _e398.mask[16], _e398.mask[17], _e398.mask[18], _e398.mask[19], _e398.mask[20], _e398.mask[21], _e398.mask[22], _e398.mask[23], _e398.mask[24], _e398.mask[25], _e398.mask[26], _e398.mask[27], _e398.mask[28], _e398.mask[29], _e398.mask[30], _e398.mask[31]), _e398.len, _e398.group, _e398.group_mask);
+                let _e472 = local_2.group_mask;
+                if ((_e472 & 4278190080u) == 0u) {
+                    let _e476 = local_2.len;
+                    if (_e476 == 0u) {
                         phi_1143_ = false;
                     } else {
+                        let _e480 = local_2.len;
+                        local_2.len = (_e480 - 1u);
                         let _e483 = local_2.len;
-                        local_2.len = (_e483 - 1u);
-                        let _e486 = local_2.len;
-                        if (_e486 < 32u) {
+                        if (_e483 < 32u) {
                         } else {
                             return;
                         }
-                        let _e491 = local_2.first[(0u + _e486)];
-                        local_2.group = _e491;
-                        let _e494 = local_2.len;
-                        if (_e494 < 32u) {
+                        let _e488 = local_2.first[(0u + _e483)];
+                        local_2.group = _e488;
+                        let _e491 = local_2.len;
+                        if (_e491 < 32u) {
                         } else {
                             return;
                         }
-                        let _e499 = local_2.mask[(0u + _e494)];
-                        local_2.group_mask = _e499;
+                        let _e496 = local_2.mask[(0u + _e491)];
+                        local_2.group_mask = _e496;
                         phi_1143_ = true;
                     }
-                    let _e502 = phi_1143_;
-                    phi_1144_ = _e502;
+                    let _e499 = phi_1143_;
+                    phi_1144_ = _e499;
                 } else {
                     phi_1144_ = true;
                 }
-                let _e504 = phi_1144_;
-                if _e504 {
-                    let _e506 = local_2.group_mask;
-                    let _e512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, (_e506 == 0u)));
-                    let _e516 = local_2.group_mask;
-                    let _e530 = local_2.group_mask;
-                    local_2.group_mask = (_e530 & ~((1u << bitcast<u32>((_e512 & 31u)))));
-                    let _e533 = local_2.group;
-                    phi_1175_ = (_e533 + countOneBits(((_e516 & ~((4294967295u << bitcast<u32>((((_e512 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e501 = phi_1144_;
+                if _e501 {
+                    let _e503 = local_2.group_mask;
+                    let _e509 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e503)), 32u, (_e503 == 0u)));
+                    let _e513 = local_2.group_mask;
+                    let _e527 = local_2.group_mask;
+                    local_2.group_mask = (_e527 & ~((1u << bitcast<u32>((_e509 & 31u)))));
+                    let _e530 = local_2.group;
+                    phi_1175_ = (_e530 + countOneBits(((_e513 & ~((4294967295u << bitcast<u32>((((_e509 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1175_ = 4294967295u;
                 }
-                let _e536 = phi_1175_;
-                phi_1177_ = _e536;
+                let _e533 = phi_1175_;
+                phi_1177_ = _e533;
                 phi_1180_ = _e167;
                 loop {
-                    let _e538 = phi_1177_;
-                    let _e540 = phi_1180_;
-                    local_12 = _e540;
-                    let _e541 = (_e538 != 4294967295u);
-                    if _e541 {
-                        if (_e538 < _e78) {
+                    let _e535 = phi_1177_;
+                    let _e537 = phi_1180_;
+                    local_12 = _e537;
+                    let _e538 = (_e535 != 4294967295u);
+                    if _e538 {
+                        if (_e535 < _e78) {
                         } else {
                             return;
                         }
-                        let _e549 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e574 = (bitcast<f32>((((_e549 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e575 = (bitcast<f32>((((_e549 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
-                        let _e576 = (bitcast<f32>((((_e549 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
-                        let _e579 = nodes.member[(0u + _e538)].frame[0u];
-                        let _e583 = nodes.member[(0u + _e538)].frame[1u];
-                        let _e587 = nodes.member[(0u + _e538)].frame[2u];
-                        let _e595 = ((bitcast<f32>(_e579) - _e165.origin.x) * _e319);
-                        let _e596 = ((bitcast<f32>(_e583) - _e165.origin.y) * _e331);
-                        let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
-                        let _e605 = nodes.member[(0u + _e538)].x;
-                        if (_e319 < 0f) {
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e616.unnamed.word, _e605.w), _e616.unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_mask_LightPlace(_e605.x, _e622.unnamed_1.shift));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_mask_LightPlace(_e628.unnamed_1.word, _e605.y));
+                        let _e546 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e571 = (bitcast<f32>((((_e546 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e318);
+                        let _e572 = (bitcast<f32>((((_e546 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e329);
+                        let _e573 = (bitcast<f32>((((_e546 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e340);
+                        let _e576 = nodes.member[(0u + _e535)].frame[0u];
+                        let _e580 = nodes.member[(0u + _e535)].frame[1u];
+                        let _e584 = nodes.member[(0u + _e535)].frame[2u];
+                        let _e592 = ((bitcast<f32>(_e576) - _e165.origin.x) * _e318);
+                        let _e593 = ((bitcast<f32>(_e580) - _e165.origin.y) * _e329);
+                        let _e594 = ((bitcast<f32>(_e584) - _e165.origin.z) * _e340);
+                        let _e602 = nodes.member[(0u + _e535)].x;
+                        if (_e318 < 0f) {
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e613.unnamed.word, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e602.x, _e619.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_mask_LightPlace(_e625.unnamed_1.word, _e602.y));
                         } else {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e644.unnamed.word, _e605.y), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e605.z, _e650.unnamed_1.shift));
-                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e656.unnamed_1.word, _e605.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e602.z, _e647.unnamed_1.shift));
+                            phi_1265_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e602.w));
                         }
-                        let _e664 = phi_1265_;
-                        let _e674 = nodes.member[(0u + _e538)].y;
-                        if (_e331 < 0f) {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e674.w), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e674.x, _e691.unnamed_1.shift));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e674.y));
+                        let _e661 = phi_1265_;
+                        let _e671 = nodes.member[(0u + _e535)].y;
+                        if (_e329 < 0f) {
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e671.x, _e688.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e671.y));
                         } else {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e713.unnamed.word, _e674.y), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e674.z, _e719.unnamed_1.shift));
-                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e725.unnamed_1.word, _e674.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e671.z, _e716.unnamed_1.shift));
+                            phi_1292_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e671.w));
                         }
-                        let _e733 = phi_1292_;
-                        let _e743 = nodes.member[(0u + _e538)].z;
-                        if (_e343 < 0f) {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e743.w), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e743.x, _e760.unnamed_1.shift));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e743.y));
+                        let _e730 = phi_1292_;
+                        let _e740 = nodes.member[(0u + _e535)].z;
+                        if (_e340 < 0f) {
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e740.w), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e740.x, _e757.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e740.y));
                         } else {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e782.unnamed.word, _e743.y), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e743.z, _e788.unnamed_1.shift));
-                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e794.unnamed_1.word, _e743.w));
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e740.y), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e740.z, _e785.unnamed_1.shift));
+                            phi_1319_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e740.w));
                         }
-                        let _e802 = phi_1319_;
+                        let _e799 = phi_1319_;
                         phi_1325_ = 0u;
                         phi_1328_ = 0u;
                         loop {
-                            let _e812 = phi_1325_;
-                            let _e814 = phi_1328_;
-                            local_3 = _e814;
-                            local_4 = _e814;
-                            local_5 = _e814;
-                            let _e815 = (_e812 < 8u);
-                            if _e815 {
-                                let _e817 = (_e812 >> bitcast<u32>(2i));
-                                let _e818 = (_e812 & 3u);
-                                if (_e817 == 0u) {
-                                    phi_1342_ = _e664.unnamed.word;
+                            let _e809 = phi_1325_;
+                            let _e811 = phi_1328_;
+                            local_3 = _e811;
+                            local_4 = _e811;
+                            local_5 = _e811;
+                            let _e812 = (_e809 < 8u);
+                            if _e812 {
+                                let _e814 = (_e809 >> bitcast<u32>(2i));
+                                let _e815 = (_e809 & 3u);
+                                if (_e814 == 0u) {
+                                    phi_1342_ = _e661.unnamed.word;
                                 } else {
-                                    phi_1342_ = _e664.unnamed.shift;
+                                    phi_1342_ = _e661.unnamed.shift;
                                 }
-                                let _e821 = phi_1342_;
-                                if (_e817 == 0u) {
-                                    phi_1352_ = _e733.unnamed.word;
+                                let _e818 = phi_1342_;
+                                if (_e814 == 0u) {
+                                    phi_1352_ = _e730.unnamed.word;
                                 } else {
-                                    phi_1352_ = _e733.unnamed.shift;
+                                    phi_1352_ = _e730.unnamed.shift;
                                 }
-                                let _e830 = phi_1352_;
-                                if (_e817 == 0u) {
-                                    phi_1362_ = _e802.unnamed.word;
+                                let _e827 = phi_1352_;
+                                if (_e814 == 0u) {
+                                    phi_1362_ = _e799.unnamed.word;
                                 } else {
-                                    phi_1362_ = _e802.unnamed.shift;
+                                    phi_1362_ = _e799.unnamed.shift;
                                 }
-                                let _e839 = phi_1362_;
-                                let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
-                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
-                                if (_e817 == 0u) {
-                                    phi_1380_ = _e664.unnamed_1.word;
+                                let _e836 = phi_1362_;
+                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
+                                let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
+                                if (_e814 == 0u) {
+                                    phi_1380_ = _e661.unnamed_1.word;
                                 } else {
-                                    phi_1380_ = _e664.unnamed_1.shift;
+                                    phi_1380_ = _e661.unnamed_1.shift;
                                 }
-                                let _e856 = phi_1380_;
-                                if (_e817 == 0u) {
-                                    phi_1390_ = _e733.unnamed_1.word;
+                                let _e853 = phi_1380_;
+                                if (_e814 == 0u) {
+                                    phi_1390_ = _e730.unnamed_1.word;
                                 } else {
-                                    phi_1390_ = _e733.unnamed_1.shift;
+                                    phi_1390_ = _e730.unnamed_1.shift;
                                 }
-                                let _e865 = phi_1390_;
-                                if (_e817 == 0u) {
-                                    phi_1400_ = _e802.unnamed_1.word;
+                                let _e862 = phi_1390_;
+                                if (_e814 == 0u) {
+                                    phi_1400_ = _e799.unnamed_1.word;
                                 } else {
-                                    phi_1400_ = _e802.unnamed_1.shift;
+                                    phi_1400_ = _e799.unnamed_1.shift;
                                 }
-                                let _e874 = phi_1400_;
-                                let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
-                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
-                                if (_e853 <= _e888) {
-                                    if (_e853 <= _e540.t) {
-                                        if (_e888 >= _e165.tmin) {
-                                            if (_e817 == 0u) {
-                                                let _e895 = nodes.member[(0u + _e538)].links[2u];
+                                let _e871 = phi_1400_;
+                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
+                                let _e885 = core_intrinsics_minimum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 + _e379)));
+                                if (_e850 <= _e885) {
+                                    if (_e850 <= _e537.t) {
+                                        if (_e885 >= _e165.tmin) {
+                                            if (_e814 == 0u) {
+                                                let _e892 = nodes.member[(0u + _e535)].links[2u];
+                                                phi_1436_ = _e892;
+                                            } else {
+                                                let _e895 = nodes.member[(0u + _e535)].links[3u];
                                                 phi_1436_ = _e895;
-                                            } else {
-                                                let _e898 = nodes.member[(0u + _e538)].links[3u];
-                                                phi_1436_ = _e898;
                                             }
-                                            let _e900 = phi_1436_;
-                                            let _e905 = ((_e900 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u);
-                                            let _e906 = (_e905 & 31u);
-                                            if (_e906 >= 24u) {
-                                                phi_1449_ = (24u + ((_e906 - 24u) ^ _e400));
+                                            let _e897 = phi_1436_;
+                                            let _e902 = ((_e897 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u);
+                                            let _e903 = (_e902 & 31u);
+                                            if (_e903 >= 24u) {
+                                                phi_1449_ = (24u + ((_e903 - 24u) ^ _e397));
                                             } else {
-                                                phi_1449_ = _e906;
+                                                phi_1449_ = _e903;
                                             }
-                                            let _e912 = phi_1449_;
-                                            phi_1454_ = (_e814 | ((_e905 >> bitcast<u32>(5i)) << bitcast<u32>((_e912 & 31u))));
+                                            let _e909 = phi_1449_;
+                                            phi_1454_ = (_e811 | ((_e902 >> bitcast<u32>(5i)) << bitcast<u32>((_e909 & 31u))));
                                         } else {
-                                            phi_1454_ = _e814;
+                                            phi_1454_ = _e811;
                                         }
-                                        let _e920 = phi_1454_;
-                                        phi_1455_ = _e920;
+                                        let _e917 = phi_1454_;
+                                        phi_1455_ = _e917;
                                     } else {
-                                        phi_1455_ = _e814;
+                                        phi_1455_ = _e811;
                                     }
-                                    let _e922 = phi_1455_;
-                                    phi_1456_ = _e922;
+                                    let _e919 = phi_1455_;
+                                    phi_1456_ = _e919;
                                 } else {
-                                    phi_1456_ = _e814;
+                                    phi_1456_ = _e811;
                                 }
-                                let _e924 = phi_1456_;
-                                phi_1326_ = (_e812 + 1u);
-                                phi_1329_ = _e924;
+                                let _e921 = phi_1456_;
+                                phi_1326_ = (_e809 + 1u);
+                                phi_1329_ = _e921;
                             } else {
                                 phi_1326_ = u32();
                                 phi_1329_ = u32();
                             }
-                            let _e927 = phi_1326_;
-                            let _e929 = phi_1329_;
+                            let _e924 = phi_1326_;
+                            let _e926 = phi_1329_;
                             continue;
                             continuing {
-                                phi_1325_ = _e927;
-                                phi_1328_ = _e929;
-                                break if !(_e815);
+                                phi_1325_ = _e924;
+                                phi_1328_ = _e926;
+                                break if !(_e812);
                             }
                         }
-                        let _e933 = nodes.member[(0u + _e538)].links[0u];
-                        let _e937 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e941 = local_3;
-                        if ((_e941 & 4278190080u) == 0u) {
+                        let _e930 = nodes.member[(0u + _e535)].links[0u];
+                        let _e934 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e938 = local_3;
+                        if ((_e938 & 4278190080u) == 0u) {
                         } else {
-                            let _e945 = local_2.group_mask;
-                            if ((_e945 & 4278190080u) == 0u) {
+                            let _e942 = local_2.group_mask;
+                            if ((_e942 & 4278190080u) == 0u) {
                             } else {
-                                let _e949 = local_2.len;
-                                if (_e949 < 32u) {
-                                    let _e952 = local_2.group;
-                                    let _e954 = local_2.len;
-                                    if (_e954 < 32u) {
+                                let _e946 = local_2.len;
+                                if (_e946 < 32u) {
+                                    let _e949 = local_2.group;
+                                    let _e951 = local_2.len;
+                                    if (_e951 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e954)] = _e952;
-                                    let _e960 = local_2.group_mask;
-                                    let _e962 = local_2.len;
-                                    if (_e962 < 32u) {
+                                    local_2.first[(0u + _e951)] = _e949;
+                                    let _e957 = local_2.group_mask;
+                                    let _e959 = local_2.len;
+                                    if (_e959 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e962)] = _e960;
-                                    let _e969 = local_2.len;
-                                    local_2.len = (_e969 + 1u);
+                                    local_2.mask[(0u + _e959)] = _e957;
+                                    let _e966 = local_2.len;
+                                    local_2.len = (_e966 + 1u);
                                 }
                             }
-                            local_2.group = (_e114 + _e933);
-                            let _e973 = local_4;
-                            local_2.group_mask = ((_e973 & 4278190080u) | (_e937 >> bitcast<u32>(24i)));
+                            local_2.group = (_e114 + _e930);
+                            let _e970 = local_4;
+                            local_2.group_mask = ((_e970 & 4278190080u) | (_e934 >> bitcast<u32>(24i)));
                         }
-                        let _e978 = local_5;
-                        phi_1514_ = (_e978 & 16777215u);
-                        phi_1517_ = _e540;
+                        let _e975 = local_5;
+                        phi_1514_ = (_e975 & 16777215u);
+                        phi_1517_ = _e537;
                         loop {
-                            let _e981 = phi_1514_;
-                            let _e983 = phi_1517_;
-                            local_11 = _e983;
-                            if (_e981 == 0u) {
+                            let _e978 = phi_1514_;
+                            let _e980 = phi_1517_;
+                            local_11 = _e980;
+                            if (_e978 == 0u) {
                                 phi_1515_ = u32();
                                 phi_1518_ = lt_bvh_Hit();
                                 phi_3397_ = false;
                             } else {
-                                let _e987 = nodes.member[(0u + _e538)].links[1u];
-                                let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
-                                if (_e991 < _e93) {
+                                let _e984 = nodes.member[(0u + _e535)].links[1u];
+                                let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
+                                if (_e988 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e998 = instances.member[(0u + _e991)].low_world;
-                                let _e1000 = instances.member[(0u + _e991)].high_world;
-                                let _e1010 = ((_e998.x - _e165.origin.x) * _e319);
-                                let _e1011 = ((_e998.y - _e165.origin.y) * _e331);
-                                let _e1012 = ((_e998.z - _e165.origin.z) * _e343);
-                                let _e1022 = ((_e1000.x - _e165.origin.x) * _e319);
-                                let _e1023 = ((_e1000.y - _e165.origin.y) * _e331);
-                                let _e1024 = ((_e1000.z - _e165.origin.z) * _e343);
-                                if (_e1010 < _e1022) {
-                                    phi_1572_ = _e1010;
+                                let _e995 = instances.member[(0u + _e988)].low_world;
+                                let _e997 = instances.member[(0u + _e988)].high_world;
+                                let _e1007 = ((_e995.x - _e165.origin.x) * _e318);
+                                let _e1008 = ((_e995.y - _e165.origin.y) * _e329);
+                                let _e1009 = ((_e995.z - _e165.origin.z) * _e340);
+                                let _e1019 = ((_e997.x - _e165.origin.x) * _e318);
+                                let _e1020 = ((_e997.y - _e165.origin.y) * _e329);
+                                let _e1021 = ((_e997.z - _e165.origin.z) * _e340);
+                                if (_e1007 < _e1019) {
+                                    phi_1572_ = _e1007;
                                 } else {
-                                    phi_1572_ = _e1022;
+                                    phi_1572_ = _e1019;
                                 }
-                                let _e1027 = phi_1572_;
-                                if (_e1011 < _e1023) {
-                                    phi_1577_ = _e1011;
+                                let _e1024 = phi_1572_;
+                                if (_e1008 < _e1020) {
+                                    phi_1577_ = _e1008;
                                 } else {
-                                    phi_1577_ = _e1023;
+                                    phi_1577_ = _e1020;
                                 }
-                                let _e1030 = phi_1577_;
-                                if (_e1012 < _e1024) {
-                                    phi_1582_ = _e1012;
+                                let _e1027 = phi_1577_;
+                                if (_e1009 < _e1021) {
+                                    phi_1582_ = _e1009;
                                 } else {
-                                    phi_1582_ = _e1024;
+                                    phi_1582_ = _e1021;
                                 }
-                                let _e1033 = phi_1582_;
-                                if (_e1010 > _e1022) {
-                                    phi_1590_ = _e1010;
+                                let _e1030 = phi_1582_;
+                                if (_e1007 > _e1019) {
+                                    phi_1590_ = _e1007;
                                 } else {
-                                    phi_1590_ = _e1022;
+                                    phi_1590_ = _e1019;
                                 }
-                                let _e1039 = phi_1590_;
-                                if (_e1011 > _e1023) {
-                                    phi_1595_ = _e1011;
+                                let _e1036 = phi_1590_;
+                                if (_e1008 > _e1020) {
+                                    phi_1595_ = _e1008;
                                 } else {
-                                    phi_1595_ = _e1023;
+                                    phi_1595_ = _e1020;
                                 }
-                                let _e1042 = phi_1595_;
-                                if (_e1012 > _e1024) {
-                                    phi_1600_ = _e1012;
+                                let _e1039 = phi_1595_;
+                                if (_e1009 > _e1021) {
+                                    phi_1600_ = _e1009;
                                 } else {
-                                    phi_1600_ = _e1024;
+                                    phi_1600_ = _e1021;
                                 }
-                                let _e1045 = phi_1600_;
-                                let _e1049 = core_intrinsics_maximum_number_nsz_f32_((_e1027 - _e387), (_e1030 - _e388));
-                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_(_e1049, (_e1033 - _e389));
-                                let _e1051 = core_intrinsics_minimum_number_nsz_f32_((_e1039 + _e387), (_e1042 + _e388));
-                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_(_e1051, (_e1045 + _e389));
-                                if (_e1050 <= _e1052) {
-                                    if (_e1050 <= _e983.t) {
-                                        if (_e1052 >= _e165.tmin) {
-                                            let _e1064 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1075 = ((((_e1064.x * _e165.origin.x) + (_e1064.y * _e165.origin.y)) + (_e1064.z * _e165.origin.z)) + (_e1064.w * 1f));
-                                            let _e1077 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1088 = ((((_e1077.x * _e165.origin.x) + (_e1077.y * _e165.origin.y)) + (_e1077.z * _e165.origin.z)) + (_e1077.w * 1f));
-                                            let _e1090 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1101 = ((((_e1090.x * _e165.origin.x) + (_e1090.y * _e165.origin.y)) + (_e1090.z * _e165.origin.z)) + (_e1090.w * 1f));
-                                            let _e1108 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1119 = ((((_e1108.x * _e165.direction.x) + (_e1108.y * _e165.direction.y)) + (_e1108.z * _e165.direction.z)) + (_e1108.w * 0f));
-                                            let _e1121 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1132 = ((((_e1121.x * _e165.direction.x) + (_e1121.y * _e165.direction.y)) + (_e1121.z * _e165.direction.z)) + (_e1121.w * 0f));
-                                            let _e1134 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1145 = ((((_e1134.x * _e165.direction.x) + (_e1134.y * _e165.direction.y)) + (_e1134.z * _e165.direction.z)) + (_e1134.w * 0f));
-                                            let _e1150 = instances.member[(0u + _e991)].root;
-                                            let _e1152 = instances.member[(0u + _e991)].first_triangle;
-                                            let _e1156 = abs(_e1119);
-                                            let _e1157 = abs(_e1132);
-                                            let _e1158 = abs(_e1145);
-                                            if (abs(_e1075) < 1000000000000000f) {
-                                                if (abs(_e1088) < 1000000000000000f) {
-                                                    if (abs(_e1101) < 1000000000000000f) {
-                                                        if (_e1156 < 1000000000000000f) {
-                                                            if (_e1157 < 1000000000000000f) {
-                                                                if (_e1158 < 1000000000000000f) {
-                                                                    if (_e1156 > 0f) {
+                                let _e1042 = phi_1600_;
+                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_((_e1024 - _e384), (_e1027 - _e385));
+                                let _e1047 = core_intrinsics_maximum_number_nsz_f32_(_e1046, (_e1030 - _e386));
+                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_((_e1036 + _e384), (_e1039 + _e385));
+                                let _e1049 = core_intrinsics_minimum_number_nsz_f32_(_e1048, (_e1042 + _e386));
+                                if (_e1047 <= _e1049) {
+                                    if (_e1047 <= _e980.t) {
+                                        if (_e1049 >= _e165.tmin) {
+                                            let _e1061 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1072 = ((((_e1061.x * _e165.origin.x) + (_e1061.y * _e165.origin.y)) + (_e1061.z * _e165.origin.z)) + (_e1061.w * 1f));
+                                            let _e1074 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1085 = ((((_e1074.x * _e165.origin.x) + (_e1074.y * _e165.origin.y)) + (_e1074.z * _e165.origin.z)) + (_e1074.w * 1f));
+                                            let _e1087 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1098 = ((((_e1087.x * _e165.origin.x) + (_e1087.y * _e165.origin.y)) + (_e1087.z * _e165.origin.z)) + (_e1087.w * 1f));
+                                            let _e1105 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1116 = ((((_e1105.x * _e165.direction.x) + (_e1105.y * _e165.direction.y)) + (_e1105.z * _e165.direction.z)) + (_e1105.w * 0f));
+                                            let _e1118 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1129 = ((((_e1118.x * _e165.direction.x) + (_e1118.y * _e165.direction.y)) + (_e1118.z * _e165.direction.z)) + (_e1118.w * 0f));
+                                            let _e1131 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1142 = ((((_e1131.x * _e165.direction.x) + (_e1131.y * _e165.direction.y)) + (_e1131.z * _e165.direction.z)) + (_e1131.w * 0f));
+                                            let _e1147 = instances.member[(0u + _e988)].root;
+                                            let _e1149 = instances.member[(0u + _e988)].first_triangle;
+                                            let _e1153 = abs(_e1116);
+                                            let _e1154 = abs(_e1129);
+                                            let _e1155 = abs(_e1142);
+                                            if (abs(_e1072) < 1000000000000000f) {
+                                                if (abs(_e1085) < 1000000000000000f) {
+                                                    if (abs(_e1098) < 1000000000000000f) {
+                                                        if (_e1153 < 1000000000000000f) {
+                                                            if (_e1154 < 1000000000000000f) {
+                                                                if (_e1155 < 1000000000000000f) {
+                                                                    if (_e1153 > 0f) {
                                                                         phi_1757_ = bool();
                                                                         phi_1758_ = true;
                                                                     } else {
-                                                                        let _e1166 = (_e1157 > 0f);
-                                                                        if _e1166 {
+                                                                        let _e1163 = (_e1154 > 0f);
+                                                                        if _e1163 {
                                                                             phi_1756_ = bool();
                                                                         } else {
-                                                                            phi_1756_ = (_e1158 > 0f);
+                                                                            phi_1756_ = (_e1155 > 0f);
                                                                         }
-                                                                        let _e1169 = phi_1756_;
-                                                                        phi_1757_ = _e1169;
-                                                                        phi_1758_ = _e1166;
+                                                                        let _e1166 = phi_1756_;
+                                                                        phi_1757_ = _e1166;
+                                                                        phi_1758_ = _e1163;
                                                                     }
-                                                                    let _e1171 = phi_1757_;
-                                                                    let _e1173 = phi_1758_;
-                                                                    if _e1173 {
+                                                                    let _e1168 = phi_1757_;
+                                                                    let _e1170 = phi_1758_;
+                                                                    if _e1170 {
                                                                         phi_1762_ = true;
                                                                     } else {
-                                                                        phi_1762_ = _e1171;
+                                                                        phi_1762_ = _e1168;
                                                                     }
-                                                                    let _e1175 = phi_1762_;
-                                                                    phi_1763_ = _e1175;
+                                                                    let _e1172 = phi_1762_;
+                                                                    phi_1763_ = _e1172;
                                                                     phi_1764_ = false;
                                                                 } else {
                                                                     phi_1763_ = bool();
                                                                     phi_1764_ = true;
                                                                 }
-                                                                let _e1177 = phi_1763_;
-                                                                let _e1179 = phi_1764_;
-                                                                phi_1765_ = _e1177;
+                                                                let _e1174 = phi_1763_;
+                                                                let _e1176 = phi_1764_;
+                                                                phi_1765_ = _e1174;
                                                                 phi_1766_ = false;
-                                                                phi_1767_ = _e1179;
+                                                                phi_1767_ = _e1176;
                                                             } else {
                                                                 phi_1765_ = bool();
                                                                 phi_1766_ = true;
                                                                 phi_1767_ = false;
                                                             }
-                                                            let _e1181 = phi_1765_;
-                                                            let _e1183 = phi_1766_;
-                                                            let _e1185 = phi_1767_;
-                                                            phi_1768_ = _e1181;
-                                                            phi_1769_ = _e1183;
-                                                            phi_1770_ = _e1185;
+                                                            let _e1178 = phi_1765_;
+                                                            let _e1180 = phi_1766_;
+                                                            let _e1182 = phi_1767_;
+                                                            phi_1768_ = _e1178;
+                                                            phi_1769_ = _e1180;
+                                                            phi_1770_ = _e1182;
                                                         } else {
                                                             phi_1768_ = bool();
                                                             phi_1769_ = true;
                                                             phi_1770_ = false;
                                                         }
-                                                        let _e1187 = phi_1768_;
-                                                        let _e1189 = phi_1769_;
-                                                        let _e1191 = phi_1770_;
-                                                        phi_1771_ = _e1187;
-                                                        phi_1772_ = _e1189;
-                                                        phi_1773_ = _e1191;
+                                                        let _e1184 = phi_1768_;
+                                                        let _e1186 = phi_1769_;
+                                                        let _e1188 = phi_1770_;
+                                                        phi_1771_ = _e1184;
+                                                        phi_1772_ = _e1186;
+                                                        phi_1773_ = _e1188;
                                                     } else {
                                                         phi_1771_ = bool();
                                                         phi_1772_ = true;
                                                         phi_1773_ = false;
                                                     }
-                                                    let _e1193 = phi_1771_;
-                                                    let _e1195 = phi_1772_;
-                                                    let _e1197 = phi_1773_;
-                                                    phi_1774_ = _e1193;
-                                                    phi_1775_ = _e1195;
-                                                    phi_1776_ = _e1197;
+                                                    let _e1190 = phi_1771_;
+                                                    let _e1192 = phi_1772_;
+                                                    let _e1194 = phi_1773_;
+                                                    phi_1774_ = _e1190;
+                                                    phi_1775_ = _e1192;
+                                                    phi_1776_ = _e1194;
                                                 } else {
                                                     phi_1774_ = bool();
                                                     phi_1775_ = true;
                                                     phi_1776_ = false;
                                                 }
-                                                let _e1199 = phi_1774_;
-                                                let _e1201 = phi_1775_;
-                                                let _e1203 = phi_1776_;
-                                                phi_1777_ = _e1199;
-                                                phi_1778_ = _e1201;
-                                                phi_1779_ = _e1203;
+                                                let _e1196 = phi_1774_;
+                                                let _e1198 = phi_1775_;
+                                                let _e1200 = phi_1776_;
+                                                phi_1777_ = _e1196;
+                                                phi_1778_ = _e1198;
+                                                phi_1779_ = _e1200;
                                             } else {
                                                 phi_1777_ = bool();
                                                 phi_1778_ = true;
                                                 phi_1779_ = false;
                                             }
-                                            let _e1205 = phi_1777_;
-                                            let _e1207 = phi_1778_;
-                                            let _e1209 = phi_1779_;
-                                            if _e1207 {
+                                            let _e1202 = phi_1777_;
+                                            let _e1204 = phi_1778_;
+                                            let _e1206 = phi_1779_;
+                                            if _e1204 {
                                                 phi_1783_ = true;
                                             } else {
-                                                phi_1783_ = _e1209;
+                                                phi_1783_ = _e1206;
                                             }
-                                            let _e1211 = phi_1783_;
-                                            if _e1211 {
+                                            let _e1208 = phi_1783_;
+                                            if _e1208 {
                                                 phi_1787_ = false;
                                             } else {
-                                                phi_1787_ = _e1205;
+                                                phi_1787_ = _e1202;
                                             }
-                                            let _e1213 = phi_1787_;
-                                            if _e1213 {
-                                                let _e1214 = (_e1150 >= _e78);
-                                                if _e1214 {
+                                            let _e1210 = phi_1787_;
+                                            if _e1210 {
+                                                let _e1211 = (_e1147 >= _e78);
+                                                if _e1211 {
                                                     phi_3387_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1150 < _e78) {
+                                                    if (_e1147 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
-                                                    let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1119), abs(_e1132));
-                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1145));
-                                                    let _e1280 = (_e1279 * 0.0000000000009094947f);
-                                                    if (abs(_e1119) < _e1280) {
-                                                        phi_1857_ = _e1280;
+                                                    let _e1217 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1221 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1225 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1229 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1233 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1237 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1241 = nodes.member[(0u + _e1147)].frame[3u];
+                                                    let _e1275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1116), abs(_e1129));
+                                                    let _e1276 = core_intrinsics_maximum_number_nsz_f32_(_e1275, abs(_e1142));
+                                                    let _e1277 = (_e1276 * 0.0000000000009094947f);
+                                                    if (abs(_e1116) < _e1277) {
+                                                        phi_1857_ = _e1277;
                                                     } else {
-                                                        phi_1857_ = abs(_e1119);
+                                                        phi_1857_ = abs(_e1116);
                                                     }
-                                                    let _e1285 = phi_1857_;
-                                                    if (_e1119 < 0f) {
-                                                        phi_1864_ = (-1f / _e1285);
+                                                    let _e1282 = phi_1857_;
+                                                    if (_e1116 < 0f) {
+                                                        phi_1864_ = (-1f / _e1282);
                                                     } else {
-                                                        phi_1864_ = (1f / _e1285);
+                                                        phi_1864_ = (1f / _e1282);
                                                     }
-                                                    let _e1290 = phi_1864_;
-                                                    if (abs(_e1132) < _e1280) {
-                                                        phi_1871_ = _e1280;
+                                                    let _e1287 = phi_1864_;
+                                                    if (abs(_e1129) < _e1277) {
+                                                        phi_1871_ = _e1277;
                                                     } else {
-                                                        phi_1871_ = abs(_e1132);
+                                                        phi_1871_ = abs(_e1129);
                                                     }
-                                                    let _e1295 = phi_1871_;
-                                                    if (_e1132 < 0f) {
-                                                        phi_1878_ = (-1f / _e1295);
+                                                    let _e1292 = phi_1871_;
+                                                    if (_e1129 < 0f) {
+                                                        phi_1878_ = (-1f / _e1292);
                                                     } else {
-                                                        phi_1878_ = (1f / _e1295);
+                                                        phi_1878_ = (1f / _e1292);
                                                     }
-                                                    let _e1300 = phi_1878_;
-                                                    if (abs(_e1145) < _e1280) {
-                                                        phi_1885_ = _e1280;
+                                                    let _e1297 = phi_1878_;
+                                                    if (abs(_e1142) < _e1277) {
+                                                        phi_1885_ = _e1277;
                                                     } else {
-                                                        phi_1885_ = abs(_e1145);
+                                                        phi_1885_ = abs(_e1142);
                                                     }
-                                                    let _e1305 = phi_1885_;
-                                                    if (_e1145 < 0f) {
-                                                        phi_1892_ = (-1f / _e1305);
+                                                    let _e1302 = phi_1885_;
+                                                    if (_e1142 < 0f) {
+                                                        phi_1892_ = (-1f / _e1302);
                                                     } else {
-                                                        phi_1892_ = (1f / _e1305);
+                                                        phi_1892_ = (1f / _e1302);
                                                     }
-                                                    let _e1310 = phi_1892_;
-                                                    let _e1314 = abs((bitcast<f32>(_e1220) - _e1075));
-                                                    let _e1315 = abs((bitcast<f32>(_e1224) - _e1088));
-                                                    let _e1316 = abs((bitcast<f32>(_e1228) - _e1101));
-                                                    let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1075));
-                                                    let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1088));
-                                                    let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
-                                                    if (_e1314 > _e1320) {
-                                                        phi_1909_ = _e1314;
+                                                    let _e1307 = phi_1892_;
+                                                    let _e1311 = abs((bitcast<f32>(_e1217) - _e1072));
+                                                    let _e1312 = abs((bitcast<f32>(_e1221) - _e1085));
+                                                    let _e1313 = abs((bitcast<f32>(_e1225) - _e1098));
+                                                    let _e1317 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
+                                                    let _e1318 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1085));
+                                                    let _e1319 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1098));
+                                                    if (_e1311 > _e1317) {
+                                                        phi_1909_ = _e1311;
                                                     } else {
-                                                        phi_1909_ = _e1320;
+                                                        phi_1909_ = _e1317;
                                                     }
-                                                    let _e1325 = phi_1909_;
-                                                    if (_e1315 > _e1321) {
-                                                        phi_1914_ = _e1315;
+                                                    let _e1322 = phi_1909_;
+                                                    if (_e1312 > _e1318) {
+                                                        phi_1914_ = _e1312;
                                                     } else {
-                                                        phi_1914_ = _e1321;
+                                                        phi_1914_ = _e1318;
                                                     }
-                                                    let _e1328 = phi_1914_;
-                                                    if (_e1316 > _e1322) {
-                                                        phi_1919_ = _e1316;
+                                                    let _e1325 = phi_1914_;
+                                                    if (_e1313 > _e1319) {
+                                                        phi_1919_ = _e1313;
                                                     } else {
-                                                        phi_1919_ = _e1322;
+                                                        phi_1919_ = _e1319;
                                                     }
-                                                    let _e1331 = phi_1919_;
-                                                    let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
-                                                    let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
-                                                    let _e1337 = (_e1333 * 0.0000019073486f);
-                                                    let _e1338 = (abs(_e1290) * _e1337);
-                                                    let _e1339 = (abs(_e1300) * _e1337);
-                                                    let _e1340 = (abs(_e1310) * _e1337);
-                                                    let _e1344 = (_e1333 * 0.0000009536743f);
-                                                    let _e1345 = (abs(_e1290) * _e1344);
-                                                    let _e1346 = (abs(_e1300) * _e1344);
-                                                    let _e1347 = (abs(_e1310) * _e1344);
-                                                    let _e1348 = abs(_e1119);
-                                                    let _e1349 = abs(_e1132);
-                                                    let _e1350 = abs(_e1145);
-                                                    if (_e1348 >= _e1349) {
-                                                        if (_e1348 >= _e1350) {
+                                                    let _e1328 = phi_1919_;
+                                                    let _e1329 = core_intrinsics_maximum_number_nsz_f32_(_e1322, _e1325);
+                                                    let _e1330 = core_intrinsics_maximum_number_nsz_f32_(_e1329, _e1328);
+                                                    let _e1334 = (_e1330 * 0.0000019073486f);
+                                                    let _e1335 = (abs(_e1287) * _e1334);
+                                                    let _e1336 = (abs(_e1297) * _e1334);
+                                                    let _e1337 = (abs(_e1307) * _e1334);
+                                                    let _e1341 = (_e1330 * 0.0000009536743f);
+                                                    let _e1342 = (abs(_e1287) * _e1341);
+                                                    let _e1343 = (abs(_e1297) * _e1341);
+                                                    let _e1344 = (abs(_e1307) * _e1341);
+                                                    let _e1345 = abs(_e1116);
+                                                    let _e1346 = abs(_e1129);
+                                                    let _e1347 = abs(_e1142);
+                                                    if (_e1345 >= _e1346) {
+                                                        if (_e1345 >= _e1347) {
                                                             phi_1947_ = false;
                                                         } else {
                                                             phi_1947_ = true;
                                                         }
-                                                        let _e1354 = phi_1947_;
-                                                        phi_1948_ = _e1354;
+                                                        let _e1351 = phi_1947_;
+                                                        phi_1948_ = _e1351;
                                                     } else {
                                                         phi_1948_ = true;
                                                     }
-                                                    let _e1356 = phi_1948_;
-                                                    if _e1356 {
-                                                        if (_e1349 >= _e1350) {
+                                                    let _e1353 = phi_1948_;
+                                                    if _e1353 {
+                                                        if (_e1346 >= _e1347) {
                                                             phi_1956_ = 1u;
                                                         } else {
                                                             phi_1956_ = 2u;
                                                         }
-                                                        let _e1359 = phi_1956_;
-                                                        phi_1957_ = _e1359;
+                                                        let _e1356 = phi_1956_;
+                                                        phi_1957_ = _e1356;
                                                     } else {
                                                         phi_1957_ = 0u;
                                                     }
-                                                    let _e1361 = phi_1957_;
-                                                    if (_e1361 == 0u) {
-                                                        phi_1969_ = vec3<f32>(_e1132, _e1145, _e1119);
+                                                    let _e1358 = phi_1957_;
+                                                    if (_e1358 == 0u) {
+                                                        phi_1969_ = vec3<f32>(_e1129, _e1142, _e1116);
                                                     } else {
-                                                        if (_e1361 == 1u) {
-                                                            phi_1968_ = vec3<f32>(_e1145, _e1119, _e1132);
+                                                        if (_e1358 == 1u) {
+                                                            phi_1968_ = vec3<f32>(_e1142, _e1116, _e1129);
                                                         } else {
-                                                            phi_1968_ = vec3<f32>(_e1119, _e1132, _e1145);
+                                                            phi_1968_ = vec3<f32>(_e1116, _e1129, _e1142);
                                                         }
-                                                        let _e1367 = phi_1968_;
-                                                        phi_1969_ = _e1367;
+                                                        let _e1364 = phi_1968_;
+                                                        phi_1969_ = _e1364;
                                                     }
-                                                    let _e1369 = phi_1969_;
-                                                    let _e1372 = (_e1369.x / _e1369.z);
-                                                    let _e1375 = (_e1369.y / _e1369.z);
-                                                    if (_e1290 < 0f) {
+                                                    let _e1366 = phi_1969_;
+                                                    let _e1369 = (_e1366.x / _e1366.z);
+                                                    let _e1372 = (_e1366.y / _e1366.z);
+                                                    if (_e1287 < 0f) {
                                                         phi_1982_ = 0u;
                                                     } else {
                                                         phi_1982_ = 1u;
                                                     }
-                                                    let _e1380 = phi_1982_;
-                                                    if (_e1300 < 0f) {
+                                                    let _e1377 = phi_1982_;
+                                                    if (_e1297 < 0f) {
                                                         phi_1987_ = 0u;
                                                     } else {
                                                         phi_1987_ = 2u;
                                                     }
-                                                    let _e1383 = phi_1987_;
-                                                    if (_e1310 < 0f) {
+                                                    let _e1380 = phi_1987_;
+                                                    if (_e1307 < 0f) {
                                                         phi_1992_ = 0u;
                                                     } else {
                                                         phi_1992_ = 4u;
                                                     }
-                                                    let _e1386 = phi_1992_;
-                                                    let _e1388 = ((_e1380 | _e1383) | _e1386);
-                                                    let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
-                                                    let _e1463 = local_1.group_mask;
-                                                    if ((_e1463 & 4278190080u) == 0u) {
-                                                        let _e1467 = local_1.len;
-                                                        if (_e1467 == 0u) {
+                                                    let _e1383 = phi_1992_;
+                                                    let _e1385 = ((_e1377 | _e1380) | _e1383);
+                                                    let _e1386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1147, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1386.first[0], _e1386.first[1], _e1386.first[2], _e1386.first[3], _e1386.first[4], _e1386.first[5], _e1386.first[6], _e1386.first[7], _e1386.first[8], _e1386.first[9], _e1386.first[10], _e1386.first[11], _e1386.first[12], _e1386.first[13], _e1386.first[14], _e1386.first[15], _e1386.first[16], _e1386.first[17], _e1386.first[18], _e1386.first[19], _e1386.first[20], _e1386.first[21], _e1386.first[22], _e1386.first[23], _e1386.first[24], _e1386.first[25], _e1386.first[26], _e1386.first[27], _e1386.first[28], _e1386.first[29], _e1386.first[30], _e1386.first[31]), array<u32, 32>(_e1386.mask[0], _e1386.mask[1], _e1386.mask[2], _e1386.mask[3], _e1386.mask[4], _e1386.mask[5], _e1386.mask[6], _e1386.mask[7], _e1386.mask[8], _e1386.mask[9], _e1386.mask[10], _e1386.mask[11], _e1386.mask[12], _e1386.mask[13], _e1386.mask[14], _e1386.mask[15], _e1386.mask[16], _e1386.mask[17], _e1386.mask[18], _e1386.mask[19], _e1386.mask[20], _e1386.mask[21], _e1386.mask[22], _e1386.mask[23], _e1386.mask[24], _e1386.mask[25], _e1386.mask[26], _e1386.mask[27], _e1386.mask[28], _e1386.mask[29], _e1386.mask[30], _e1386.mask[31]), _e1386.len, _e1386.group, _e1386.group_mask);
+                                                    let _e1460 = local_1.group_mask;
+                                                    if ((_e1460 & 4278190080u) == 0u) {
+                                                        let _e1464 = local_1.len;
+                                                        if (_e1464 == 0u) {
                                                             phi_2106_ = false;
                                                         } else {
+                                                            let _e1468 = local_1.len;
+                                                            local_1.len = (_e1468 - 1u);
                                                             let _e1471 = local_1.len;
-                                                            local_1.len = (_e1471 - 1u);
-                                                            let _e1474 = local_1.len;
-                                                            if (_e1474 < 32u) {
+                                                            if (_e1471 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1479 = local_1.first[(0u + _e1474)];
-                                                            local_1.group = _e1479;
-                                                            let _e1482 = local_1.len;
-                                                            if (_e1482 < 32u) {
+                                                            let _e1476 = local_1.first[(0u + _e1471)];
+                                                            local_1.group = _e1476;
+                                                            let _e1479 = local_1.len;
+                                                            if (_e1479 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1487 = local_1.mask[(0u + _e1482)];
-                                                            local_1.group_mask = _e1487;
+                                                            let _e1484 = local_1.mask[(0u + _e1479)];
+                                                            local_1.group_mask = _e1484;
                                                             phi_2106_ = true;
                                                         }
-                                                        let _e1490 = phi_2106_;
-                                                        phi_2107_ = _e1490;
+                                                        let _e1487 = phi_2106_;
+                                                        phi_2107_ = _e1487;
                                                     } else {
                                                         phi_2107_ = true;
                                                     }
-                                                    let _e1492 = phi_2107_;
-                                                    if _e1492 {
-                                                        let _e1494 = local_1.group_mask;
-                                                        let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
-                                                        let _e1504 = local_1.group_mask;
-                                                        let _e1518 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
-                                                        let _e1521 = local_1.group;
-                                                        phi_2138_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1489 = phi_2107_;
+                                                    if _e1489 {
+                                                        let _e1491 = local_1.group_mask;
+                                                        let _e1497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1491)), 32u, (_e1491 == 0u)));
+                                                        let _e1501 = local_1.group_mask;
+                                                        let _e1515 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1515 & ~((1u << bitcast<u32>((_e1497 & 31u)))));
+                                                        let _e1518 = local_1.group;
+                                                        phi_2138_ = (_e1518 + countOneBits(((_e1501 & ~((4294967295u << bitcast<u32>((((_e1497 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
                                                         phi_2138_ = 4294967295u;
                                                     }
-                                                    let _e1524 = phi_2138_;
-                                                    phi_2140_ = _e983;
-                                                    phi_2143_ = _e1524;
+                                                    let _e1521 = phi_2138_;
+                                                    phi_2140_ = _e980;
+                                                    phi_2143_ = _e1521;
                                                     loop {
-                                                        let _e1526 = phi_2140_;
-                                                        let _e1528 = phi_2143_;
-                                                        local_10 = _e1526;
-                                                        let _e1529 = (_e1528 != 4294967295u);
-                                                        if _e1529 {
-                                                            if (_e1528 < _e78) {
+                                                        let _e1523 = phi_2140_;
+                                                        let _e1525 = phi_2143_;
+                                                        local_10 = _e1523;
+                                                        let _e1526 = (_e1525 != 4294967295u);
+                                                        if _e1526 {
+                                                            if (_e1525 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1536 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1561 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1562 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
-                                                            let _e1563 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
-                                                            let _e1566 = nodes.member[(0u + _e1528)].frame[0u];
-                                                            let _e1570 = nodes.member[(0u + _e1528)].frame[1u];
-                                                            let _e1574 = nodes.member[(0u + _e1528)].frame[2u];
-                                                            let _e1579 = ((bitcast<f32>(_e1566) - _e1075) * _e1290);
-                                                            let _e1580 = ((bitcast<f32>(_e1570) - _e1088) * _e1300);
-                                                            let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
-                                                            let _e1589 = nodes.member[(0u + _e1528)].x;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1600.unnamed.word, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1589.x, _e1606.unnamed_1.shift));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1612.unnamed_1.word, _e1589.y));
+                                                            let _e1533 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1558 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
+                                                            let _e1559 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1297);
+                                                            let _e1560 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1307);
+                                                            let _e1563 = nodes.member[(0u + _e1525)].frame[0u];
+                                                            let _e1567 = nodes.member[(0u + _e1525)].frame[1u];
+                                                            let _e1571 = nodes.member[(0u + _e1525)].frame[2u];
+                                                            let _e1576 = ((bitcast<f32>(_e1563) - _e1072) * _e1287);
+                                                            let _e1577 = ((bitcast<f32>(_e1567) - _e1085) * _e1297);
+                                                            let _e1578 = ((bitcast<f32>(_e1571) - _e1098) * _e1307);
+                                                            let _e1586 = nodes.member[(0u + _e1525)].x;
+                                                            if (_e1287 < 0f) {
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.unnamed.word, _e1586.w), _e1597.unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_mask_LightPlace(_e1586.x, _e1603.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1609.unnamed_1.word, _e1586.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.unnamed.word, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1589.z, _e1634.unnamed_1.shift));
-                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_mask_LightPlace(_e1640.unnamed_1.word, _e1589.w));
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.unnamed.word, _e1586.y), _e1625.unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_mask_LightPlace(_e1586.z, _e1631.unnamed_1.shift));
+                                                                phi_2224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_mask_LightPlace(_e1637.unnamed_1.word, _e1586.w));
                                                             }
-                                                            let _e1648 = phi_2224_;
-                                                            let _e1658 = nodes.member[(0u + _e1528)].y;
-                                                            if (_e1300 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1669.unnamed.word, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1658.x, _e1675.unnamed_1.shift));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1681.unnamed_1.word, _e1658.y));
+                                                            let _e1645 = phi_2224_;
+                                                            let _e1655 = nodes.member[(0u + _e1525)].y;
+                                                            if (_e1297 < 0f) {
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.unnamed.word, _e1655.w), _e1666.unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_mask_LightPlace(_e1655.x, _e1672.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1678.unnamed_1.word, _e1655.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1697.unnamed.word, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1658.z, _e1703.unnamed_1.shift));
-                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_mask_LightPlace(_e1709.unnamed_1.word, _e1658.w));
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.unnamed.word, _e1655.y), _e1694.unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_mask_LightPlace(_e1655.z, _e1700.unnamed_1.shift));
+                                                                phi_2251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_mask_LightPlace(_e1706.unnamed_1.word, _e1655.w));
                                                             }
-                                                            let _e1717 = phi_2251_;
-                                                            let _e1727 = nodes.member[(0u + _e1528)].z;
-                                                            if (_e1310 < 0f) {
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1738.unnamed.word, _e1727.w), _e1738.unnamed_1);
-                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1727.x, _e1744.unnamed_1.shift));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_mask_LightPlace(_e1750.unnamed_1.word, _e1727.y));
+                                                            let _e1714 = phi_2251_;
+                                                            let _e1724 = nodes.member[(0u + _e1525)].z;
+                                                            if (_e1307 < 0f) {
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1735.unnamed.word, _e1724.w), _e1735.unnamed_1);
+                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_mask_LightPlace(_e1724.x, _e1741.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_mask_LightPlace(_e1747.unnamed_1.word, _e1724.y));
                                                             } else {
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1766.unnamed.word, _e1727.y), _e1766.unnamed_1);
-                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_mask_LightPlace(_e1727.z, _e1772.unnamed_1.shift));
-                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_mask_LightPlace(_e1778.unnamed_1.word, _e1727.w));
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1763.unnamed.word, _e1724.y), _e1763.unnamed_1);
+                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_mask_LightPlace(_e1724.z, _e1769.unnamed_1.shift));
+                                                                phi_2278_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_mask_LightPlace(_e1775.unnamed_1.word, _e1724.w));
                                                             }
-                                                            let _e1786 = phi_2278_;
+                                                            let _e1783 = phi_2278_;
                                                             phi_2284_ = 0u;
                                                             phi_2287_ = 0u;
                                                             loop {
-                                                                let _e1796 = phi_2284_;
-                                                                let _e1798 = phi_2287_;
-                                                                local_6 = _e1798;
-                                                                local_7 = _e1798;
-                                                                local_8 = _e1798;
-                                                                let _e1799 = (_e1796 < 8u);
-                                                                if _e1799 {
-                                                                    let _e1801 = (_e1796 >> bitcast<u32>(2i));
-                                                                    let _e1802 = (_e1796 & 3u);
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2301_ = _e1648.unnamed.word;
+                                                                let _e1793 = phi_2284_;
+                                                                let _e1795 = phi_2287_;
+                                                                local_6 = _e1795;
+                                                                local_7 = _e1795;
+                                                                local_8 = _e1795;
+                                                                let _e1796 = (_e1793 < 8u);
+                                                                if _e1796 {
+                                                                    let _e1798 = (_e1793 >> bitcast<u32>(2i));
+                                                                    let _e1799 = (_e1793 & 3u);
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2301_ = _e1645.unnamed.word;
                                                                     } else {
-                                                                        phi_2301_ = _e1648.unnamed.shift;
+                                                                        phi_2301_ = _e1645.unnamed.shift;
                                                                     }
-                                                                    let _e1805 = phi_2301_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2311_ = _e1717.unnamed.word;
+                                                                    let _e1802 = phi_2301_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2311_ = _e1714.unnamed.word;
                                                                     } else {
-                                                                        phi_2311_ = _e1717.unnamed.shift;
+                                                                        phi_2311_ = _e1714.unnamed.shift;
                                                                     }
-                                                                    let _e1814 = phi_2311_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2321_ = _e1786.unnamed.word;
+                                                                    let _e1811 = phi_2311_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2321_ = _e1783.unnamed.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1786.unnamed.shift;
+                                                                        phi_2321_ = _e1783.unnamed.shift;
                                                                     }
-                                                                    let _e1823 = phi_2321_;
-                                                                    let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
-                                                                    let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2339_ = _e1648.unnamed_1.word;
+                                                                    let _e1820 = phi_2321_;
+                                                                    let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
+                                                                    let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2339_ = _e1645.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2339_ = _e1648.unnamed_1.shift;
+                                                                        phi_2339_ = _e1645.unnamed_1.shift;
                                                                     }
-                                                                    let _e1840 = phi_2339_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2349_ = _e1717.unnamed_1.word;
+                                                                    let _e1837 = phi_2339_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2349_ = _e1714.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2349_ = _e1717.unnamed_1.shift;
+                                                                        phi_2349_ = _e1714.unnamed_1.shift;
                                                                     }
-                                                                    let _e1849 = phi_2349_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2359_ = _e1786.unnamed_1.word;
+                                                                    let _e1846 = phi_2349_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2359_ = _e1783.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2359_ = _e1786.unnamed_1.shift;
+                                                                        phi_2359_ = _e1783.unnamed_1.shift;
                                                                     }
-                                                                    let _e1858 = phi_2359_;
-                                                                    let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
-                                                                    let _e1872 = core_intrinsics_minimum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)));
-                                                                    if (_e1837 <= _e1872) {
-                                                                        if (_e1837 <= _e1526.t) {
-                                                                            if (_e1872 >= _e165.tmin) {
-                                                                                if (_e1801 == 0u) {
-                                                                                    let _e1879 = nodes.member[(0u + _e1528)].links[2u];
+                                                                    let _e1855 = phi_2359_;
+                                                                    let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
+                                                                    let _e1869 = core_intrinsics_minimum_number_nsz_f32_(_e1868, ((f32(((_e1855 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1337)));
+                                                                    if (_e1834 <= _e1869) {
+                                                                        if (_e1834 <= _e1523.t) {
+                                                                            if (_e1869 >= _e165.tmin) {
+                                                                                if (_e1798 == 0u) {
+                                                                                    let _e1876 = nodes.member[(0u + _e1525)].links[2u];
+                                                                                    phi_2395_ = _e1876;
+                                                                                } else {
+                                                                                    let _e1879 = nodes.member[(0u + _e1525)].links[3u];
                                                                                     phi_2395_ = _e1879;
-                                                                                } else {
-                                                                                    let _e1882 = nodes.member[(0u + _e1528)].links[3u];
-                                                                                    phi_2395_ = _e1882;
                                                                                 }
-                                                                                let _e1884 = phi_2395_;
-                                                                                let _e1889 = ((_e1884 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u);
-                                                                                let _e1890 = (_e1889 & 31u);
-                                                                                if (_e1890 >= 24u) {
-                                                                                    phi_2408_ = (24u + ((_e1890 - 24u) ^ _e1388));
+                                                                                let _e1881 = phi_2395_;
+                                                                                let _e1886 = ((_e1881 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u);
+                                                                                let _e1887 = (_e1886 & 31u);
+                                                                                if (_e1887 >= 24u) {
+                                                                                    phi_2408_ = (24u + ((_e1887 - 24u) ^ _e1385));
                                                                                 } else {
-                                                                                    phi_2408_ = _e1890;
+                                                                                    phi_2408_ = _e1887;
                                                                                 }
-                                                                                let _e1896 = phi_2408_;
-                                                                                phi_2413_ = (_e1798 | ((_e1889 >> bitcast<u32>(5i)) << bitcast<u32>((_e1896 & 31u))));
+                                                                                let _e1893 = phi_2408_;
+                                                                                phi_2413_ = (_e1795 | ((_e1886 >> bitcast<u32>(5i)) << bitcast<u32>((_e1893 & 31u))));
                                                                             } else {
-                                                                                phi_2413_ = _e1798;
+                                                                                phi_2413_ = _e1795;
                                                                             }
-                                                                            let _e1904 = phi_2413_;
-                                                                            phi_2414_ = _e1904;
+                                                                            let _e1901 = phi_2413_;
+                                                                            phi_2414_ = _e1901;
                                                                         } else {
-                                                                            phi_2414_ = _e1798;
+                                                                            phi_2414_ = _e1795;
                                                                         }
-                                                                        let _e1906 = phi_2414_;
-                                                                        phi_2415_ = _e1906;
+                                                                        let _e1903 = phi_2414_;
+                                                                        phi_2415_ = _e1903;
                                                                     } else {
-                                                                        phi_2415_ = _e1798;
+                                                                        phi_2415_ = _e1795;
                                                                     }
-                                                                    let _e1908 = phi_2415_;
-                                                                    phi_2285_ = (_e1796 + 1u);
-                                                                    phi_2288_ = _e1908;
+                                                                    let _e1905 = phi_2415_;
+                                                                    phi_2285_ = (_e1793 + 1u);
+                                                                    phi_2288_ = _e1905;
                                                                 } else {
                                                                     phi_2285_ = u32();
                                                                     phi_2288_ = u32();
                                                                 }
-                                                                let _e1911 = phi_2285_;
-                                                                let _e1913 = phi_2288_;
+                                                                let _e1908 = phi_2285_;
+                                                                let _e1910 = phi_2288_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2284_ = _e1911;
-                                                                    phi_2287_ = _e1913;
-                                                                    break if !(_e1799);
+                                                                    phi_2284_ = _e1908;
+                                                                    phi_2287_ = _e1910;
+                                                                    break if !(_e1796);
                                                                 }
                                                             }
-                                                            let _e1917 = nodes.member[(0u + _e1528)].links[0u];
-                                                            let _e1921 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1925 = local_6;
-                                                            if ((_e1925 & 4278190080u) == 0u) {
+                                                            let _e1914 = nodes.member[(0u + _e1525)].links[0u];
+                                                            let _e1918 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1922 = local_6;
+                                                            if ((_e1922 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1929 = local_1.group_mask;
-                                                                if ((_e1929 & 4278190080u) == 0u) {
+                                                                let _e1926 = local_1.group_mask;
+                                                                if ((_e1926 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1933 = local_1.len;
-                                                                    if (_e1933 < 32u) {
-                                                                        let _e1936 = local_1.group;
-                                                                        let _e1938 = local_1.len;
-                                                                        if (_e1938 < 32u) {
+                                                                    let _e1930 = local_1.len;
+                                                                    if (_e1930 < 32u) {
+                                                                        let _e1933 = local_1.group;
+                                                                        let _e1935 = local_1.len;
+                                                                        if (_e1935 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1938)] = _e1936;
-                                                                        let _e1944 = local_1.group_mask;
-                                                                        let _e1946 = local_1.len;
-                                                                        if (_e1946 < 32u) {
+                                                                        local_1.first[(0u + _e1935)] = _e1933;
+                                                                        let _e1941 = local_1.group_mask;
+                                                                        let _e1943 = local_1.len;
+                                                                        if (_e1943 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1946)] = _e1944;
-                                                                        let _e1953 = local_1.len;
-                                                                        local_1.len = (_e1953 + 1u);
+                                                                        local_1.mask[(0u + _e1943)] = _e1941;
+                                                                        let _e1950 = local_1.len;
+                                                                        local_1.len = (_e1950 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1150 + _e1917);
-                                                                let _e1957 = local_7;
-                                                                local_1.group_mask = ((_e1957 & 4278190080u) | (_e1921 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1147 + _e1914);
+                                                                let _e1954 = local_7;
+                                                                local_1.group_mask = ((_e1954 & 4278190080u) | (_e1918 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1962 = local_8;
-                                                            phi_2473_ = _e1526;
-                                                            phi_2476_ = (_e1962 & 16777215u);
+                                                            let _e1959 = local_8;
+                                                            phi_2473_ = _e1523;
+                                                            phi_2476_ = (_e1959 & 16777215u);
                                                             loop {
-                                                                let _e1965 = phi_2473_;
-                                                                let _e1967 = phi_2476_;
-                                                                local_9 = _e1965;
-                                                                if (_e1967 == 0u) {
+                                                                let _e1962 = phi_2473_;
+                                                                let _e1964 = phi_2476_;
+                                                                local_9 = _e1962;
+                                                                if (_e1964 == 0u) {
                                                                     phi_2474_ = lt_bvh_Hit();
                                                                     phi_2477_ = u32();
                                                                     phi_3315_ = false;
                                                                 } else {
-                                                                    let _e1971 = nodes.member[(0u + _e1528)].links[1u];
-                                                                    let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
-                                                                    if (_e1976 < _e81) {
+                                                                    let _e1968 = nodes.member[(0u + _e1525)].links[1u];
+                                                                    let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
+                                                                    if (_e1973 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1983 = triangles.member[(0u + _e1976)].v0_;
-                                                                    let _e1985 = (_e1983.x - _e1075);
-                                                                    let _e1987 = (_e1983.y - _e1088);
-                                                                    let _e1989 = (_e1983.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2521_ = vec3<f32>(_e1987, _e1989, _e1985);
+                                                                    let _e1980 = triangles.member[(0u + _e1973)].v0_;
+                                                                    let _e1982 = (_e1980.x - _e1072);
+                                                                    let _e1984 = (_e1980.y - _e1085);
+                                                                    let _e1986 = (_e1980.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2521_ = vec3<f32>(_e1984, _e1986, _e1982);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2520_ = vec3<f32>(_e1989, _e1985, _e1987);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2520_ = vec3<f32>(_e1986, _e1982, _e1984);
                                                                         } else {
-                                                                            phi_2520_ = (_e1983 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2520_ = (_e1980 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e1997 = phi_2520_;
-                                                                        phi_2521_ = _e1997;
+                                                                        let _e1994 = phi_2520_;
+                                                                        phi_2521_ = _e1994;
                                                                     }
-                                                                    let _e1999 = phi_2521_;
-                                                                    let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
-                                                                    let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
-                                                                    let _e2009 = triangles.member[(0u + _e1976)].v1_;
-                                                                    let _e2011 = (_e2009.x - _e1075);
-                                                                    let _e2013 = (_e2009.y - _e1088);
-                                                                    let _e2015 = (_e2009.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2551_ = vec3<f32>(_e2013, _e2015, _e2011);
+                                                                    let _e1996 = phi_2521_;
+                                                                    let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
+                                                                    let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
+                                                                    let _e2006 = triangles.member[(0u + _e1973)].v1_;
+                                                                    let _e2008 = (_e2006.x - _e1072);
+                                                                    let _e2010 = (_e2006.y - _e1085);
+                                                                    let _e2012 = (_e2006.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2551_ = vec3<f32>(_e2010, _e2012, _e2008);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2550_ = vec3<f32>(_e2015, _e2011, _e2013);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2550_ = vec3<f32>(_e2012, _e2008, _e2010);
                                                                         } else {
-                                                                            phi_2550_ = (_e2009 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2550_ = (_e2006 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2023 = phi_2550_;
-                                                                        phi_2551_ = _e2023;
+                                                                        let _e2020 = phi_2550_;
+                                                                        phi_2551_ = _e2020;
                                                                     }
-                                                                    let _e2025 = phi_2551_;
-                                                                    let _e2029 = (_e2025.x - (_e1372 * _e2025.z));
-                                                                    let _e2033 = (_e2025.y - (_e1375 * _e2025.z));
-                                                                    let _e2035 = triangles.member[(0u + _e1976)].v2_;
-                                                                    let _e2037 = (_e2035.x - _e1075);
-                                                                    let _e2039 = (_e2035.y - _e1088);
-                                                                    let _e2041 = (_e2035.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2581_ = vec3<f32>(_e2039, _e2041, _e2037);
+                                                                    let _e2022 = phi_2551_;
+                                                                    let _e2026 = (_e2022.x - (_e1369 * _e2022.z));
+                                                                    let _e2030 = (_e2022.y - (_e1372 * _e2022.z));
+                                                                    let _e2032 = triangles.member[(0u + _e1973)].v2_;
+                                                                    let _e2034 = (_e2032.x - _e1072);
+                                                                    let _e2036 = (_e2032.y - _e1085);
+                                                                    let _e2038 = (_e2032.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2581_ = vec3<f32>(_e2036, _e2038, _e2034);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2580_ = vec3<f32>(_e2041, _e2037, _e2039);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2580_ = vec3<f32>(_e2038, _e2034, _e2036);
                                                                         } else {
-                                                                            phi_2580_ = (_e2035 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2580_ = (_e2032 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2049 = phi_2580_;
-                                                                        phi_2581_ = _e2049;
+                                                                        let _e2046 = phi_2580_;
+                                                                        phi_2581_ = _e2046;
                                                                     }
-                                                                    let _e2051 = phi_2581_;
-                                                                    let _e2055 = (_e2051.x - (_e1372 * _e2051.z));
-                                                                    let _e2059 = (_e2051.y - (_e1375 * _e2051.z));
-                                                                    if (_e2029 < _e2055) {
+                                                                    let _e2048 = phi_2581_;
+                                                                    let _e2052 = (_e2048.x - (_e1369 * _e2048.z));
+                                                                    let _e2056 = (_e2048.y - (_e1372 * _e2048.z));
+                                                                    if (_e2026 < _e2052) {
                                                                         phi_2600_ = true;
                                                                     } else {
-                                                                        if (_e2029 == _e2055) {
-                                                                            phi_2599_ = (_e2033 < _e2059);
+                                                                        if (_e2026 == _e2052) {
+                                                                            phi_2599_ = (_e2030 < _e2056);
                                                                         } else {
                                                                             phi_2599_ = false;
                                                                         }
-                                                                        let _e2064 = phi_2599_;
-                                                                        phi_2600_ = _e2064;
+                                                                        let _e2061 = phi_2599_;
+                                                                        phi_2600_ = _e2061;
                                                                     }
-                                                                    let _e2066 = phi_2600_;
-                                                                    if _e2066 {
-                                                                        phi_2604_ = _e2059;
-                                                                        phi_2605_ = _e2055;
-                                                                        phi_2606_ = _e2033;
-                                                                        phi_2607_ = _e2029;
+                                                                    let _e2063 = phi_2600_;
+                                                                    if _e2063 {
+                                                                        phi_2604_ = _e2056;
+                                                                        phi_2605_ = _e2052;
+                                                                        phi_2606_ = _e2030;
+                                                                        phi_2607_ = _e2026;
                                                                     } else {
-                                                                        phi_2604_ = _e2033;
-                                                                        phi_2605_ = _e2029;
-                                                                        phi_2606_ = _e2059;
-                                                                        phi_2607_ = _e2055;
+                                                                        phi_2604_ = _e2030;
+                                                                        phi_2605_ = _e2026;
+                                                                        phi_2606_ = _e2056;
+                                                                        phi_2607_ = _e2052;
                                                                     }
-                                                                    let _e2068 = phi_2604_;
-                                                                    let _e2070 = phi_2605_;
-                                                                    let _e2072 = phi_2606_;
-                                                                    let _e2074 = phi_2607_;
-                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
-                                                                    if _e2066 {
-                                                                        phi_2615_ = -(_e2077);
+                                                                    let _e2065 = phi_2604_;
+                                                                    let _e2067 = phi_2605_;
+                                                                    let _e2069 = phi_2606_;
+                                                                    let _e2071 = phi_2607_;
+                                                                    let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
+                                                                    if _e2063 {
+                                                                        phi_2615_ = -(_e2074);
                                                                     } else {
-                                                                        phi_2615_ = _e2077;
+                                                                        phi_2615_ = _e2074;
                                                                     }
-                                                                    let _e2080 = phi_2615_;
-                                                                    if (_e2055 < _e2003) {
+                                                                    let _e2077 = phi_2615_;
+                                                                    if (_e2052 < _e2000) {
                                                                         phi_2626_ = true;
                                                                     } else {
-                                                                        if (_e2055 == _e2003) {
-                                                                            phi_2625_ = (_e2059 < _e2007);
+                                                                        if (_e2052 == _e2000) {
+                                                                            phi_2625_ = (_e2056 < _e2004);
                                                                         } else {
                                                                             phi_2625_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2625_;
-                                                                        phi_2626_ = _e2085;
+                                                                        let _e2082 = phi_2625_;
+                                                                        phi_2626_ = _e2082;
                                                                     }
-                                                                    let _e2087 = phi_2626_;
-                                                                    if _e2087 {
-                                                                        phi_2630_ = _e2007;
-                                                                        phi_2631_ = _e2003;
-                                                                        phi_2632_ = _e2059;
-                                                                        phi_2633_ = _e2055;
+                                                                    let _e2084 = phi_2626_;
+                                                                    if _e2084 {
+                                                                        phi_2630_ = _e2004;
+                                                                        phi_2631_ = _e2000;
+                                                                        phi_2632_ = _e2056;
+                                                                        phi_2633_ = _e2052;
                                                                     } else {
-                                                                        phi_2630_ = _e2059;
-                                                                        phi_2631_ = _e2055;
-                                                                        phi_2632_ = _e2007;
-                                                                        phi_2633_ = _e2003;
+                                                                        phi_2630_ = _e2056;
+                                                                        phi_2631_ = _e2052;
+                                                                        phi_2632_ = _e2004;
+                                                                        phi_2633_ = _e2000;
                                                                     }
-                                                                    let _e2089 = phi_2630_;
-                                                                    let _e2091 = phi_2631_;
-                                                                    let _e2093 = phi_2632_;
-                                                                    let _e2095 = phi_2633_;
-                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
-                                                                    if _e2087 {
-                                                                        phi_2641_ = -(_e2098);
+                                                                    let _e2086 = phi_2630_;
+                                                                    let _e2088 = phi_2631_;
+                                                                    let _e2090 = phi_2632_;
+                                                                    let _e2092 = phi_2633_;
+                                                                    let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
+                                                                    if _e2084 {
+                                                                        phi_2641_ = -(_e2095);
                                                                     } else {
-                                                                        phi_2641_ = _e2098;
+                                                                        phi_2641_ = _e2095;
                                                                     }
-                                                                    let _e2101 = phi_2641_;
-                                                                    if (_e2003 < _e2029) {
+                                                                    let _e2098 = phi_2641_;
+                                                                    if (_e2000 < _e2026) {
                                                                         phi_2652_ = true;
                                                                     } else {
-                                                                        if (_e2003 == _e2029) {
-                                                                            phi_2651_ = (_e2007 < _e2033);
+                                                                        if (_e2000 == _e2026) {
+                                                                            phi_2651_ = (_e2004 < _e2030);
                                                                         } else {
                                                                             phi_2651_ = false;
                                                                         }
-                                                                        let _e2106 = phi_2651_;
-                                                                        phi_2652_ = _e2106;
+                                                                        let _e2103 = phi_2651_;
+                                                                        phi_2652_ = _e2103;
                                                                     }
-                                                                    let _e2108 = phi_2652_;
-                                                                    if _e2108 {
-                                                                        phi_2656_ = _e2033;
-                                                                        phi_2657_ = _e2029;
-                                                                        phi_2658_ = _e2007;
-                                                                        phi_2659_ = _e2003;
+                                                                    let _e2105 = phi_2652_;
+                                                                    if _e2105 {
+                                                                        phi_2656_ = _e2030;
+                                                                        phi_2657_ = _e2026;
+                                                                        phi_2658_ = _e2004;
+                                                                        phi_2659_ = _e2000;
                                                                     } else {
-                                                                        phi_2656_ = _e2007;
-                                                                        phi_2657_ = _e2003;
-                                                                        phi_2658_ = _e2033;
-                                                                        phi_2659_ = _e2029;
+                                                                        phi_2656_ = _e2004;
+                                                                        phi_2657_ = _e2000;
+                                                                        phi_2658_ = _e2030;
+                                                                        phi_2659_ = _e2026;
                                                                     }
-                                                                    let _e2110 = phi_2656_;
-                                                                    let _e2112 = phi_2657_;
-                                                                    let _e2114 = phi_2658_;
-                                                                    let _e2116 = phi_2659_;
-                                                                    let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
-                                                                    if _e2108 {
-                                                                        phi_2667_ = -(_e2119);
+                                                                    let _e2107 = phi_2656_;
+                                                                    let _e2109 = phi_2657_;
+                                                                    let _e2111 = phi_2658_;
+                                                                    let _e2113 = phi_2659_;
+                                                                    let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
+                                                                    if _e2105 {
+                                                                        phi_2667_ = -(_e2116);
                                                                     } else {
-                                                                        phi_2667_ = _e2119;
+                                                                        phi_2667_ = _e2116;
                                                                     }
-                                                                    let _e2122 = phi_2667_;
-                                                                    if (_e2080 >= 0f) {
-                                                                        if (_e2101 >= 0f) {
-                                                                            if (_e2122 >= 0f) {
-                                                                                phi_2682_ = ((_e2080 + _e2101) + _e2122);
+                                                                    let _e2119 = phi_2667_;
+                                                                    if (_e2077 >= 0f) {
+                                                                        if (_e2098 >= 0f) {
+                                                                            if (_e2119 >= 0f) {
+                                                                                phi_2682_ = ((_e2077 + _e2098) + _e2119);
                                                                                 phi_2683_ = false;
                                                                             } else {
                                                                                 phi_2682_ = f32();
                                                                                 phi_2683_ = true;
                                                                             }
-                                                                            let _e2129 = phi_2682_;
-                                                                            let _e2131 = phi_2683_;
-                                                                            phi_2684_ = _e2129;
-                                                                            phi_2685_ = _e2131;
+                                                                            let _e2126 = phi_2682_;
+                                                                            let _e2128 = phi_2683_;
+                                                                            phi_2684_ = _e2126;
+                                                                            phi_2685_ = _e2128;
                                                                         } else {
                                                                             phi_2684_ = f32();
                                                                             phi_2685_ = true;
                                                                         }
-                                                                        let _e2133 = phi_2684_;
-                                                                        let _e2135 = phi_2685_;
-                                                                        phi_2686_ = _e2133;
-                                                                        phi_2687_ = _e2135;
+                                                                        let _e2130 = phi_2684_;
+                                                                        let _e2132 = phi_2685_;
+                                                                        phi_2686_ = _e2130;
+                                                                        phi_2687_ = _e2132;
                                                                     } else {
                                                                         phi_2686_ = f32();
                                                                         phi_2687_ = true;
                                                                     }
-                                                                    let _e2137 = phi_2686_;
-                                                                    let _e2139 = phi_2687_;
-                                                                    if _e2139 {
-                                                                        if (_e2080 <= 0f) {
-                                                                            if (_e2101 <= 0f) {
-                                                                                let _e2142 = (_e2122 <= 0f);
-                                                                                if _e2142 {
+                                                                    let _e2134 = phi_2686_;
+                                                                    let _e2136 = phi_2687_;
+                                                                    if _e2136 {
+                                                                        if (_e2077 <= 0f) {
+                                                                            if (_e2098 <= 0f) {
+                                                                                let _e2139 = (_e2119 <= 0f);
+                                                                                if _e2139 {
                                                                                 }
-                                                                                phi_2705_ = ((_e2080 + _e2101) + _e2122);
+                                                                                phi_2705_ = ((_e2077 + _e2098) + _e2119);
                                                                                 phi_2706_ = false;
-                                                                                phi_2707_ = _e2142;
+                                                                                phi_2707_ = _e2139;
                                                                             } else {
                                                                                 phi_2705_ = f32();
                                                                                 phi_2706_ = true;
                                                                                 phi_2707_ = false;
                                                                             }
-                                                                            let _e2146 = phi_2705_;
-                                                                            let _e2148 = phi_2706_;
-                                                                            let _e2150 = phi_2707_;
-                                                                            phi_2708_ = _e2146;
-                                                                            phi_2709_ = _e2148;
-                                                                            phi_2710_ = _e2150;
+                                                                            let _e2143 = phi_2705_;
+                                                                            let _e2145 = phi_2706_;
+                                                                            let _e2147 = phi_2707_;
+                                                                            phi_2708_ = _e2143;
+                                                                            phi_2709_ = _e2145;
+                                                                            phi_2710_ = _e2147;
                                                                         } else {
                                                                             phi_2708_ = f32();
                                                                             phi_2709_ = true;
                                                                             phi_2710_ = false;
                                                                         }
-                                                                        let _e2152 = phi_2708_;
-                                                                        let _e2154 = phi_2709_;
-                                                                        let _e2156 = phi_2710_;
-                                                                        if _e2154 {
+                                                                        let _e2149 = phi_2708_;
+                                                                        let _e2151 = phi_2709_;
+                                                                        let _e2153 = phi_2710_;
+                                                                        if _e2151 {
                                                                             phi_2714_ = false;
                                                                         } else {
-                                                                            phi_2714_ = _e2156;
+                                                                            phi_2714_ = _e2153;
                                                                         }
-                                                                        let _e2158 = phi_2714_;
-                                                                        phi_2715_ = _e2152;
-                                                                        phi_2716_ = _e2158;
+                                                                        let _e2155 = phi_2714_;
+                                                                        phi_2715_ = _e2149;
+                                                                        phi_2716_ = _e2155;
                                                                     } else {
-                                                                        phi_2715_ = _e2137;
+                                                                        phi_2715_ = _e2134;
                                                                         phi_2716_ = true;
                                                                     }
-                                                                    let _e2160 = phi_2715_;
-                                                                    let _e2162 = phi_2716_;
-                                                                    if _e2162 {
-                                                                        let _e2163 = (_e2160 == 0f);
-                                                                        if _e2163 {
+                                                                    let _e2157 = phi_2715_;
+                                                                    let _e2159 = phi_2716_;
+                                                                    if _e2159 {
+                                                                        let _e2160 = (_e2157 == 0f);
+                                                                        if _e2160 {
                                                                             phi_3032_ = lt_bvh_triangle_Intersection();
                                                                             phi_3033_ = false;
                                                                         } else {
-                                                                            let _e2165 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2167 = (_e2165.x - _e1075);
-                                                                            let _e2169 = (_e2165.y - _e1088);
-                                                                            let _e2171 = (_e2165.z - _e1101);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2745_ = vec3<f32>(_e2169, _e2171, _e2167);
+                                                                            let _e2162 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2164 = (_e2162.x - _e1072);
+                                                                            let _e2166 = (_e2162.y - _e1085);
+                                                                            let _e2168 = (_e2162.z - _e1098);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2745_ = vec3<f32>(_e2166, _e2168, _e2164);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2744_ = vec3<f32>(_e2171, _e2167, _e2169);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2744_ = vec3<f32>(_e2168, _e2164, _e2166);
                                                                                 } else {
-                                                                                    phi_2744_ = (_e2165 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                                    phi_2744_ = (_e2162 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                                 }
-                                                                                let _e2179 = phi_2744_;
-                                                                                phi_2745_ = _e2179;
+                                                                                let _e2176 = phi_2744_;
+                                                                                phi_2745_ = _e2176;
                                                                             }
-                                                                            let _e2181 = phi_2745_;
-                                                                            let _e2183 = triangles.member[(0u + _e1976)].v1_;
-                                                                            let _e2185 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2188 = (_e2183.x - _e2185.x);
-                                                                            let _e2191 = (_e2183.y - _e2185.y);
-                                                                            let _e2194 = (_e2183.z - _e2185.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2771_ = vec3<f32>(_e2191, _e2194, _e2188);
+                                                                            let _e2178 = phi_2745_;
+                                                                            let _e2180 = triangles.member[(0u + _e1973)].v1_;
+                                                                            let _e2182 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2185 = (_e2180.x - _e2182.x);
+                                                                            let _e2188 = (_e2180.y - _e2182.y);
+                                                                            let _e2191 = (_e2180.z - _e2182.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2771_ = vec3<f32>(_e2188, _e2191, _e2185);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2770_ = vec3<f32>(_e2194, _e2188, _e2191);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2770_ = vec3<f32>(_e2191, _e2185, _e2188);
                                                                                 } else {
-                                                                                    phi_2770_ = (_e2183 - _e2185);
+                                                                                    phi_2770_ = (_e2180 - _e2182);
                                                                                 }
-                                                                                let _e2201 = phi_2770_;
-                                                                                phi_2771_ = _e2201;
+                                                                                let _e2198 = phi_2770_;
+                                                                                phi_2771_ = _e2198;
                                                                             }
-                                                                            let _e2203 = phi_2771_;
-                                                                            let _e2205 = triangles.member[(0u + _e1976)].v2_;
-                                                                            let _e2207 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2210 = (_e2205.x - _e2207.x);
-                                                                            let _e2213 = (_e2205.y - _e2207.y);
-                                                                            let _e2216 = (_e2205.z - _e2207.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2797_ = vec3<f32>(_e2213, _e2216, _e2210);
+                                                                            let _e2200 = phi_2771_;
+                                                                            let _e2202 = triangles.member[(0u + _e1973)].v2_;
+                                                                            let _e2204 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2207 = (_e2202.x - _e2204.x);
+                                                                            let _e2210 = (_e2202.y - _e2204.y);
+                                                                            let _e2213 = (_e2202.z - _e2204.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2797_ = vec3<f32>(_e2210, _e2213, _e2207);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2796_ = vec3<f32>(_e2216, _e2210, _e2213);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2796_ = vec3<f32>(_e2213, _e2207, _e2210);
                                                                                 } else {
-                                                                                    phi_2796_ = (_e2205 - _e2207);
+                                                                                    phi_2796_ = (_e2202 - _e2204);
                                                                                 }
-                                                                                let _e2223 = phi_2796_;
-                                                                                phi_2797_ = _e2223;
+                                                                                let _e2220 = phi_2796_;
+                                                                                phi_2797_ = _e2220;
                                                                             }
-                                                                            let _e2225 = phi_2797_;
-                                                                            let _e2232 = ((_e2203.y * _e2225.z) - (_e2203.z * _e2225.y));
-                                                                            let _e2239 = ((_e2203.z * _e2225.x) - (_e2203.x * _e2225.z));
-                                                                            let _e2246 = ((_e2203.x * _e2225.y) - (_e2203.y * _e2225.x));
-                                                                            let _e2260 = (((1f / _e1369.z) * (((_e2232 * _e2181.x) + (_e2239 * _e2181.y)) + (_e2246 * _e2181.z))) / (((_e2232 * _e1372) + (_e2239 * _e1375)) + _e2246));
-                                                                            if (_e2260 > _e165.tmin) {
-                                                                                if (_e2260 < _e165.tmax) {
-                                                                                    let _e2264 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2266 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2264.x < _e2266.x) {
-                                                                                        phi_2853_ = _e2264.x;
+                                                                            let _e2222 = phi_2797_;
+                                                                            let _e2229 = ((_e2200.y * _e2222.z) - (_e2200.z * _e2222.y));
+                                                                            let _e2236 = ((_e2200.z * _e2222.x) - (_e2200.x * _e2222.z));
+                                                                            let _e2243 = ((_e2200.x * _e2222.y) - (_e2200.y * _e2222.x));
+                                                                            let _e2257 = (((1f / _e1366.z) * (((_e2229 * _e2178.x) + (_e2236 * _e2178.y)) + (_e2243 * _e2178.z))) / (((_e2229 * _e1369) + (_e2236 * _e1372)) + _e2243));
+                                                                            if (_e2257 > _e165.tmin) {
+                                                                                if (_e2257 < _e165.tmax) {
+                                                                                    let _e2261 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2263 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2261.x < _e2263.x) {
+                                                                                        phi_2853_ = _e2261.x;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2266.x;
+                                                                                        phi_2853_ = _e2263.x;
                                                                                     }
-                                                                                    let _e2273 = phi_2853_;
-                                                                                    if (_e2264.y < _e2266.y) {
-                                                                                        phi_2862_ = _e2264.y;
+                                                                                    let _e2270 = phi_2853_;
+                                                                                    if (_e2261.y < _e2263.y) {
+                                                                                        phi_2862_ = _e2261.y;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2266.y;
+                                                                                        phi_2862_ = _e2263.y;
                                                                                     }
-                                                                                    let _e2280 = phi_2862_;
-                                                                                    if (_e2264.z < _e2266.z) {
-                                                                                        phi_2871_ = _e2264.z;
+                                                                                    let _e2277 = phi_2862_;
+                                                                                    if (_e2261.z < _e2263.z) {
+                                                                                        phi_2871_ = _e2261.z;
                                                                                     } else {
-                                                                                        phi_2871_ = _e2266.z;
+                                                                                        phi_2871_ = _e2263.z;
                                                                                     }
-                                                                                    let _e2287 = phi_2871_;
-                                                                                    let _e2289 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2273 < _e2289.x) {
-                                                                                        phi_2880_ = _e2273;
+                                                                                    let _e2284 = phi_2871_;
+                                                                                    let _e2286 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2270 < _e2286.x) {
+                                                                                        phi_2880_ = _e2270;
                                                                                     } else {
-                                                                                        phi_2880_ = _e2289.x;
+                                                                                        phi_2880_ = _e2286.x;
                                                                                     }
-                                                                                    let _e2294 = phi_2880_;
-                                                                                    if (_e2280 < _e2289.y) {
-                                                                                        phi_2887_ = _e2280;
+                                                                                    let _e2291 = phi_2880_;
+                                                                                    if (_e2277 < _e2286.y) {
+                                                                                        phi_2887_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2887_ = _e2289.y;
+                                                                                        phi_2887_ = _e2286.y;
                                                                                     }
-                                                                                    let _e2299 = phi_2887_;
-                                                                                    if (_e2287 < _e2289.z) {
-                                                                                        phi_2894_ = _e2287;
+                                                                                    let _e2296 = phi_2887_;
+                                                                                    if (_e2284 < _e2286.z) {
+                                                                                        phi_2894_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2894_ = _e2289.z;
+                                                                                        phi_2894_ = _e2286.z;
                                                                                     }
-                                                                                    let _e2304 = phi_2894_;
-                                                                                    let _e2306 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2308 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2306.x > _e2308.x) {
-                                                                                        phi_2907_ = _e2306.x;
+                                                                                    let _e2301 = phi_2894_;
+                                                                                    let _e2303 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2305 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2303.x > _e2305.x) {
+                                                                                        phi_2907_ = _e2303.x;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2308.x;
+                                                                                        phi_2907_ = _e2305.x;
                                                                                     }
-                                                                                    let _e2315 = phi_2907_;
-                                                                                    if (_e2306.y > _e2308.y) {
-                                                                                        phi_2916_ = _e2306.y;
+                                                                                    let _e2312 = phi_2907_;
+                                                                                    if (_e2303.y > _e2305.y) {
+                                                                                        phi_2916_ = _e2303.y;
                                                                                     } else {
-                                                                                        phi_2916_ = _e2308.y;
+                                                                                        phi_2916_ = _e2305.y;
                                                                                     }
-                                                                                    let _e2322 = phi_2916_;
-                                                                                    if (_e2306.z > _e2308.z) {
-                                                                                        phi_2925_ = _e2306.z;
+                                                                                    let _e2319 = phi_2916_;
+                                                                                    if (_e2303.z > _e2305.z) {
+                                                                                        phi_2925_ = _e2303.z;
                                                                                     } else {
-                                                                                        phi_2925_ = _e2308.z;
+                                                                                        phi_2925_ = _e2305.z;
                                                                                     }
-                                                                                    let _e2329 = phi_2925_;
-                                                                                    let _e2331 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2315 > _e2331.x) {
-                                                                                        phi_2934_ = _e2315;
+                                                                                    let _e2326 = phi_2925_;
+                                                                                    let _e2328 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2312 > _e2328.x) {
+                                                                                        phi_2934_ = _e2312;
                                                                                     } else {
-                                                                                        phi_2934_ = _e2331.x;
+                                                                                        phi_2934_ = _e2328.x;
                                                                                     }
-                                                                                    let _e2336 = phi_2934_;
-                                                                                    if (_e2322 > _e2331.y) {
-                                                                                        phi_2941_ = _e2322;
+                                                                                    let _e2333 = phi_2934_;
+                                                                                    if (_e2319 > _e2328.y) {
+                                                                                        phi_2941_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2941_ = _e2331.y;
+                                                                                        phi_2941_ = _e2328.y;
                                                                                     }
-                                                                                    let _e2341 = phi_2941_;
-                                                                                    if (_e2329 > _e2331.z) {
-                                                                                        phi_2948_ = _e2329;
+                                                                                    let _e2338 = phi_2941_;
+                                                                                    if (_e2326 > _e2328.z) {
+                                                                                        phi_2948_ = _e2326;
                                                                                     } else {
-                                                                                        phi_2948_ = _e2331.z;
+                                                                                        phi_2948_ = _e2328.z;
                                                                                     }
-                                                                                    let _e2346 = phi_2948_;
-                                                                                    let _e2350 = ((_e2294 - _e1075) * _e1290);
-                                                                                    let _e2351 = ((_e2299 - _e1088) * _e1300);
-                                                                                    let _e2352 = ((_e2304 - _e1101) * _e1310);
-                                                                                    let _e2356 = ((_e2336 - _e1075) * _e1290);
-                                                                                    let _e2357 = ((_e2341 - _e1088) * _e1300);
-                                                                                    let _e2358 = ((_e2346 - _e1101) * _e1310);
-                                                                                    if (_e2350 < _e2356) {
-                                                                                        phi_2965_ = _e2350;
+                                                                                    let _e2343 = phi_2948_;
+                                                                                    let _e2347 = ((_e2291 - _e1072) * _e1287);
+                                                                                    let _e2348 = ((_e2296 - _e1085) * _e1297);
+                                                                                    let _e2349 = ((_e2301 - _e1098) * _e1307);
+                                                                                    let _e2353 = ((_e2333 - _e1072) * _e1287);
+                                                                                    let _e2354 = ((_e2338 - _e1085) * _e1297);
+                                                                                    let _e2355 = ((_e2343 - _e1098) * _e1307);
+                                                                                    if (_e2347 < _e2353) {
+                                                                                        phi_2965_ = _e2347;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2356;
+                                                                                        phi_2965_ = _e2353;
                                                                                     }
-                                                                                    let _e2361 = phi_2965_;
-                                                                                    if (_e2351 < _e2357) {
-                                                                                        phi_2970_ = _e2351;
+                                                                                    let _e2358 = phi_2965_;
+                                                                                    if (_e2348 < _e2354) {
+                                                                                        phi_2970_ = _e2348;
                                                                                     } else {
-                                                                                        phi_2970_ = _e2357;
+                                                                                        phi_2970_ = _e2354;
                                                                                     }
-                                                                                    let _e2364 = phi_2970_;
-                                                                                    if (_e2352 < _e2358) {
-                                                                                        phi_2975_ = _e2352;
+                                                                                    let _e2361 = phi_2970_;
+                                                                                    if (_e2349 < _e2355) {
+                                                                                        phi_2975_ = _e2349;
                                                                                     } else {
-                                                                                        phi_2975_ = _e2358;
+                                                                                        phi_2975_ = _e2355;
                                                                                     }
-                                                                                    let _e2367 = phi_2975_;
-                                                                                    if (_e2350 > _e2356) {
-                                                                                        phi_2983_ = _e2350;
+                                                                                    let _e2364 = phi_2975_;
+                                                                                    if (_e2347 > _e2353) {
+                                                                                        phi_2983_ = _e2347;
                                                                                     } else {
-                                                                                        phi_2983_ = _e2356;
+                                                                                        phi_2983_ = _e2353;
                                                                                     }
-                                                                                    let _e2373 = phi_2983_;
-                                                                                    if (_e2351 > _e2357) {
-                                                                                        phi_2988_ = _e2351;
+                                                                                    let _e2370 = phi_2983_;
+                                                                                    if (_e2348 > _e2354) {
+                                                                                        phi_2988_ = _e2348;
                                                                                     } else {
-                                                                                        phi_2988_ = _e2357;
+                                                                                        phi_2988_ = _e2354;
                                                                                     }
-                                                                                    let _e2376 = phi_2988_;
-                                                                                    if (_e2352 > _e2358) {
-                                                                                        phi_2993_ = _e2352;
+                                                                                    let _e2373 = phi_2988_;
+                                                                                    if (_e2349 > _e2355) {
+                                                                                        phi_2993_ = _e2349;
                                                                                     } else {
-                                                                                        phi_2993_ = _e2358;
+                                                                                        phi_2993_ = _e2355;
                                                                                     }
-                                                                                    let _e2379 = phi_2993_;
-                                                                                    let _e2383 = core_intrinsics_maximum_number_nsz_f32_((_e2361 - _e1345), (_e2364 - _e1346));
-                                                                                    let _e2384 = core_intrinsics_maximum_number_nsz_f32_(_e2383, (_e2367 - _e1347));
-                                                                                    let _e2385 = core_intrinsics_minimum_number_nsz_f32_((_e2373 + _e1345), (_e2376 + _e1346));
-                                                                                    let _e2386 = core_intrinsics_minimum_number_nsz_f32_(_e2385, (_e2379 + _e1347));
-                                                                                    if (_e2384 > _e1050) {
-                                                                                        phi_3005_ = _e2384;
+                                                                                    let _e2376 = phi_2993_;
+                                                                                    let _e2380 = core_intrinsics_maximum_number_nsz_f32_((_e2358 - _e1342), (_e2361 - _e1343));
+                                                                                    let _e2381 = core_intrinsics_maximum_number_nsz_f32_(_e2380, (_e2364 - _e1344));
+                                                                                    let _e2382 = core_intrinsics_minimum_number_nsz_f32_((_e2370 + _e1342), (_e2373 + _e1343));
+                                                                                    let _e2383 = core_intrinsics_minimum_number_nsz_f32_(_e2382, (_e2376 + _e1344));
+                                                                                    if (_e2381 > _e1047) {
+                                                                                        phi_3005_ = _e2381;
                                                                                     } else {
-                                                                                        phi_3005_ = _e1050;
+                                                                                        phi_3005_ = _e1047;
                                                                                     }
-                                                                                    let _e2389 = phi_3005_;
-                                                                                    if (_e2386 < _e1052) {
-                                                                                        phi_3010_ = _e2386;
+                                                                                    let _e2386 = phi_3005_;
+                                                                                    if (_e2383 < _e1049) {
+                                                                                        phi_3010_ = _e2383;
                                                                                     } else {
-                                                                                        phi_3010_ = _e1052;
+                                                                                        phi_3010_ = _e1049;
                                                                                     }
-                                                                                    let _e2392 = phi_3010_;
-                                                                                    if (_e2260 < _e2389) {
-                                                                                        phi_3015_ = _e2389;
+                                                                                    let _e2389 = phi_3010_;
+                                                                                    if (_e2257 < _e2386) {
+                                                                                        phi_3015_ = _e2386;
                                                                                     } else {
-                                                                                        phi_3015_ = _e2260;
+                                                                                        phi_3015_ = _e2257;
                                                                                     }
-                                                                                    let _e2395 = phi_3015_;
-                                                                                    if (_e2395 > _e2392) {
+                                                                                    let _e2392 = phi_3015_;
+                                                                                    if (_e2392 > _e2389) {
+                                                                                        phi_3020_ = _e2389;
+                                                                                    } else {
                                                                                         phi_3020_ = _e2392;
-                                                                                    } else {
-                                                                                        phi_3020_ = _e2395;
                                                                                     }
-                                                                                    let _e2398 = phi_3020_;
-                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2398, (_e2101 / _e2160), (_e2122 / _e2160), (_e2389 <= _e2392));
+                                                                                    let _e2395 = phi_3020_;
+                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2395, (_e2098 / _e2157), (_e2119 / _e2157), (_e2386 <= _e2389));
                                                                                     phi_3026_ = false;
                                                                                 } else {
                                                                                     phi_3025_ = lt_bvh_triangle_Intersection();
                                                                                     phi_3026_ = true;
                                                                                 }
-                                                                                let _e2404 = phi_3025_;
-                                                                                let _e2406 = phi_3026_;
-                                                                                phi_3027_ = _e2404;
-                                                                                phi_3028_ = _e2406;
+                                                                                let _e2401 = phi_3025_;
+                                                                                let _e2403 = phi_3026_;
+                                                                                phi_3027_ = _e2401;
+                                                                                phi_3028_ = _e2403;
                                                                             } else {
                                                                                 phi_3027_ = lt_bvh_triangle_Intersection();
                                                                                 phi_3028_ = true;
                                                                             }
-                                                                            let _e2408 = phi_3027_;
-                                                                            let _e2410 = phi_3028_;
-                                                                            if _e2410 {
+                                                                            let _e2405 = phi_3027_;
+                                                                            let _e2407 = phi_3028_;
+                                                                            if _e2407 {
                                                                             }
-                                                                            phi_3032_ = _e2408;
-                                                                            phi_3033_ = _e2410;
+                                                                            phi_3032_ = _e2405;
+                                                                            phi_3033_ = _e2407;
                                                                         }
-                                                                        let _e2412 = phi_3032_;
-                                                                        let _e2414 = phi_3033_;
-                                                                        phi_3034_ = _e2412;
-                                                                        phi_3035_ = _e2163;
-                                                                        phi_3036_ = _e2414;
+                                                                        let _e2409 = phi_3032_;
+                                                                        let _e2411 = phi_3033_;
+                                                                        phi_3034_ = _e2409;
+                                                                        phi_3035_ = _e2160;
+                                                                        phi_3036_ = _e2411;
                                                                     } else {
                                                                         phi_3034_ = lt_bvh_triangle_Intersection();
                                                                         phi_3035_ = true;
                                                                         phi_3036_ = false;
                                                                     }
-                                                                    let _e2416 = phi_3034_;
-                                                                    let _e2418 = phi_3035_;
-                                                                    let _e2420 = phi_3036_;
-                                                                    if _e2418 {
+                                                                    let _e2413 = phi_3034_;
+                                                                    let _e2415 = phi_3035_;
+                                                                    let _e2417 = phi_3036_;
+                                                                    if _e2415 {
                                                                         phi_3040_ = true;
                                                                     } else {
-                                                                        phi_3040_ = _e2420;
+                                                                        phi_3040_ = _e2417;
                                                                     }
-                                                                    let _e2422 = phi_3040_;
-                                                                    if _e2422 {
+                                                                    let _e2419 = phi_3040_;
+                                                                    if _e2419 {
                                                                         phi_3044_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3044_ = _e2416;
+                                                                        phi_3044_ = _e2413;
                                                                     }
-                                                                    let _e2424 = phi_3044_;
-                                                                    if _e2424.is_hit {
-                                                                        if (_e2424.t > _e165.tmin) {
-                                                                            if (_e2424.t < _e1965.t) {
+                                                                    let _e2421 = phi_3044_;
+                                                                    if _e2421.is_hit {
+                                                                        if (_e2421.t > _e165.tmin) {
+                                                                            if (_e2421.t < _e1962.t) {
                                                                                 phi_3092_ = true;
                                                                             } else {
-                                                                                if (_e2424.t == _e1965.t) {
-                                                                                    if (_e1965.triangle != 4294967295u) {
-                                                                                        if (_e1976 < _e1965.triangle) {
+                                                                                if (_e2421.t == _e1962.t) {
+                                                                                    if (_e1962.triangle != 4294967295u) {
+                                                                                        if (_e1973 < _e1962.triangle) {
                                                                                             phi_3083_ = true;
                                                                                         } else {
-                                                                                            if (_e1976 == _e1965.triangle) {
-                                                                                                phi_3082_ = (_e991 < _e1965.instance);
+                                                                                            if (_e1973 == _e1962.triangle) {
+                                                                                                phi_3082_ = (_e988 < _e1962.instance);
                                                                                             } else {
                                                                                                 phi_3082_ = false;
                                                                                             }
-                                                                                            let _e2442 = phi_3082_;
-                                                                                            phi_3083_ = _e2442;
+                                                                                            let _e2439 = phi_3082_;
+                                                                                            phi_3083_ = _e2439;
                                                                                         }
-                                                                                        let _e2444 = phi_3083_;
-                                                                                        phi_3084_ = _e2444;
+                                                                                        let _e2441 = phi_3083_;
+                                                                                        phi_3084_ = _e2441;
                                                                                         phi_3085_ = false;
                                                                                     } else {
                                                                                         phi_3084_ = bool();
                                                                                         phi_3085_ = true;
                                                                                     }
-                                                                                    let _e2446 = phi_3084_;
-                                                                                    let _e2448 = phi_3085_;
-                                                                                    phi_3086_ = _e2446;
-                                                                                    phi_3087_ = _e2448;
+                                                                                    let _e2443 = phi_3084_;
+                                                                                    let _e2445 = phi_3085_;
+                                                                                    phi_3086_ = _e2443;
+                                                                                    phi_3087_ = _e2445;
                                                                                 } else {
                                                                                     phi_3086_ = bool();
                                                                                     phi_3087_ = true;
                                                                                 }
-                                                                                let _e2450 = phi_3086_;
-                                                                                let _e2452 = phi_3087_;
-                                                                                if _e2452 {
+                                                                                let _e2447 = phi_3086_;
+                                                                                let _e2449 = phi_3087_;
+                                                                                if _e2449 {
                                                                                     phi_3091_ = false;
                                                                                 } else {
-                                                                                    phi_3091_ = _e2450;
+                                                                                    phi_3091_ = _e2447;
                                                                                 }
-                                                                                let _e2454 = phi_3091_;
-                                                                                phi_3092_ = _e2454;
+                                                                                let _e2451 = phi_3091_;
+                                                                                phi_3092_ = _e2451;
                                                                             }
-                                                                            let _e2456 = phi_3092_;
-                                                                            if _e2456 {
-                                                                                let _e2458 = triangles.member[(0u + _e1976)].i0_;
-                                                                                if ((_e2458 & 2147483648u) == 0u) {
+                                                                            let _e2453 = phi_3092_;
+                                                                            if _e2453 {
+                                                                                let _e2455 = triangles.member[(0u + _e1973)].i0_;
+                                                                                if ((_e2455 & 2147483648u) == 0u) {
                                                                                     phi_3303_ = true;
                                                                                 } else {
-                                                                                    if (_e1976 < _e81) {
+                                                                                    if (_e1973 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2467 = triangles.member[(0u + _e1976)].i0_;
-                                                                                    let _e2468 = (_e2467 & 2147483647u);
-                                                                                    let _e2470 = triangles.member[(0u + _e1976)].i1_;
-                                                                                    let _e2472 = triangles.member[(0u + _e1976)].i2_;
-                                                                                    if (_e2468 < _e84) {
+                                                                                    let _e2464 = triangles.member[(0u + _e1973)].i0_;
+                                                                                    let _e2465 = (_e2464 & 2147483647u);
+                                                                                    let _e2467 = triangles.member[(0u + _e1973)].i1_;
+                                                                                    let _e2469 = triangles.member[(0u + _e1973)].i2_;
+                                                                                    if (_e2465 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2476 = vertices.member[(0u + _e2468)];
-                                                                                    if (_e2470 < _e84) {
+                                                                                    let _e2473 = vertices.member[(0u + _e2465)];
+                                                                                    if (_e2467 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2480 = vertices.member[(0u + _e2470)];
-                                                                                    if (_e2472 < _e84) {
+                                                                                    let _e2477 = vertices.member[(0u + _e2467)];
+                                                                                    if (_e2469 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2484 = vertices.member[(0u + _e2472)];
-                                                                                    let _e2485 = array<abi_Vertex, 3>(_e2476, _e2480, _e2484);
-                                                                                    if (_e2485[0].material < _e87) {
+                                                                                    let _e2481 = vertices.member[(0u + _e2469)];
+                                                                                    let _e2482 = array<abi_Vertex, 3>(_e2473, _e2477, _e2481);
+                                                                                    if (_e2482[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2491 = materials.member[(0u + _e2485[0].material)];
-                                                                                    if ((_e2491.flags & 0u) == 0u) {
-                                                                                        let _e2496 = ((1f - _e2424.u) - _e2424.v);
-                                                                                        if (_e2491.cutoff <= 0f) {
+                                                                                    let _e2488 = materials.member[(0u + _e2482[0].material)];
+                                                                                    if ((_e2488.flags & 0u) == 0u) {
+                                                                                        let _e2493 = ((1f - _e2421.u) - _e2421.v);
+                                                                                        if (_e2488.cutoff <= 0f) {
                                                                                             phi_3298_ = true;
                                                                                         } else {
-                                                                                            let _e2523 = (_e2491.base_color.w * ((((f32((_e2485[0].color >> bitcast<u32>(24i))) * _e2496) + (f32((_e2485[1].color >> bitcast<u32>(24i))) * _e2424.u)) + (f32((_e2485[2].color >> bitcast<u32>(24i))) * _e2424.v)) * (1f / 255f)));
-                                                                                            if (_e2491.alpha_size == 0u) {
-                                                                                                phi_3295_ = _e2523;
+                                                                                            let _e2520 = (_e2488.base_color.w * ((((f32((_e2482[0].color >> bitcast<u32>(24i))) * _e2493) + (f32((_e2482[1].color >> bitcast<u32>(24i))) * _e2421.u)) + (f32((_e2482[2].color >> bitcast<u32>(24i))) * _e2421.v)) * (1f / 255f)));
+                                                                                            if (_e2488.alpha_size == 0u) {
+                                                                                                phi_3295_ = _e2520;
                                                                                             } else {
-                                                                                                local.offset = _e2491.alpha_offset;
-                                                                                                local.size = _e2491.alpha_size;
-                                                                                                local.flags = _e2491.flags;
-                                                                                                let _e2554 = _lt_shaders_texture_TextureView_quad((&local), (((_e2485[0].u * _e2496) + (_e2485[1].u * _e2424.u)) + (_e2485[2].u * _e2424.v)), (((_e2485[0].v * _e2496) + (_e2485[1].v * _e2424.u)) + (_e2485[2].v * _e2424.v)));
-                                                                                                let _e2558 = (_e2554.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2558 < _e96) {
+                                                                                                local.offset = _e2488.alpha_offset;
+                                                                                                local.size = _e2488.alpha_size;
+                                                                                                local.flags = _e2488.flags;
+                                                                                                let _e2551 = _lt_shaders_texture_TextureView_quad((&local), (((_e2482[0].u * _e2493) + (_e2482[1].u * _e2421.u)) + (_e2482[2].u * _e2421.v)), (((_e2482[0].v * _e2493) + (_e2482[1].v * _e2421.u)) + (_e2482[2].v * _e2421.v)));
+                                                                                                let _e2555 = (_e2551.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2555 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2562 = alpha_texels.member[(0u + _e2558)];
-                                                                                                let _e2578 = (_e2554.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2578 < _e96) {
+                                                                                                let _e2559 = alpha_texels.member[(0u + _e2555)];
+                                                                                                let _e2575 = (_e2551.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2575 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2582 = alpha_texels.member[(0u + _e2578)];
-                                                                                                let _e2599 = (_e2554.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2599 < _e96) {
+                                                                                                let _e2579 = alpha_texels.member[(0u + _e2575)];
+                                                                                                let _e2596 = (_e2551.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2596 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2603 = alpha_texels.member[(0u + _e2599)];
-                                                                                                let _e2620 = (_e2554.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2620 < _e96) {
+                                                                                                let _e2600 = alpha_texels.member[(0u + _e2596)];
+                                                                                                let _e2617 = (_e2551.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2617 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2624 = alpha_texels.member[(0u + _e2620)];
-                                                                                                phi_3295_ = (_e2523 * (((((f32(((_e2562 >> bitcast<u32>((((_e2554.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.x) + ((f32(((_e2582 >> bitcast<u32>((((_e2554.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.y)) + ((f32(((_e2603 >> bitcast<u32>((((_e2554.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.z)) + ((f32(((_e2624 >> bitcast<u32>((((_e2554.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.w)));
+                                                                                                let _e2621 = alpha_texels.member[(0u + _e2617)];
+                                                                                                phi_3295_ = (_e2520 * (((((f32(((_e2559 >> bitcast<u32>((((_e2551.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.x) + ((f32(((_e2579 >> bitcast<u32>((((_e2551.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.y)) + ((f32(((_e2600 >> bitcast<u32>((((_e2551.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.z)) + ((f32(((_e2621 >> bitcast<u32>((((_e2551.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.w)));
                                                                                             }
-                                                                                            let _e2640 = phi_3295_;
-                                                                                            phi_3298_ = (_e2640 >= _e2491.cutoff);
+                                                                                            let _e2637 = phi_3295_;
+                                                                                            phi_3298_ = (_e2637 >= _e2488.cutoff);
                                                                                         }
-                                                                                        let _e2644 = phi_3298_;
-                                                                                        phi_3299_ = _e2644;
+                                                                                        let _e2641 = phi_3298_;
+                                                                                        phi_3299_ = _e2641;
                                                                                     } else {
                                                                                         phi_3299_ = false;
                                                                                     }
-                                                                                    let _e2646 = phi_3299_;
-                                                                                    if _e2646 {
+                                                                                    let _e2643 = phi_3299_;
+                                                                                    if _e2643 {
                                                                                     }
-                                                                                    phi_3303_ = _e2646;
+                                                                                    phi_3303_ = _e2643;
                                                                                 }
-                                                                                let _e2648 = phi_3303_;
-                                                                                if _e2648 {
-                                                                                    phi_3311_ = lt_bvh_Hit(_e2424.t, _e2424.u, _e2424.v, _e1976, _e991);
+                                                                                let _e2645 = phi_3303_;
+                                                                                if _e2645 {
+                                                                                    phi_3311_ = lt_bvh_Hit(_e2421.t, _e2421.u, _e2421.v, _e1973, _e988);
                                                                                 } else {
-                                                                                    phi_3311_ = _e1965;
+                                                                                    phi_3311_ = _e1962;
                                                                                 }
-                                                                                let _e2654 = phi_3311_;
-                                                                                phi_3312_ = _e2654;
+                                                                                let _e2651 = phi_3311_;
+                                                                                phi_3312_ = _e2651;
                                                                             } else {
-                                                                                phi_3312_ = _e1965;
+                                                                                phi_3312_ = _e1962;
                                                                             }
-                                                                            let _e2656 = phi_3312_;
-                                                                            phi_3313_ = _e2656;
+                                                                            let _e2653 = phi_3312_;
+                                                                            phi_3313_ = _e2653;
                                                                         } else {
-                                                                            phi_3313_ = _e1965;
+                                                                            phi_3313_ = _e1962;
                                                                         }
-                                                                        let _e2658 = phi_3313_;
-                                                                        phi_3314_ = _e2658;
+                                                                        let _e2655 = phi_3313_;
+                                                                        phi_3314_ = _e2655;
                                                                     } else {
-                                                                        phi_3314_ = _e1965;
+                                                                        phi_3314_ = _e1962;
                                                                     }
-                                                                    let _e2660 = phi_3314_;
-                                                                    phi_2474_ = _e2660;
-                                                                    phi_2477_ = (_e1967 & (_e1967 - 1u));
+                                                                    let _e2657 = phi_3314_;
+                                                                    phi_2474_ = _e2657;
+                                                                    phi_2477_ = (_e1964 & (_e1964 - 1u));
                                                                     phi_3315_ = true;
                                                                 }
-                                                                let _e2662 = phi_2474_;
-                                                                let _e2664 = phi_2477_;
-                                                                let _e2666 = phi_3315_;
+                                                                let _e2659 = phi_2474_;
+                                                                let _e2661 = phi_2477_;
+                                                                let _e2663 = phi_3315_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2473_ = _e2662;
-                                                                    phi_2476_ = _e2664;
-                                                                    break if !(_e2666);
+                                                                    phi_2473_ = _e2659;
+                                                                    phi_2476_ = _e2661;
+                                                                    break if !(_e2663);
                                                                 }
                                                             }
-                                                            let _e2669 = local_1.group_mask;
-                                                            if ((_e2669 & 4278190080u) == 0u) {
-                                                                let _e2673 = local_1.len;
-                                                                if (_e2673 == 0u) {
+                                                            let _e2666 = local_1.group_mask;
+                                                            if ((_e2666 & 4278190080u) == 0u) {
+                                                                let _e2670 = local_1.len;
+                                                                if (_e2670 == 0u) {
                                                                     phi_3354_ = false;
                                                                 } else {
+                                                                    let _e2674 = local_1.len;
+                                                                    local_1.len = (_e2674 - 1u);
                                                                     let _e2677 = local_1.len;
-                                                                    local_1.len = (_e2677 - 1u);
-                                                                    let _e2680 = local_1.len;
-                                                                    if (_e2680 < 32u) {
+                                                                    if (_e2677 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2685 = local_1.first[(0u + _e2680)];
-                                                                    local_1.group = _e2685;
-                                                                    let _e2688 = local_1.len;
-                                                                    if (_e2688 < 32u) {
+                                                                    let _e2682 = local_1.first[(0u + _e2677)];
+                                                                    local_1.group = _e2682;
+                                                                    let _e2685 = local_1.len;
+                                                                    if (_e2685 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2693 = local_1.mask[(0u + _e2688)];
-                                                                    local_1.group_mask = _e2693;
+                                                                    let _e2690 = local_1.mask[(0u + _e2685)];
+                                                                    local_1.group_mask = _e2690;
                                                                     phi_3354_ = true;
                                                                 }
-                                                                let _e2696 = phi_3354_;
-                                                                phi_3355_ = _e2696;
+                                                                let _e2693 = phi_3354_;
+                                                                phi_3355_ = _e2693;
                                                             } else {
                                                                 phi_3355_ = true;
                                                             }
-                                                            let _e2698 = phi_3355_;
-                                                            if _e2698 {
-                                                                let _e2700 = local_1.group_mask;
-                                                                let _e2706 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2700)), 32u, (_e2700 == 0u)));
-                                                                let _e2710 = local_1.group_mask;
-                                                                let _e2724 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2724 & ~((1u << bitcast<u32>((_e2706 & 31u)))));
-                                                                let _e2727 = local_1.group;
-                                                                phi_3386_ = (_e2727 + countOneBits(((_e2710 & ~((4294967295u << bitcast<u32>((((_e2706 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            let _e2695 = phi_3355_;
+                                                            if _e2695 {
+                                                                let _e2697 = local_1.group_mask;
+                                                                let _e2703 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2697)), 32u, (_e2697 == 0u)));
+                                                                let _e2707 = local_1.group_mask;
+                                                                let _e2721 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2721 & ~((1u << bitcast<u32>((_e2703 & 31u)))));
+                                                                let _e2724 = local_1.group;
+                                                                phi_3386_ = (_e2724 + countOneBits(((_e2707 & ~((4294967295u << bitcast<u32>((((_e2703 - 24u) ^ _e1385) & 31u))))) & 255u)));
                                                             } else {
                                                                 phi_3386_ = 4294967295u;
                                                             }
-                                                            let _e2730 = phi_3386_;
-                                                            let _e3912 = local_9;
-                                                            phi_2141_ = _e3912;
-                                                            phi_2144_ = _e2730;
+                                                            let _e2727 = phi_3386_;
+                                                            let _e3909 = local_9;
+                                                            phi_2141_ = _e3909;
+                                                            phi_2144_ = _e2727;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
                                                             phi_2144_ = u32();
                                                         }
-                                                        let _e2732 = phi_2141_;
-                                                        let _e2734 = phi_2144_;
+                                                        let _e2729 = phi_2141_;
+                                                        let _e2731 = phi_2144_;
                                                         continue;
                                                         continuing {
-                                                            phi_2140_ = _e2732;
-                                                            phi_2143_ = _e2734;
-                                                            break if !(_e1529);
+                                                            phi_2140_ = _e2729;
+                                                            phi_2143_ = _e2731;
+                                                            break if !(_e1526);
                                                         }
                                                     }
-                                                    let _e3916 = local_10;
-                                                    phi_3387_ = _e3916;
+                                                    let _e3913 = local_10;
+                                                    phi_3387_ = _e3913;
                                                 }
-                                                let _e2737 = phi_3387_;
-                                                phi_3388_ = _e2737;
-                                                phi_3389_ = _e1214;
+                                                let _e2734 = phi_3387_;
+                                                phi_3388_ = _e2734;
+                                                phi_3389_ = _e1211;
                                             } else {
                                                 phi_3388_ = lt_bvh_Hit();
                                                 phi_3389_ = true;
                                             }
-                                            let _e2739 = phi_3388_;
-                                            let _e2741 = phi_3389_;
-                                            if _e2741 {
-                                                phi_3393_ = _e983;
+                                            let _e2736 = phi_3388_;
+                                            let _e2738 = phi_3389_;
+                                            if _e2738 {
+                                                phi_3393_ = _e980;
                                             } else {
-                                                phi_3393_ = _e2739;
+                                                phi_3393_ = _e2736;
                                             }
-                                            let _e2743 = phi_3393_;
-                                            phi_3394_ = _e2743;
+                                            let _e2740 = phi_3393_;
+                                            phi_3394_ = _e2740;
                                         } else {
-                                            phi_3394_ = _e983;
+                                            phi_3394_ = _e980;
                                         }
-                                        let _e2745 = phi_3394_;
-                                        phi_3395_ = _e2745;
+                                        let _e2742 = phi_3394_;
+                                        phi_3395_ = _e2742;
                                     } else {
-                                        phi_3395_ = _e983;
+                                        phi_3395_ = _e980;
                                     }
-                                    let _e2747 = phi_3395_;
-                                    phi_3396_ = _e2747;
+                                    let _e2744 = phi_3395_;
+                                    phi_3396_ = _e2744;
                                 } else {
-                                    phi_3396_ = _e983;
+                                    phi_3396_ = _e980;
                                 }
-                                let _e2749 = phi_3396_;
-                                phi_1515_ = (_e981 & (_e981 - 1u));
-                                phi_1518_ = _e2749;
+                                let _e2746 = phi_3396_;
+                                phi_1515_ = (_e978 & (_e978 - 1u));
+                                phi_1518_ = _e2746;
                                 phi_3397_ = true;
                             }
-                            let _e2751 = phi_1515_;
-                            let _e2753 = phi_1518_;
-                            let _e2755 = phi_3397_;
+                            let _e2748 = phi_1515_;
+                            let _e2750 = phi_1518_;
+                            let _e2752 = phi_3397_;
                             continue;
                             continuing {
-                                phi_1514_ = _e2751;
-                                phi_1517_ = _e2753;
-                                break if !(_e2755);
+                                phi_1514_ = _e2748;
+                                phi_1517_ = _e2750;
+                                break if !(_e2752);
                             }
                         }
-                        let _e2758 = local_2.group_mask;
-                        if ((_e2758 & 4278190080u) == 0u) {
-                            let _e2762 = local_2.len;
-                            if (_e2762 == 0u) {
+                        let _e2755 = local_2.group_mask;
+                        if ((_e2755 & 4278190080u) == 0u) {
+                            let _e2759 = local_2.len;
+                            if (_e2759 == 0u) {
                                 phi_3436_ = false;
                             } else {
+                                let _e2763 = local_2.len;
+                                local_2.len = (_e2763 - 1u);
                                 let _e2766 = local_2.len;
-                                local_2.len = (_e2766 - 1u);
-                                let _e2769 = local_2.len;
-                                if (_e2769 < 32u) {
+                                if (_e2766 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2774 = local_2.first[(0u + _e2769)];
-                                local_2.group = _e2774;
-                                let _e2777 = local_2.len;
-                                if (_e2777 < 32u) {
+                                let _e2771 = local_2.first[(0u + _e2766)];
+                                local_2.group = _e2771;
+                                let _e2774 = local_2.len;
+                                if (_e2774 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2782 = local_2.mask[(0u + _e2777)];
-                                local_2.group_mask = _e2782;
+                                let _e2779 = local_2.mask[(0u + _e2774)];
+                                local_2.group_mask = _e2779;
                                 phi_3436_ = true;
                             }
-                            let _e2785 = phi_3436_;
-                            phi_3437_ = _e2785;
+                            let _e2782 = phi_3436_;
+                            phi_3437_ = _e2782;
                         } else {
                             phi_3437_ = true;
                         }
-                        let _e2787 = phi_3437_;
-                        if _e2787 {
-                            let _e2789 = local_2.group_mask;
-                            let _e2795 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2789)), 32u, (_e2789 == 0u)));
-                            let _e2799 = local_2.group_mask;
-                            let _e2813 = local_2.group_mask;
-                            local_2.group_mask = (_e2813 & ~((1u << bitcast<u32>((_e2795 & 31u)))));
-                            let _e2816 = local_2.group;
-                            phi_3468_ = (_e2816 + countOneBits(((_e2799 & ~((4294967295u << bitcast<u32>((((_e2795 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        let _e2784 = phi_3437_;
+                        if _e2784 {
+                            let _e2786 = local_2.group_mask;
+                            let _e2792 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2786)), 32u, (_e2786 == 0u)));
+                            let _e2796 = local_2.group_mask;
+                            let _e2810 = local_2.group_mask;
+                            local_2.group_mask = (_e2810 & ~((1u << bitcast<u32>((_e2792 & 31u)))));
+                            let _e2813 = local_2.group;
+                            phi_3468_ = (_e2813 + countOneBits(((_e2796 & ~((4294967295u << bitcast<u32>((((_e2792 - 24u) ^ _e397) & 31u))))) & 255u)));
                         } else {
                             phi_3468_ = 4294967295u;
                         }
-                        let _e2819 = phi_3468_;
-                        phi_1178_ = _e2819;
-                        let _e3932 = local_11;
-                        phi_1181_ = _e3932;
+                        let _e2816 = phi_3468_;
+                        phi_1178_ = _e2816;
+                        let _e3929 = local_11;
+                        phi_1181_ = _e3929;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
                     }
-                    let _e2821 = phi_1178_;
-                    let _e2823 = phi_1181_;
+                    let _e2818 = phi_1178_;
+                    let _e2820 = phi_1181_;
                     continue;
                     continuing {
-                        phi_1177_ = _e2821;
-                        phi_1180_ = _e2823;
-                        break if !(_e541);
+                        phi_1177_ = _e2818;
+                        phi_1180_ = _e2820;
+                        break if !(_e538);
                     }
                 }
-                let _e3935 = local_12;
-                phi_3469_ = _e3935;
+                let _e3932 = local_12;
+                phi_3469_ = _e3932;
             }
-            let _e2826 = phi_3469_;
-            phi_3470_ = _e2826;
+            let _e2823 = phi_3469_;
+            phi_3470_ = _e2823;
             phi_3471_ = _e237;
         } else {
             phi_3470_ = lt_bvh_Hit();
             phi_3471_ = true;
         }
-        let _e2828 = phi_3470_;
-        let _e2830 = phi_3471_;
-        if _e2830 {
+        let _e2825 = phi_3470_;
+        let _e2827 = phi_3471_;
+        if _e2827 {
             phi_3475_ = _e167;
         } else {
-            phi_3475_ = _e2828;
+            phi_3475_ = _e2825;
         }
-        let _e2832 = phi_3475_;
-        if (_e2832.triangle != 4294967295u) {
-            let _e2838 = ((1f - _e2832.u) - _e2832.v);
-            if (_e2832.triangle < _e81) {
+        let _e2829 = phi_3475_;
+        if (_e2829.triangle != 4294967295u) {
+            let _e2835 = ((1f - _e2829.u) - _e2829.v);
+            if (_e2829.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2844 = triangles.member[(0u + _e2832.triangle)];
-            if (_e2832.instance < _e93) {
+            let _e2841 = triangles.member[(0u + _e2829.triangle)];
+            if (_e2829.instance < _e93) {
             } else {
                 return;
             }
-            let _e2855 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e2866 = ((((_e2855.x * _e2844.v0_.x) + (_e2855.y * _e2844.v0_.y)) + (_e2855.z * _e2844.v0_.z)) + (_e2855.w * 1f));
-            let _e2868 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e2879 = ((((_e2868.x * _e2844.v0_.x) + (_e2868.y * _e2844.v0_.y)) + (_e2868.z * _e2844.v0_.z)) + (_e2868.w * 1f));
-            let _e2881 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            let _e2892 = ((((_e2881.x * _e2844.v0_.x) + (_e2881.y * _e2844.v0_.y)) + (_e2881.z * _e2844.v0_.z)) + (_e2881.w * 1f));
-            let _e2899 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e2910 = ((((_e2899.x * _e2844.v1_.x) + (_e2899.y * _e2844.v1_.y)) + (_e2899.z * _e2844.v1_.z)) + (_e2899.w * 1f));
-            let _e2912 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e2923 = ((((_e2912.x * _e2844.v1_.x) + (_e2912.y * _e2844.v1_.y)) + (_e2912.z * _e2844.v1_.z)) + (_e2912.w * 1f));
-            let _e2925 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            let _e2936 = ((((_e2925.x * _e2844.v1_.x) + (_e2925.y * _e2844.v1_.y)) + (_e2925.z * _e2844.v1_.z)) + (_e2925.w * 1f));
-            let _e2943 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e2954 = ((((_e2943.x * _e2844.v2_.x) + (_e2943.y * _e2844.v2_.y)) + (_e2943.z * _e2844.v2_.z)) + (_e2943.w * 1f));
-            let _e2956 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e2967 = ((((_e2956.x * _e2844.v2_.x) + (_e2956.y * _e2844.v2_.y)) + (_e2956.z * _e2844.v2_.z)) + (_e2956.w * 1f));
-            let _e2969 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            let _e2980 = ((((_e2969.x * _e2844.v2_.x) + (_e2969.y * _e2844.v2_.y)) + (_e2969.z * _e2844.v2_.z)) + (_e2969.w * 1f));
-            let _e2993 = (((_e2866 * _e2838) + (_e2910 * _e2832.u)) + (_e2954 * _e2832.v));
-            let _e2994 = (((_e2879 * _e2838) + (_e2923 * _e2832.u)) + (_e2967 * _e2832.v));
-            let _e2995 = (((_e2892 * _e2838) + (_e2936 * _e2832.u)) + (_e2980 * _e2832.v));
-            let _e2997 = abs(_e2866);
-            let _e2998 = abs(_e2879);
-            let _e2999 = abs(_e2892);
-            let _e3000 = abs(_e2910);
-            let _e3001 = abs(_e2923);
-            let _e3002 = abs(_e2936);
-            if (_e2997 > _e3000) {
+            let _e2852 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e2863 = ((((_e2852.x * _e2841.v0_.x) + (_e2852.y * _e2841.v0_.y)) + (_e2852.z * _e2841.v0_.z)) + (_e2852.w * 1f));
+            let _e2865 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e2876 = ((((_e2865.x * _e2841.v0_.x) + (_e2865.y * _e2841.v0_.y)) + (_e2865.z * _e2841.v0_.z)) + (_e2865.w * 1f));
+            let _e2878 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            let _e2889 = ((((_e2878.x * _e2841.v0_.x) + (_e2878.y * _e2841.v0_.y)) + (_e2878.z * _e2841.v0_.z)) + (_e2878.w * 1f));
+            let _e2896 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e2907 = ((((_e2896.x * _e2841.v1_.x) + (_e2896.y * _e2841.v1_.y)) + (_e2896.z * _e2841.v1_.z)) + (_e2896.w * 1f));
+            let _e2909 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e2920 = ((((_e2909.x * _e2841.v1_.x) + (_e2909.y * _e2841.v1_.y)) + (_e2909.z * _e2841.v1_.z)) + (_e2909.w * 1f));
+            let _e2922 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            let _e2933 = ((((_e2922.x * _e2841.v1_.x) + (_e2922.y * _e2841.v1_.y)) + (_e2922.z * _e2841.v1_.z)) + (_e2922.w * 1f));
+            let _e2940 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e2951 = ((((_e2940.x * _e2841.v2_.x) + (_e2940.y * _e2841.v2_.y)) + (_e2940.z * _e2841.v2_.z)) + (_e2940.w * 1f));
+            let _e2953 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e2964 = ((((_e2953.x * _e2841.v2_.x) + (_e2953.y * _e2841.v2_.y)) + (_e2953.z * _e2841.v2_.z)) + (_e2953.w * 1f));
+            let _e2966 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            let _e2977 = ((((_e2966.x * _e2841.v2_.x) + (_e2966.y * _e2841.v2_.y)) + (_e2966.z * _e2841.v2_.z)) + (_e2966.w * 1f));
+            let _e2990 = (((_e2863 * _e2835) + (_e2907 * _e2829.u)) + (_e2951 * _e2829.v));
+            let _e2991 = (((_e2876 * _e2835) + (_e2920 * _e2829.u)) + (_e2964 * _e2829.v));
+            let _e2992 = (((_e2889 * _e2835) + (_e2933 * _e2829.u)) + (_e2977 * _e2829.v));
+            let _e2994 = abs(_e2863);
+            let _e2995 = abs(_e2876);
+            let _e2996 = abs(_e2889);
+            let _e2997 = abs(_e2907);
+            let _e2998 = abs(_e2920);
+            let _e2999 = abs(_e2933);
+            if (_e2994 > _e2997) {
+                phi_3663_ = _e2994;
+            } else {
                 phi_3663_ = _e2997;
-            } else {
-                phi_3663_ = _e3000;
             }
-            let _e3005 = phi_3663_;
-            if (_e2998 > _e3001) {
+            let _e3002 = phi_3663_;
+            if (_e2995 > _e2998) {
+                phi_3668_ = _e2995;
+            } else {
                 phi_3668_ = _e2998;
-            } else {
-                phi_3668_ = _e3001;
             }
-            let _e3008 = phi_3668_;
-            if (_e2999 > _e3002) {
+            let _e3005 = phi_3668_;
+            if (_e2996 > _e2999) {
+                phi_3673_ = _e2996;
+            } else {
                 phi_3673_ = _e2999;
-            } else {
-                phi_3673_ = _e3002;
             }
-            let _e3011 = phi_3673_;
-            let _e3012 = abs(_e2954);
-            let _e3013 = abs(_e2967);
-            let _e3014 = abs(_e2980);
-            if (_e3005 > _e3012) {
-                phi_3681_ = _e3005;
+            let _e3008 = phi_3673_;
+            let _e3009 = abs(_e2951);
+            let _e3010 = abs(_e2964);
+            let _e3011 = abs(_e2977);
+            if (_e3002 > _e3009) {
+                phi_3681_ = _e3002;
             } else {
-                phi_3681_ = _e3012;
+                phi_3681_ = _e3009;
             }
-            let _e3017 = phi_3681_;
-            if (_e3008 > _e3013) {
-                phi_3686_ = _e3008;
+            let _e3014 = phi_3681_;
+            if (_e3005 > _e3010) {
+                phi_3686_ = _e3005;
             } else {
-                phi_3686_ = _e3013;
+                phi_3686_ = _e3010;
             }
-            let _e3020 = phi_3686_;
-            if (_e3011 > _e3014) {
+            let _e3017 = phi_3686_;
+            if (_e3008 > _e3011) {
+                phi_3691_ = _e3008;
+            } else {
                 phi_3691_ = _e3011;
-            } else {
-                phi_3691_ = _e3014;
             }
-            let _e3023 = phi_3691_;
-            let _e3024 = (_e2910 - _e2866);
-            let _e3025 = (_e2923 - _e2879);
-            let _e3026 = (_e2936 - _e2892);
-            let _e3027 = (_e2954 - _e2866);
-            let _e3028 = (_e2967 - _e2879);
-            let _e3029 = (_e2980 - _e2892);
-            let _e3033 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3025), abs(_e3026));
-            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), _e3033);
-            let _e3035 = (_e3024 / _e3034);
-            let _e3036 = (_e3025 / _e3034);
-            let _e3037 = (_e3026 / _e3034);
-            let _e3041 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), abs(_e3029));
-            let _e3042 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3027), _e3041);
-            let _e3043 = (_e3027 / _e3042);
-            let _e3044 = (_e3028 / _e3042);
-            let _e3045 = (_e3029 / _e3042);
-            let _e3048 = ((_e3036 * _e3045) - (_e3044 * _e3037));
-            let _e3051 = ((_e3037 * _e3043) - (_e3045 * _e3035));
-            let _e3054 = ((_e3035 * _e3044) - (_e3043 * _e3036));
-            let _e3056 = p.member.eye;
-            let _e3069 = (1f / sqrt((((_e3048 * _e3048) + (_e3051 * _e3051)) + (_e3054 * _e3054))));
-            let _e3070 = (_e3048 * _e3069);
-            let _e3071 = (_e3051 * _e3069);
-            let _e3072 = (_e3054 * _e3069);
-            if ((((_e3070 * (_e3056.x - _e2993)) + (_e3071 * (_e3056.y - _e2994))) + (_e3072 * (_e3056.z - _e2995))) < 0f) {
-                phi_3755_ = vec3<f32>(-(_e3070), -(_e3071), -(_e3072));
+            let _e3020 = phi_3691_;
+            let _e3021 = (_e2907 - _e2863);
+            let _e3022 = (_e2920 - _e2876);
+            let _e3023 = (_e2933 - _e2889);
+            let _e3024 = (_e2951 - _e2863);
+            let _e3025 = (_e2964 - _e2876);
+            let _e3026 = (_e2977 - _e2889);
+            let _e3030 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3022), abs(_e3023));
+            let _e3031 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3021), _e3030);
+            let _e3032 = (_e3021 / _e3031);
+            let _e3033 = (_e3022 / _e3031);
+            let _e3034 = (_e3023 / _e3031);
+            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3025), abs(_e3026));
+            let _e3039 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), _e3038);
+            let _e3040 = (_e3024 / _e3039);
+            let _e3041 = (_e3025 / _e3039);
+            let _e3042 = (_e3026 / _e3039);
+            let _e3045 = ((_e3033 * _e3042) - (_e3041 * _e3034));
+            let _e3048 = ((_e3034 * _e3040) - (_e3042 * _e3032));
+            let _e3051 = ((_e3032 * _e3041) - (_e3040 * _e3033));
+            let _e3053 = p.member.eye;
+            let _e3066 = (1f / sqrt((((_e3045 * _e3045) + (_e3048 * _e3048)) + (_e3051 * _e3051))));
+            let _e3067 = (_e3045 * _e3066);
+            let _e3068 = (_e3048 * _e3066);
+            let _e3069 = (_e3051 * _e3066);
+            if ((((_e3067 * (_e3053.x - _e2990)) + (_e3068 * (_e3053.y - _e2991))) + (_e3069 * (_e3053.z - _e2992))) < 0f) {
+                phi_3755_ = vec3<f32>(-(_e3067), -(_e3068), -(_e3069));
             } else {
-                phi_3755_ = vec3<f32>(_e3070, _e3071, _e3072);
+                phi_3755_ = vec3<f32>(_e3067, _e3068, _e3069);
             }
-            let _e3085 = phi_3755_;
-            if (_e2832.triangle < _e81) {
+            let _e3082 = phi_3755_;
+            if (_e2829.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3090 = triangles.member[(0u + _e2832.triangle)];
-            let _e3092 = (_e3090.i0_ & 2147483647u);
-            if (_e3092 < _e84) {
+            let _e3087 = triangles.member[(0u + _e2829.triangle)];
+            let _e3089 = (_e3087.i0_ & 2147483647u);
+            if (_e3089 < _e84) {
             } else {
                 return;
             }
-            let _e3098 = vertices.member[(0u + _e3092)];
-            if (_e3090.i1_ < _e84) {
+            let _e3095 = vertices.member[(0u + _e3089)];
+            if (_e3087.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3102 = vertices.member[(0u + _e3090.i1_)];
-            if (_e3090.i2_ < _e84) {
+            let _e3099 = vertices.member[(0u + _e3087.i1_)];
+            if (_e3087.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3106 = vertices.member[(0u + _e3090.i2_)];
-            let _e3107 = array<abi_Vertex, 3>(_e3098, _e3102, _e3106);
-            if (_e3107[0].material < _e87) {
+            let _e3103 = vertices.member[(0u + _e3087.i2_)];
+            let _e3104 = array<abi_Vertex, 3>(_e3095, _e3099, _e3103);
+            if (_e3104[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3113 = materials.member[(0u + _e3107[0].material)];
-            let _e3130 = (1f / 255f);
-            let _e3149 = (1f / 255f);
-            let _e3171 = (1f / 255f);
-            let _e3184 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2838, _e2832.u, _e2832.v));
-            let _e3186 = ((_e3113.base_color.x * ((((f32((_e3107[0].color & 255u)) * _e3130) * _e2838) + ((f32((_e3107[1].color & 255u)) * _e3149) * _e2832.u)) + ((f32((_e3107[2].color & 255u)) * _e3171) * _e2832.v))) * _e3184.x);
-            let _e3188 = ((_e3113.base_color.y * ((((f32(((_e3107[0].color >> bitcast<u32>(8i)) & 255u)) * _e3130) * _e2838) + ((f32(((_e3107[1].color >> bitcast<u32>(8i)) & 255u)) * _e3149) * _e2832.u)) + ((f32(((_e3107[2].color >> bitcast<u32>(8i)) & 255u)) * _e3171) * _e2832.v))) * _e3184.y);
-            let _e3190 = ((_e3113.base_color.z * ((((f32(((_e3107[0].color >> bitcast<u32>(16i)) & 255u)) * _e3130) * _e2838) + ((f32(((_e3107[1].color >> bitcast<u32>(16i)) & 255u)) * _e3149) * _e2832.u)) + ((f32(((_e3107[2].color >> bitcast<u32>(16i)) & 255u)) * _e3171) * _e2832.v))) * _e3184.z);
-            let _e3191 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3020, _e3023);
-            let _e3192 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3017, _e3191);
-            if ((_e3113.flags & 2u) == 0u) {
+            let _e3110 = materials.member[(0u + _e3104[0].material)];
+            let _e3127 = (1f / 255f);
+            let _e3146 = (1f / 255f);
+            let _e3168 = (1f / 255f);
+            let _e3181 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2835, _e2829.u, _e2829.v));
+            let _e3183 = ((_e3110.base_color.x * ((((f32((_e3104[0].color & 255u)) * _e3127) * _e2835) + ((f32((_e3104[1].color & 255u)) * _e3146) * _e2829.u)) + ((f32((_e3104[2].color & 255u)) * _e3168) * _e2829.v))) * _e3181.x);
+            let _e3185 = ((_e3110.base_color.y * ((((f32(((_e3104[0].color >> bitcast<u32>(8i)) & 255u)) * _e3127) * _e2835) + ((f32(((_e3104[1].color >> bitcast<u32>(8i)) & 255u)) * _e3146) * _e2829.u)) + ((f32(((_e3104[2].color >> bitcast<u32>(8i)) & 255u)) * _e3168) * _e2829.v))) * _e3181.y);
+            let _e3187 = ((_e3110.base_color.z * ((((f32(((_e3104[0].color >> bitcast<u32>(16i)) & 255u)) * _e3127) * _e2835) + ((f32(((_e3104[1].color >> bitcast<u32>(16i)) & 255u)) * _e3146) * _e2829.u)) + ((f32(((_e3104[2].color >> bitcast<u32>(16i)) & 255u)) * _e3168) * _e2829.v))) * _e3181.z);
+            let _e3188 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3017, _e3020);
+            let _e3189 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3014, _e3188);
+            if ((_e3110.flags & 2u) == 0u) {
                 phi_3876_ = 0u;
             } else {
                 phi_3876_ = 1u;
             }
-            let _e3197 = phi_3876_;
-            if (_e3107[0].normal == 2147516416u) {
-                phi_4106_ = _e3085;
+            let _e3194 = phi_3876_;
+            if (_e3104[0].normal == 2147516416u) {
+                phi_4106_ = _e3082;
             } else {
-                let _e3210 = (f32((bitcast<i32>((_e3107[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3216 = (f32((bitcast<i32>(_e3107[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3220 = ((1f - abs(_e3210)) - abs(_e3216));
-                if (_e3220 < 0f) {
-                    phi_3903_ = -(_e3220);
+                let _e3207 = (f32((bitcast<i32>((_e3104[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3213 = (f32((bitcast<i32>(_e3104[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3217 = ((1f - abs(_e3207)) - abs(_e3213));
+                if (_e3217 < 0f) {
+                    phi_3903_ = -(_e3217);
                 } else {
                     phi_3903_ = 0f;
                 }
-                let _e3224 = phi_3903_;
-                if (_e3210 < 0f) {
-                    phi_3910_ = (_e3210 + _e3224);
+                let _e3221 = phi_3903_;
+                if (_e3207 < 0f) {
+                    phi_3910_ = (_e3207 + _e3221);
                 } else {
-                    phi_3910_ = (_e3210 - _e3224);
+                    phi_3910_ = (_e3207 - _e3221);
                 }
-                let _e3229 = phi_3910_;
-                if (_e3216 < 0f) {
-                    phi_3917_ = (_e3216 + _e3224);
+                let _e3226 = phi_3910_;
+                if (_e3213 < 0f) {
+                    phi_3917_ = (_e3213 + _e3221);
                 } else {
-                    phi_3917_ = (_e3216 - _e3224);
+                    phi_3917_ = (_e3213 - _e3221);
                 }
-                let _e3234 = phi_3917_;
-                let _e3241 = (1f / sqrt((((_e3229 * _e3229) + (_e3234 * _e3234)) + (_e3220 * _e3220))));
-                let _e3257 = (f32((bitcast<i32>((_e3107[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3263 = (f32((bitcast<i32>(_e3107[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3267 = ((1f - abs(_e3257)) - abs(_e3263));
-                if (_e3267 < 0f) {
-                    phi_3952_ = -(_e3267);
+                let _e3231 = phi_3917_;
+                let _e3238 = (1f / sqrt((((_e3226 * _e3226) + (_e3231 * _e3231)) + (_e3217 * _e3217))));
+                let _e3254 = (f32((bitcast<i32>((_e3104[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3260 = (f32((bitcast<i32>(_e3104[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3264 = ((1f - abs(_e3254)) - abs(_e3260));
+                if (_e3264 < 0f) {
+                    phi_3952_ = -(_e3264);
                 } else {
                     phi_3952_ = 0f;
                 }
-                let _e3271 = phi_3952_;
-                if (_e3257 < 0f) {
-                    phi_3959_ = (_e3257 + _e3271);
+                let _e3268 = phi_3952_;
+                if (_e3254 < 0f) {
+                    phi_3959_ = (_e3254 + _e3268);
                 } else {
-                    phi_3959_ = (_e3257 - _e3271);
+                    phi_3959_ = (_e3254 - _e3268);
                 }
-                let _e3276 = phi_3959_;
-                if (_e3263 < 0f) {
-                    phi_3966_ = (_e3263 + _e3271);
+                let _e3273 = phi_3959_;
+                if (_e3260 < 0f) {
+                    phi_3966_ = (_e3260 + _e3268);
                 } else {
-                    phi_3966_ = (_e3263 - _e3271);
+                    phi_3966_ = (_e3260 - _e3268);
                 }
-                let _e3281 = phi_3966_;
-                let _e3288 = (1f / sqrt((((_e3276 * _e3276) + (_e3281 * _e3281)) + (_e3267 * _e3267))));
-                let _e3307 = (f32((bitcast<i32>((_e3107[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3313 = (f32((bitcast<i32>(_e3107[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3317 = ((1f - abs(_e3307)) - abs(_e3313));
-                if (_e3317 < 0f) {
-                    phi_4004_ = -(_e3317);
+                let _e3278 = phi_3966_;
+                let _e3285 = (1f / sqrt((((_e3273 * _e3273) + (_e3278 * _e3278)) + (_e3264 * _e3264))));
+                let _e3304 = (f32((bitcast<i32>((_e3104[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3310 = (f32((bitcast<i32>(_e3104[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3314 = ((1f - abs(_e3304)) - abs(_e3310));
+                if (_e3314 < 0f) {
+                    phi_4004_ = -(_e3314);
                 } else {
                     phi_4004_ = 0f;
                 }
-                let _e3321 = phi_4004_;
-                if (_e3307 < 0f) {
-                    phi_4011_ = (_e3307 + _e3321);
+                let _e3318 = phi_4004_;
+                if (_e3304 < 0f) {
+                    phi_4011_ = (_e3304 + _e3318);
                 } else {
-                    phi_4011_ = (_e3307 - _e3321);
+                    phi_4011_ = (_e3304 - _e3318);
                 }
-                let _e3326 = phi_4011_;
-                if (_e3313 < 0f) {
-                    phi_4018_ = (_e3313 + _e3321);
+                let _e3323 = phi_4011_;
+                if (_e3310 < 0f) {
+                    phi_4018_ = (_e3310 + _e3318);
                 } else {
-                    phi_4018_ = (_e3313 - _e3321);
+                    phi_4018_ = (_e3310 - _e3318);
                 }
-                let _e3331 = phi_4018_;
-                let _e3338 = (1f / sqrt((((_e3326 * _e3326) + (_e3331 * _e3331)) + (_e3317 * _e3317))));
-                let _e3345 = ((((_e3229 * _e3241) * _e2838) + ((_e3276 * _e3288) * _e2832.u)) + ((_e3326 * _e3338) * _e2832.v));
-                let _e3346 = ((((_e3234 * _e3241) * _e2838) + ((_e3281 * _e3288) * _e2832.u)) + ((_e3331 * _e3338) * _e2832.v));
-                let _e3347 = ((((_e3220 * _e3241) * _e2838) + ((_e3267 * _e3288) * _e2832.u)) + ((_e3317 * _e3338) * _e2832.v));
-                if (_e2832.instance < _e93) {
+                let _e3328 = phi_4018_;
+                let _e3335 = (1f / sqrt((((_e3323 * _e3323) + (_e3328 * _e3328)) + (_e3314 * _e3314))));
+                let _e3342 = ((((_e3226 * _e3238) * _e2835) + ((_e3273 * _e3285) * _e2829.u)) + ((_e3323 * _e3335) * _e2829.v));
+                let _e3343 = ((((_e3231 * _e3238) * _e2835) + ((_e3278 * _e3285) * _e2829.u)) + ((_e3328 * _e3335) * _e2829.v));
+                let _e3344 = ((((_e3217 * _e3238) * _e2835) + ((_e3264 * _e3285) * _e2829.u)) + ((_e3314 * _e3335) * _e2829.v));
+                if (_e2829.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3354 = instances.member[(0u + _e2832.instance)].world_to_object[0u];
-                let _e3363 = instances.member[(0u + _e2832.instance)].world_to_object[1u];
-                let _e3375 = instances.member[(0u + _e2832.instance)].world_to_object[2u];
-                let _e3382 = (((_e3354.x * _e3345) + (_e3363.x * _e3346)) + (_e3375.x * _e3347));
-                let _e3383 = (((_e3354.y * _e3345) + (_e3363.y * _e3346)) + (_e3375.y * _e3347));
-                let _e3384 = (((_e3354.z * _e3345) + (_e3363.z * _e3346)) + (_e3375.z * _e3347));
-                let _e3390 = sqrt((((_e3382 * _e3382) + (_e3383 * _e3383)) + (_e3384 * _e3384)));
-                if (_e3390 > 0f) {
-                    let _e3392 = (_e3382 / _e3390);
-                    let _e3393 = (_e3383 / _e3390);
-                    let _e3394 = (_e3384 / _e3390);
-                    if ((((_e3392 * _e3085.x) + (_e3393 * _e3085.y)) + (_e3394 * _e3085.z)) < 0f) {
-                        phi_4104_ = vec3<f32>(-(_e3392), -(_e3393), -(_e3394));
+                let _e3351 = instances.member[(0u + _e2829.instance)].world_to_object[0u];
+                let _e3360 = instances.member[(0u + _e2829.instance)].world_to_object[1u];
+                let _e3372 = instances.member[(0u + _e2829.instance)].world_to_object[2u];
+                let _e3379 = (((_e3351.x * _e3342) + (_e3360.x * _e3343)) + (_e3372.x * _e3344));
+                let _e3380 = (((_e3351.y * _e3342) + (_e3360.y * _e3343)) + (_e3372.y * _e3344));
+                let _e3381 = (((_e3351.z * _e3342) + (_e3360.z * _e3343)) + (_e3372.z * _e3344));
+                let _e3387 = sqrt((((_e3379 * _e3379) + (_e3380 * _e3380)) + (_e3381 * _e3381)));
+                if (_e3387 > 0f) {
+                    let _e3389 = (_e3379 / _e3387);
+                    let _e3390 = (_e3380 / _e3387);
+                    let _e3391 = (_e3381 / _e3387);
+                    if ((((_e3389 * _e3082.x) + (_e3390 * _e3082.y)) + (_e3391 * _e3082.z)) < 0f) {
+                        phi_4104_ = vec3<f32>(-(_e3389), -(_e3390), -(_e3391));
                     } else {
-                        phi_4104_ = vec3<f32>(_e3392, _e3393, _e3394);
+                        phi_4104_ = vec3<f32>(_e3389, _e3390, _e3391);
                     }
-                    let _e3410 = phi_4104_;
-                    phi_4105_ = _e3410;
+                    let _e3407 = phi_4104_;
+                    phi_4105_ = _e3407;
                 } else {
-                    phi_4105_ = _e3085;
+                    phi_4105_ = _e3082;
                 }
-                let _e3412 = phi_4105_;
-                phi_4106_ = _e3412;
+                let _e3409 = phi_4105_;
+                phi_4106_ = _e3409;
             }
-            let _e3414 = phi_4106_;
-            if (_e3186 > 0f) {
-                if (_e3186 < 1f) {
-                    phi_4115_ = _e3186;
+            let _e3411 = phi_4106_;
+            if (_e3183 > 0f) {
+                if (_e3183 < 1f) {
+                    phi_4115_ = _e3183;
                 } else {
                     phi_4115_ = 1f;
                 }
-                let _e3418 = phi_4115_;
-                phi_4116_ = _e3418;
+                let _e3415 = phi_4115_;
+                phi_4116_ = _e3415;
             } else {
                 phi_4116_ = 0f;
             }
-            let _e3420 = phi_4116_;
-            if (_e3188 > 0f) {
-                if (_e3188 < 1f) {
-                    phi_4126_ = _e3188;
+            let _e3417 = phi_4116_;
+            if (_e3185 > 0f) {
+                if (_e3185 < 1f) {
+                    phi_4126_ = _e3185;
                 } else {
                     phi_4126_ = 1f;
                 }
-                let _e3425 = phi_4126_;
-                phi_4127_ = _e3425;
+                let _e3422 = phi_4126_;
+                phi_4127_ = _e3422;
             } else {
                 phi_4127_ = 0f;
             }
-            let _e3427 = phi_4127_;
-            if (_e3190 > 0f) {
-                if (_e3190 < 1f) {
-                    phi_4137_ = _e3190;
+            let _e3424 = phi_4127_;
+            if (_e3187 > 0f) {
+                if (_e3187 < 1f) {
+                    phi_4137_ = _e3187;
                 } else {
                     phi_4137_ = 1f;
                 }
-                let _e3432 = phi_4137_;
-                phi_4138_ = _e3432;
+                let _e3429 = phi_4137_;
+                phi_4138_ = _e3429;
             } else {
                 phi_4138_ = 0f;
             }
-            let _e3434 = phi_4138_;
-            let _e3437 = ((sqrt(_e3420) * 255f) + 0.5f);
-            let _e3446 = ((sqrt(_e3427) * 255f) + 0.5f);
-            let _e3458 = ((sqrt(_e3434) * 255f) + 0.5f);
-            phi_4173_ = abi_Sample(vec3<f32>(_e2993, _e2994, _e2995), _e3192, _e3085, _e3197, _e3414, ((select(select(u32(_e3437), 0u, (_e3437 < bitcast<f32>(0u))), 4294967295u, (_e3437 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3446), 0u, (_e3446 < bitcast<f32>(0u))), 4294967295u, (_e3446 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3458), 0u, (_e3458 < bitcast<f32>(0u))), 4294967295u, (_e3458 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3431 = phi_4138_;
+            let _e3434 = ((sqrt(_e3417) * 255f) + 0.5f);
+            let _e3443 = ((sqrt(_e3424) * 255f) + 0.5f);
+            let _e3455 = ((sqrt(_e3431) * 255f) + 0.5f);
+            phi_4173_ = abi_Sample(vec3<f32>(_e2990, _e2991, _e2992), _e3189, _e3082, _e3194, _e3411, ((select(select(u32(_e3434), 0u, (_e3434 < bitcast<f32>(0u))), 4294967295u, (_e3434 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3443), 0u, (_e3443 < bitcast<f32>(0u))), 4294967295u, (_e3443 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3455), 0u, (_e3455 < bitcast<f32>(0u))), 4294967295u, (_e3455 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_4173_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3472 = phi_4173_;
+        let _e3469 = phi_4173_;
         if (_e108.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e108.shift)] = _e3472;
-        if (_e2832.triangle != 4294967295u) {
-            let _e3481 = ((1f - _e2832.u) - _e2832.v);
-            if (_e2832.triangle < _e81) {
+        samples.member[(0u + _e108.shift)] = _e3469;
+        if (_e2829.triangle != 4294967295u) {
+            let _e3478 = ((1f - _e2829.u) - _e2829.v);
+            if (_e2829.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3486 = triangles.member[(0u + _e2832.triangle)];
-            let _e3488 = (_e3486.i0_ & 2147483647u);
-            if (_e3488 < _e99) {
+            let _e3483 = triangles.member[(0u + _e2829.triangle)];
+            let _e3485 = (_e3483.i0_ & 2147483647u);
+            if (_e3485 < _e99) {
             } else {
                 return;
             }
-            let _e3494 = before.member[(0u + _e3488)];
-            if (_e3486.i1_ < _e99) {
+            let _e3491 = before.member[(0u + _e3485)];
+            if (_e3483.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3498 = before.member[(0u + _e3486.i1_)];
-            if (_e3486.i2_ < _e99) {
+            let _e3495 = before.member[(0u + _e3483.i1_)];
+            if (_e3483.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3502 = before.member[(0u + _e3486.i2_)];
-            if (_e2832.instance < _e93) {
+            let _e3499 = before.member[(0u + _e3483.i2_)];
+            if (_e2829.instance < _e93) {
             } else {
                 return;
             }
-            let _e3512 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3525 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3538 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            if (_e2832.instance < _e93) {
+            let _e3509 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e3522 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e3535 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            if (_e2829.instance < _e93) {
             } else {
                 return;
             }
-            let _e3562 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3575 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3588 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            if (_e2832.instance < _e93) {
+            let _e3559 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e3572 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e3585 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            if (_e2829.instance < _e93) {
             } else {
                 return;
             }
-            let _e3615 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3628 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3641 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            phi_4396_ = vec3<f32>((((((((_e3512.x * _e3494.x) + (_e3512.y * _e3494.y)) + (_e3512.z * _e3494.z)) + (_e3512.w * 1f)) * _e3481) + (((((_e3562.x * _e3498.x) + (_e3562.y * _e3498.y)) + (_e3562.z * _e3498.z)) + (_e3562.w * 1f)) * _e2832.u)) + (((((_e3615.x * _e3502.x) + (_e3615.y * _e3502.y)) + (_e3615.z * _e3502.z)) + (_e3615.w * 1f)) * _e2832.v)), (((((((_e3525.x * _e3494.x) + (_e3525.y * _e3494.y)) + (_e3525.z * _e3494.z)) + (_e3525.w * 1f)) * _e3481) + (((((_e3575.x * _e3498.x) + (_e3575.y * _e3498.y)) + (_e3575.z * _e3498.z)) + (_e3575.w * 1f)) * _e2832.u)) + (((((_e3628.x * _e3502.x) + (_e3628.y * _e3502.y)) + (_e3628.z * _e3502.z)) + (_e3628.w * 1f)) * _e2832.v)), (((((((_e3538.x * _e3494.x) + (_e3538.y * _e3494.y)) + (_e3538.z * _e3494.z)) + (_e3538.w * 1f)) * _e3481) + (((((_e3588.x * _e3498.x) + (_e3588.y * _e3498.y)) + (_e3588.z * _e3498.z)) + (_e3588.w * 1f)) * _e2832.u)) + (((((_e3641.x * _e3502.x) + (_e3641.y * _e3502.y)) + (_e3641.z * _e3502.z)) + (_e3641.w * 1f)) * _e2832.v)));
+            let _e3612 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e3625 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e3638 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            phi_4396_ = vec3<f32>((((((((_e3509.x * _e3491.x) + (_e3509.y * _e3491.y)) + (_e3509.z * _e3491.z)) + (_e3509.w * 1f)) * _e3478) + (((((_e3559.x * _e3495.x) + (_e3559.y * _e3495.y)) + (_e3559.z * _e3495.z)) + (_e3559.w * 1f)) * _e2829.u)) + (((((_e3612.x * _e3499.x) + (_e3612.y * _e3499.y)) + (_e3612.z * _e3499.z)) + (_e3612.w * 1f)) * _e2829.v)), (((((((_e3522.x * _e3491.x) + (_e3522.y * _e3491.y)) + (_e3522.z * _e3491.z)) + (_e3522.w * 1f)) * _e3478) + (((((_e3572.x * _e3495.x) + (_e3572.y * _e3495.y)) + (_e3572.z * _e3495.z)) + (_e3572.w * 1f)) * _e2829.u)) + (((((_e3625.x * _e3499.x) + (_e3625.y * _e3499.y)) + (_e3625.z * _e3499.z)) + (_e3625.w * 1f)) * _e2829.v)), (((((((_e3535.x * _e3491.x) + (_e3535.y * _e3491.y)) + (_e3535.z * _e3491.z)) + (_e3535.w * 1f)) * _e3478) + (((((_e3585.x * _e3495.x) + (_e3585.y * _e3495.y)) + (_e3585.z * _e3495.z)) + (_e3585.w * 1f)) * _e2829.u)) + (((((_e3638.x * _e3499.x) + (_e3638.y * _e3499.y)) + (_e3638.z * _e3499.z)) + (_e3638.w * 1f)) * _e2829.v)));
         } else {
             phi_4396_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3661 = phi_4396_;
+        let _e3658 = phi_4396_;
         if (_e108.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.shift)] = vec4<f32>(_e3661.x, _e3661.y, _e3661.z, 1f);
+        past.member[(0u + _e108.shift)] = vec4<f32>(_e3658.x, _e3658.y, _e3658.z, 1f);
     }
     return;
 }

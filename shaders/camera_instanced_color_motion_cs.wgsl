@@ -1075,2062 +1075,2062 @@ fn function_() {
                 } else {
                     phi_907_ = abs(_e165.direction.x);
                 }
-                let _e314 = phi_907_;
+                let _e313 = phi_907_;
                 if (_e165.direction.x < 0f) {
-                    phi_914_ = (-1f / _e314);
+                    phi_914_ = (-1f / _e313);
                 } else {
-                    phi_914_ = (1f / _e314);
+                    phi_914_ = (1f / _e313);
                 }
-                let _e319 = phi_914_;
+                let _e318 = phi_914_;
                 if (abs(_e165.direction.y) < _e307) {
                     phi_922_ = _e307;
                 } else {
                     phi_922_ = abs(_e165.direction.y);
                 }
-                let _e326 = phi_922_;
+                let _e324 = phi_922_;
                 if (_e165.direction.y < 0f) {
-                    phi_929_ = (-1f / _e326);
+                    phi_929_ = (-1f / _e324);
                 } else {
-                    phi_929_ = (1f / _e326);
+                    phi_929_ = (1f / _e324);
                 }
-                let _e331 = phi_929_;
+                let _e329 = phi_929_;
                 if (abs(_e165.direction.z) < _e307) {
                     phi_937_ = _e307;
                 } else {
                     phi_937_ = abs(_e165.direction.z);
                 }
-                let _e338 = phi_937_;
+                let _e335 = phi_937_;
                 if (_e165.direction.z < 0f) {
-                    phi_944_ = (-1f / _e338);
+                    phi_944_ = (-1f / _e335);
                 } else {
-                    phi_944_ = (1f / _e338);
+                    phi_944_ = (1f / _e335);
                 }
-                let _e343 = phi_944_;
-                let _e351 = abs((bitcast<f32>(_e243) - _e165.origin.x));
-                let _e352 = abs((bitcast<f32>(_e247) - _e165.origin.y));
-                let _e353 = abs((bitcast<f32>(_e251) - _e165.origin.z));
-                let _e361 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
-                let _e362 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
-                let _e363 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
-                if (_e351 > _e361) {
-                    phi_969_ = _e351;
+                let _e340 = phi_944_;
+                let _e348 = abs((bitcast<f32>(_e243) - _e165.origin.x));
+                let _e349 = abs((bitcast<f32>(_e247) - _e165.origin.y));
+                let _e350 = abs((bitcast<f32>(_e251) - _e165.origin.z));
+                let _e358 = abs(((bitcast<f32>(_e255) + (bitcast<f32>((((_e267 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.x));
+                let _e359 = abs(((bitcast<f32>(_e259) + (bitcast<f32>((((_e267 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.y));
+                let _e360 = abs(((bitcast<f32>(_e263) + (bitcast<f32>((((_e267 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e165.origin.z));
+                if (_e348 > _e358) {
+                    phi_969_ = _e348;
                 } else {
-                    phi_969_ = _e361;
+                    phi_969_ = _e358;
                 }
-                let _e366 = phi_969_;
-                if (_e352 > _e362) {
-                    phi_974_ = _e352;
+                let _e363 = phi_969_;
+                if (_e349 > _e359) {
+                    phi_974_ = _e349;
                 } else {
-                    phi_974_ = _e362;
+                    phi_974_ = _e359;
                 }
-                let _e369 = phi_974_;
-                if (_e353 > _e363) {
-                    phi_979_ = _e353;
+                let _e366 = phi_974_;
+                if (_e350 > _e360) {
+                    phi_979_ = _e350;
                 } else {
-                    phi_979_ = _e363;
+                    phi_979_ = _e360;
                 }
-                let _e372 = phi_979_;
-                let _e373 = core_intrinsics_maximum_number_nsz_f32_(_e366, _e369);
-                let _e374 = core_intrinsics_maximum_number_nsz_f32_(_e373, _e372);
-                let _e379 = (_e374 * 0.0000019073486f);
-                let _e380 = (abs(_e319) * _e379);
-                let _e381 = (abs(_e331) * _e379);
-                let _e382 = (abs(_e343) * _e379);
-                let _e386 = (_e374 * 0.0000009536743f);
-                let _e387 = (abs(_e319) * _e386);
-                let _e388 = (abs(_e331) * _e386);
-                let _e389 = (abs(_e343) * _e386);
-                if (_e319 < 0f) {
+                let _e369 = phi_979_;
+                let _e370 = core_intrinsics_maximum_number_nsz_f32_(_e363, _e366);
+                let _e371 = core_intrinsics_maximum_number_nsz_f32_(_e370, _e369);
+                let _e376 = (_e371 * 0.0000019073486f);
+                let _e377 = (abs(_e318) * _e376);
+                let _e378 = (abs(_e329) * _e376);
+                let _e379 = (abs(_e340) * _e376);
+                let _e383 = (_e371 * 0.0000009536743f);
+                let _e384 = (abs(_e318) * _e383);
+                let _e385 = (abs(_e329) * _e383);
+                let _e386 = (abs(_e340) * _e383);
+                if (_e318 < 0f) {
                     phi_1001_ = 0u;
                 } else {
                     phi_1001_ = 1u;
                 }
-                let _e392 = phi_1001_;
-                if (_e331 < 0f) {
+                let _e389 = phi_1001_;
+                if (_e329 < 0f) {
                     phi_1006_ = 0u;
                 } else {
                     phi_1006_ = 2u;
                 }
-                let _e395 = phi_1006_;
-                if (_e343 < 0f) {
+                let _e392 = phi_1006_;
+                if (_e340 < 0f) {
                     phi_1011_ = 0u;
                 } else {
                     phi_1011_ = 4u;
                 }
-                let _e398 = phi_1011_;
-                let _e400 = ((_e392 | _e395) | _e398);
-                let _e401 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e401.first[0], _e401.first[1], _e401.first[2], _e401.first[3], _e401.first[4], _e401.first[5], _e401.first[6], _e401.first[7], _e401.first[8], _e401.first[9], _e401.first[10], _e401.first[11], _e401.first[12], _e401.first[13], _e401.first[14], _e401.first[15], _e401.first[16], _e401.first[17], _e401.first[18], _e401.first[19], _e401.first[20], _e401.first[21], _e401.first[22], _e401.first[23], _e401.first[24], _e401.first[25], _e401.first[26], _e401.first[27], _e401.first[28], _e401.first[29], _e401.first[30], _e401.first[31]), array<u32, 32>(_e401.mask[0], _e401.mask[1], _e401.mask[2], _e401.mask[3], _e401.mask[4], _e401.mask[5], _e401.mask[6], _e401.mask[7], _e401.mask[8], _e401.mask[9], _e401.mask[10], _e401.mask[11], _e401.mask[12], _e401.mask[13], _e401.mask[14], _e401.mask[15], _e401.mask[16], _e401.mask[17], _e401.mask[18], _e401.mask[19], _e401.mask[20], _e401.mask[21], _e401.mask[22], _e401.mask[23], _e401.mask[24], _e401.mask[25], _e401.mask[26], _e401.mask[27], _e401.mask[28], _e401.mask[29], _e401.mask[30], _e401.mask[31]), _e401.len, _e401.group, _e401.group_mask);
-                let _e475 = local_2.group_mask;
-                if ((_e475 & 4278190080u) == 0u) {
-                    let _e479 = local_2.len;
-                    if (_e479 == 0u) {
+                let _e395 = phi_1011_;
+                let _e397 = ((_e389 | _e392) | _e395);
+                let _e398 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e114, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e398.first[0], _e398.first[1], _e398.first[2], _e398.first[3], _e398.first[4], _e398.first[5], _e398.first[6], _e398.first[7], _e398.first[8], _e398.first[9], _e398.first[10], _e398.first[11], _e398.first[12], _e398.first[13], _e398.first[14], _e398.first[15], _e398.first[16], _e398.first[17], _e398.first[18], _e398.first[19], _e398.first[20], _e398.first[21], _e398.first[22], _e398.first[23], _e398.first[24], _e398.first[25], _e398.first[26], _e398.first[27], _e398.first[28], _e398.first[29], _e398.first[30], _e398.first[31]), array<u32, 32>(_e398.mask[0], _e398.mask[1], _e398.mask[2], _e398.mask[3], _e398.mask[4], _e398.mask[5], _e398.mask[6], _e398.mask[7], _e398.mask[8], _e398.mask[9], _e398.mask[10], _e398.mask[11], _e398.mask[12], _e398.mask[13], _e398.mask[14], _e398.mask[15], _e398.mask[16], _e398.mask[17], _e398.mask[18], _e398.mask[19], _e398.mask[20], _e398.mask[21], _e398.mask[22], _e398.mask[23], _e398.mask[24], _e398.mask[25], _e398.mask[26], _e398.mask[27], _e398.mask[28], _e398.mask[29], _e398.mask[30], _e398.mask[31]), _e398.len, _e398.group, _e398.group_mask);
+                let _e472 = local_2.group_mask;
+                if ((_e472 & 4278190080u) == 0u) {
+                    let _e476 = local_2.len;
+                    if (_e476 == 0u) {
                         phi_1125_ = false;
                     } else {
+                        let _e480 = local_2.len;
+                        local_2.len = (_e480 - 1u);
                         let _e483 = local_2.len;
-                        local_2.len = (_e483 - 1u);
-                        let _e486 = local_2.len;
-                        if (_e486 < 32u) {
+                        if (_e483 < 32u) {
                         } else {
                             return;
                         }
-                        let _e491 = local_2.first[(0u + _e486)];
-                        local_2.group = _e491;
-                        let _e494 = local_2.len;
-                        if (_e494 < 32u) {
+                        let _e488 = local_2.first[(0u + _e483)];
+                        local_2.group = _e488;
+                        let _e491 = local_2.len;
+                        if (_e491 < 32u) {
                         } else {
                             return;
                         }
-                        let _e499 = local_2.mask[(0u + _e494)];
-                        local_2.group_mask = _e499;
+                        let _e496 = local_2.mask[(0u + _e491)];
+                        local_2.group_mask = _e496;
                         phi_1125_ = true;
                     }
-                    let _e502 = phi_1125_;
-                    phi_1126_ = _e502;
+                    let _e499 = phi_1125_;
+                    phi_1126_ = _e499;
                 } else {
                     phi_1126_ = true;
                 }
-                let _e504 = phi_1126_;
-                if _e504 {
-                    let _e506 = local_2.group_mask;
-                    let _e512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e506)), 32u, (_e506 == 0u)));
-                    let _e516 = local_2.group_mask;
-                    let _e530 = local_2.group_mask;
-                    local_2.group_mask = (_e530 & ~((1u << bitcast<u32>((_e512 & 31u)))));
-                    let _e533 = local_2.group;
-                    phi_1157_ = (_e533 + countOneBits(((_e516 & ~((4294967295u << bitcast<u32>((((_e512 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e501 = phi_1126_;
+                if _e501 {
+                    let _e503 = local_2.group_mask;
+                    let _e509 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e503)), 32u, (_e503 == 0u)));
+                    let _e513 = local_2.group_mask;
+                    let _e527 = local_2.group_mask;
+                    local_2.group_mask = (_e527 & ~((1u << bitcast<u32>((_e509 & 31u)))));
+                    let _e530 = local_2.group;
+                    phi_1157_ = (_e530 + countOneBits(((_e513 & ~((4294967295u << bitcast<u32>((((_e509 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_1157_ = 4294967295u;
                 }
-                let _e536 = phi_1157_;
-                phi_1159_ = _e536;
+                let _e533 = phi_1157_;
+                phi_1159_ = _e533;
                 phi_1162_ = _e167;
                 loop {
-                    let _e538 = phi_1159_;
-                    let _e540 = phi_1162_;
-                    local_12 = _e540;
-                    let _e541 = (_e538 != 4294967295u);
-                    if _e541 {
-                        if (_e538 < _e78) {
+                    let _e535 = phi_1159_;
+                    let _e537 = phi_1162_;
+                    local_12 = _e537;
+                    let _e538 = (_e535 != 4294967295u);
+                    if _e538 {
+                        if (_e535 < _e78) {
                         } else {
                             return;
                         }
-                        let _e549 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e574 = (bitcast<f32>((((_e549 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e319);
-                        let _e575 = (bitcast<f32>((((_e549 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e331);
-                        let _e576 = (bitcast<f32>((((_e549 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e343);
-                        let _e579 = nodes.member[(0u + _e538)].frame[0u];
-                        let _e583 = nodes.member[(0u + _e538)].frame[1u];
-                        let _e587 = nodes.member[(0u + _e538)].frame[2u];
-                        let _e595 = ((bitcast<f32>(_e579) - _e165.origin.x) * _e319);
-                        let _e596 = ((bitcast<f32>(_e583) - _e165.origin.y) * _e331);
-                        let _e597 = ((bitcast<f32>(_e587) - _e165.origin.z) * _e343);
-                        let _e605 = nodes.member[(0u + _e538)].x;
-                        if (_e319 < 0f) {
-                            let _e616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e616.unnamed.word, _e605.w), _e616.unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e622.unnamed, lt_mask_LightPlace(_e605.x, _e622.unnamed_1.shift));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_mask_LightPlace(_e628.unnamed_1.word, _e605.y));
+                        let _e546 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e571 = (bitcast<f32>((((_e546 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e318);
+                        let _e572 = (bitcast<f32>((((_e546 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e329);
+                        let _e573 = (bitcast<f32>((((_e546 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e340);
+                        let _e576 = nodes.member[(0u + _e535)].frame[0u];
+                        let _e580 = nodes.member[(0u + _e535)].frame[1u];
+                        let _e584 = nodes.member[(0u + _e535)].frame[2u];
+                        let _e592 = ((bitcast<f32>(_e576) - _e165.origin.x) * _e318);
+                        let _e593 = ((bitcast<f32>(_e580) - _e165.origin.y) * _e329);
+                        let _e594 = ((bitcast<f32>(_e584) - _e165.origin.z) * _e340);
+                        let _e602 = nodes.member[(0u + _e535)].x;
+                        if (_e318 < 0f) {
+                            let _e613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e613.unnamed.word, _e602.w), _e613.unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e619.unnamed, lt_mask_LightPlace(_e602.x, _e619.unnamed_1.shift));
+                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_mask_LightPlace(_e625.unnamed_1.word, _e602.y));
                         } else {
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e644.unnamed.word, _e605.y), _e644.unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_mask_LightPlace(_e605.z, _e650.unnamed_1.shift));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e656.unnamed_1.word, _e605.w));
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e602.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.unnamed.word, _e602.y), _e641.unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_mask_LightPlace(_e602.z, _e647.unnamed_1.shift));
+                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e653.unnamed_1.word, _e602.w));
                         }
-                        let _e664 = phi_1247_;
-                        let _e674 = nodes.member[(0u + _e538)].y;
-                        if (_e331 < 0f) {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e674.w), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e674.x, _e691.unnamed_1.shift));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e674.y));
+                        let _e661 = phi_1247_;
+                        let _e671 = nodes.member[(0u + _e535)].y;
+                        if (_e329 < 0f) {
+                            let _e682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e682.unnamed.word, _e671.w), _e682.unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e688.unnamed, lt_mask_LightPlace(_e671.x, _e688.unnamed_1.shift));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e694.unnamed_1.word, _e671.y));
                         } else {
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e713.unnamed.word, _e674.y), _e713.unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_mask_LightPlace(_e674.z, _e719.unnamed_1.shift));
-                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e725.unnamed_1.word, _e674.w));
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e671.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.unnamed.word, _e671.y), _e710.unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_mask_LightPlace(_e671.z, _e716.unnamed_1.shift));
+                            phi_1274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e722.unnamed_1.word, _e671.w));
                         }
-                        let _e733 = phi_1274_;
-                        let _e743 = nodes.member[(0u + _e538)].z;
-                        if (_e343 < 0f) {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e743.w), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e743.x, _e760.unnamed_1.shift));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e743.y));
+                        let _e730 = phi_1274_;
+                        let _e740 = nodes.member[(0u + _e535)].z;
+                        if (_e340 < 0f) {
+                            let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e740.w), _e751.unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e740.x, _e757.unnamed_1.shift));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e740.y));
                         } else {
-                            let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e782.unnamed.word, _e743.y), _e782.unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e788.unnamed, lt_mask_LightPlace(_e743.z, _e788.unnamed_1.shift));
-                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e794.unnamed_1.word, _e743.w));
+                            let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e740.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.unnamed.word, _e740.y), _e779.unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e785.unnamed, lt_mask_LightPlace(_e740.z, _e785.unnamed_1.shift));
+                            phi_1301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e791.unnamed_1.word, _e740.w));
                         }
-                        let _e802 = phi_1301_;
+                        let _e799 = phi_1301_;
                         phi_1307_ = 0u;
                         phi_1310_ = 0u;
                         loop {
-                            let _e812 = phi_1307_;
-                            let _e814 = phi_1310_;
-                            local_3 = _e814;
-                            local_4 = _e814;
-                            local_5 = _e814;
-                            let _e815 = (_e812 < 8u);
-                            if _e815 {
-                                let _e817 = (_e812 >> bitcast<u32>(2i));
-                                let _e818 = (_e812 & 3u);
-                                if (_e817 == 0u) {
-                                    phi_1324_ = _e664.unnamed.word;
+                            let _e809 = phi_1307_;
+                            let _e811 = phi_1310_;
+                            local_3 = _e811;
+                            local_4 = _e811;
+                            local_5 = _e811;
+                            let _e812 = (_e809 < 8u);
+                            if _e812 {
+                                let _e814 = (_e809 >> bitcast<u32>(2i));
+                                let _e815 = (_e809 & 3u);
+                                if (_e814 == 0u) {
+                                    phi_1324_ = _e661.unnamed.word;
                                 } else {
-                                    phi_1324_ = _e664.unnamed.shift;
+                                    phi_1324_ = _e661.unnamed.shift;
                                 }
-                                let _e821 = phi_1324_;
-                                if (_e817 == 0u) {
-                                    phi_1334_ = _e733.unnamed.word;
+                                let _e818 = phi_1324_;
+                                if (_e814 == 0u) {
+                                    phi_1334_ = _e730.unnamed.word;
                                 } else {
-                                    phi_1334_ = _e733.unnamed.shift;
+                                    phi_1334_ = _e730.unnamed.shift;
                                 }
-                                let _e830 = phi_1334_;
-                                if (_e817 == 0u) {
-                                    phi_1344_ = _e802.unnamed.word;
+                                let _e827 = phi_1334_;
+                                if (_e814 == 0u) {
+                                    phi_1344_ = _e799.unnamed.word;
                                 } else {
-                                    phi_1344_ = _e802.unnamed.shift;
+                                    phi_1344_ = _e799.unnamed.shift;
                                 }
-                                let _e839 = phi_1344_;
-                                let _e852 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e821 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 - _e380)), ((f32(((_e830 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 - _e381)));
-                                let _e853 = core_intrinsics_maximum_number_nsz_f32_(_e852, ((f32(((_e839 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 - _e382)));
-                                if (_e817 == 0u) {
-                                    phi_1362_ = _e664.unnamed_1.word;
+                                let _e836 = phi_1344_;
+                                let _e849 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e818 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 - _e377)), ((f32(((_e827 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 - _e378)));
+                                let _e850 = core_intrinsics_maximum_number_nsz_f32_(_e849, ((f32(((_e836 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 - _e379)));
+                                if (_e814 == 0u) {
+                                    phi_1362_ = _e661.unnamed_1.word;
                                 } else {
-                                    phi_1362_ = _e664.unnamed_1.shift;
+                                    phi_1362_ = _e661.unnamed_1.shift;
                                 }
-                                let _e856 = phi_1362_;
-                                if (_e817 == 0u) {
-                                    phi_1372_ = _e733.unnamed_1.word;
+                                let _e853 = phi_1362_;
+                                if (_e814 == 0u) {
+                                    phi_1372_ = _e730.unnamed_1.word;
                                 } else {
-                                    phi_1372_ = _e733.unnamed_1.shift;
+                                    phi_1372_ = _e730.unnamed_1.shift;
                                 }
-                                let _e865 = phi_1372_;
-                                if (_e817 == 0u) {
-                                    phi_1382_ = _e802.unnamed_1.word;
+                                let _e862 = phi_1372_;
+                                if (_e814 == 0u) {
+                                    phi_1382_ = _e799.unnamed_1.word;
                                 } else {
-                                    phi_1382_ = _e802.unnamed_1.shift;
+                                    phi_1382_ = _e799.unnamed_1.shift;
                                 }
-                                let _e874 = phi_1382_;
-                                let _e887 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e574) + (_e595 + _e380)), ((f32(((_e865 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e575) + (_e596 + _e381)));
-                                let _e888 = core_intrinsics_minimum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u)) * _e576) + (_e597 + _e382)));
-                                if (_e853 <= _e888) {
-                                    if (_e853 <= _e540.t) {
-                                        if (_e888 >= _e165.tmin) {
-                                            if (_e817 == 0u) {
-                                                let _e895 = nodes.member[(0u + _e538)].links[2u];
+                                let _e871 = phi_1382_;
+                                let _e884 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e853 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e571) + (_e592 + _e377)), ((f32(((_e862 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e572) + (_e593 + _e378)));
+                                let _e885 = core_intrinsics_minimum_number_nsz_f32_(_e884, ((f32(((_e871 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u)) * _e573) + (_e594 + _e379)));
+                                if (_e850 <= _e885) {
+                                    if (_e850 <= _e537.t) {
+                                        if (_e885 >= _e165.tmin) {
+                                            if (_e814 == 0u) {
+                                                let _e892 = nodes.member[(0u + _e535)].links[2u];
+                                                phi_1418_ = _e892;
+                                            } else {
+                                                let _e895 = nodes.member[(0u + _e535)].links[3u];
                                                 phi_1418_ = _e895;
-                                            } else {
-                                                let _e898 = nodes.member[(0u + _e538)].links[3u];
-                                                phi_1418_ = _e898;
                                             }
-                                            let _e900 = phi_1418_;
-                                            let _e905 = ((_e900 >> bitcast<u32>(((_e818 * 8u) & 31u))) & 255u);
-                                            let _e906 = (_e905 & 31u);
-                                            if (_e906 >= 24u) {
-                                                phi_1431_ = (24u + ((_e906 - 24u) ^ _e400));
+                                            let _e897 = phi_1418_;
+                                            let _e902 = ((_e897 >> bitcast<u32>(((_e815 * 8u) & 31u))) & 255u);
+                                            let _e903 = (_e902 & 31u);
+                                            if (_e903 >= 24u) {
+                                                phi_1431_ = (24u + ((_e903 - 24u) ^ _e397));
                                             } else {
-                                                phi_1431_ = _e906;
+                                                phi_1431_ = _e903;
                                             }
-                                            let _e912 = phi_1431_;
-                                            phi_1436_ = (_e814 | ((_e905 >> bitcast<u32>(5i)) << bitcast<u32>((_e912 & 31u))));
+                                            let _e909 = phi_1431_;
+                                            phi_1436_ = (_e811 | ((_e902 >> bitcast<u32>(5i)) << bitcast<u32>((_e909 & 31u))));
                                         } else {
-                                            phi_1436_ = _e814;
+                                            phi_1436_ = _e811;
                                         }
-                                        let _e920 = phi_1436_;
-                                        phi_1437_ = _e920;
+                                        let _e917 = phi_1436_;
+                                        phi_1437_ = _e917;
                                     } else {
-                                        phi_1437_ = _e814;
+                                        phi_1437_ = _e811;
                                     }
-                                    let _e922 = phi_1437_;
-                                    phi_1438_ = _e922;
+                                    let _e919 = phi_1437_;
+                                    phi_1438_ = _e919;
                                 } else {
-                                    phi_1438_ = _e814;
+                                    phi_1438_ = _e811;
                                 }
-                                let _e924 = phi_1438_;
-                                phi_1308_ = (_e812 + 1u);
-                                phi_1311_ = _e924;
+                                let _e921 = phi_1438_;
+                                phi_1308_ = (_e809 + 1u);
+                                phi_1311_ = _e921;
                             } else {
                                 phi_1308_ = u32();
                                 phi_1311_ = u32();
                             }
-                            let _e927 = phi_1308_;
-                            let _e929 = phi_1311_;
+                            let _e924 = phi_1308_;
+                            let _e926 = phi_1311_;
                             continue;
                             continuing {
-                                phi_1307_ = _e927;
-                                phi_1310_ = _e929;
-                                break if !(_e815);
+                                phi_1307_ = _e924;
+                                phi_1310_ = _e926;
+                                break if !(_e812);
                             }
                         }
-                        let _e933 = nodes.member[(0u + _e538)].links[0u];
-                        let _e937 = nodes.member[(0u + _e538)].frame[3u];
-                        let _e941 = local_3;
-                        if ((_e941 & 4278190080u) == 0u) {
+                        let _e930 = nodes.member[(0u + _e535)].links[0u];
+                        let _e934 = nodes.member[(0u + _e535)].frame[3u];
+                        let _e938 = local_3;
+                        if ((_e938 & 4278190080u) == 0u) {
                         } else {
-                            let _e945 = local_2.group_mask;
-                            if ((_e945 & 4278190080u) == 0u) {
+                            let _e942 = local_2.group_mask;
+                            if ((_e942 & 4278190080u) == 0u) {
                             } else {
-                                let _e949 = local_2.len;
-                                if (_e949 < 32u) {
-                                    let _e952 = local_2.group;
-                                    let _e954 = local_2.len;
-                                    if (_e954 < 32u) {
+                                let _e946 = local_2.len;
+                                if (_e946 < 32u) {
+                                    let _e949 = local_2.group;
+                                    let _e951 = local_2.len;
+                                    if (_e951 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e954)] = _e952;
-                                    let _e960 = local_2.group_mask;
-                                    let _e962 = local_2.len;
-                                    if (_e962 < 32u) {
+                                    local_2.first[(0u + _e951)] = _e949;
+                                    let _e957 = local_2.group_mask;
+                                    let _e959 = local_2.len;
+                                    if (_e959 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e962)] = _e960;
-                                    let _e969 = local_2.len;
-                                    local_2.len = (_e969 + 1u);
+                                    local_2.mask[(0u + _e959)] = _e957;
+                                    let _e966 = local_2.len;
+                                    local_2.len = (_e966 + 1u);
                                 }
                             }
-                            local_2.group = (_e114 + _e933);
-                            let _e973 = local_4;
-                            local_2.group_mask = ((_e973 & 4278190080u) | (_e937 >> bitcast<u32>(24i)));
+                            local_2.group = (_e114 + _e930);
+                            let _e970 = local_4;
+                            local_2.group_mask = ((_e970 & 4278190080u) | (_e934 >> bitcast<u32>(24i)));
                         }
-                        let _e978 = local_5;
-                        phi_1496_ = (_e978 & 16777215u);
-                        phi_1499_ = _e540;
+                        let _e975 = local_5;
+                        phi_1496_ = (_e975 & 16777215u);
+                        phi_1499_ = _e537;
                         loop {
-                            let _e981 = phi_1496_;
-                            let _e983 = phi_1499_;
-                            local_11 = _e983;
-                            if (_e981 == 0u) {
+                            let _e978 = phi_1496_;
+                            let _e980 = phi_1499_;
+                            local_11 = _e980;
+                            if (_e978 == 0u) {
                                 phi_1497_ = u32();
                                 phi_1500_ = lt_bvh_Hit();
                                 phi_3182_ = false;
                             } else {
-                                let _e987 = nodes.member[(0u + _e538)].links[1u];
-                                let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
-                                if (_e991 < _e93) {
+                                let _e984 = nodes.member[(0u + _e535)].links[1u];
+                                let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
+                                if (_e988 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e998 = instances.member[(0u + _e991)].low_world;
-                                let _e1000 = instances.member[(0u + _e991)].high_world;
-                                let _e1010 = ((_e998.x - _e165.origin.x) * _e319);
-                                let _e1011 = ((_e998.y - _e165.origin.y) * _e331);
-                                let _e1012 = ((_e998.z - _e165.origin.z) * _e343);
-                                let _e1022 = ((_e1000.x - _e165.origin.x) * _e319);
-                                let _e1023 = ((_e1000.y - _e165.origin.y) * _e331);
-                                let _e1024 = ((_e1000.z - _e165.origin.z) * _e343);
-                                if (_e1010 < _e1022) {
-                                    phi_1554_ = _e1010;
+                                let _e995 = instances.member[(0u + _e988)].low_world;
+                                let _e997 = instances.member[(0u + _e988)].high_world;
+                                let _e1007 = ((_e995.x - _e165.origin.x) * _e318);
+                                let _e1008 = ((_e995.y - _e165.origin.y) * _e329);
+                                let _e1009 = ((_e995.z - _e165.origin.z) * _e340);
+                                let _e1019 = ((_e997.x - _e165.origin.x) * _e318);
+                                let _e1020 = ((_e997.y - _e165.origin.y) * _e329);
+                                let _e1021 = ((_e997.z - _e165.origin.z) * _e340);
+                                if (_e1007 < _e1019) {
+                                    phi_1554_ = _e1007;
                                 } else {
-                                    phi_1554_ = _e1022;
+                                    phi_1554_ = _e1019;
                                 }
-                                let _e1027 = phi_1554_;
-                                if (_e1011 < _e1023) {
-                                    phi_1559_ = _e1011;
+                                let _e1024 = phi_1554_;
+                                if (_e1008 < _e1020) {
+                                    phi_1559_ = _e1008;
                                 } else {
-                                    phi_1559_ = _e1023;
+                                    phi_1559_ = _e1020;
                                 }
-                                let _e1030 = phi_1559_;
-                                if (_e1012 < _e1024) {
-                                    phi_1564_ = _e1012;
+                                let _e1027 = phi_1559_;
+                                if (_e1009 < _e1021) {
+                                    phi_1564_ = _e1009;
                                 } else {
-                                    phi_1564_ = _e1024;
+                                    phi_1564_ = _e1021;
                                 }
-                                let _e1033 = phi_1564_;
-                                if (_e1010 > _e1022) {
-                                    phi_1572_ = _e1010;
+                                let _e1030 = phi_1564_;
+                                if (_e1007 > _e1019) {
+                                    phi_1572_ = _e1007;
                                 } else {
-                                    phi_1572_ = _e1022;
+                                    phi_1572_ = _e1019;
                                 }
-                                let _e1039 = phi_1572_;
-                                if (_e1011 > _e1023) {
-                                    phi_1577_ = _e1011;
+                                let _e1036 = phi_1572_;
+                                if (_e1008 > _e1020) {
+                                    phi_1577_ = _e1008;
                                 } else {
-                                    phi_1577_ = _e1023;
+                                    phi_1577_ = _e1020;
                                 }
-                                let _e1042 = phi_1577_;
-                                if (_e1012 > _e1024) {
-                                    phi_1582_ = _e1012;
+                                let _e1039 = phi_1577_;
+                                if (_e1009 > _e1021) {
+                                    phi_1582_ = _e1009;
                                 } else {
-                                    phi_1582_ = _e1024;
+                                    phi_1582_ = _e1021;
                                 }
-                                let _e1045 = phi_1582_;
-                                let _e1049 = core_intrinsics_maximum_number_nsz_f32_((_e1027 - _e387), (_e1030 - _e388));
-                                let _e1050 = core_intrinsics_maximum_number_nsz_f32_(_e1049, (_e1033 - _e389));
-                                let _e1051 = core_intrinsics_minimum_number_nsz_f32_((_e1039 + _e387), (_e1042 + _e388));
-                                let _e1052 = core_intrinsics_minimum_number_nsz_f32_(_e1051, (_e1045 + _e389));
-                                if (_e1050 <= _e1052) {
-                                    if (_e1050 <= _e983.t) {
-                                        if (_e1052 >= _e165.tmin) {
-                                            let _e1064 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1075 = ((((_e1064.x * _e165.origin.x) + (_e1064.y * _e165.origin.y)) + (_e1064.z * _e165.origin.z)) + (_e1064.w * 1f));
-                                            let _e1077 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1088 = ((((_e1077.x * _e165.origin.x) + (_e1077.y * _e165.origin.y)) + (_e1077.z * _e165.origin.z)) + (_e1077.w * 1f));
-                                            let _e1090 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1101 = ((((_e1090.x * _e165.origin.x) + (_e1090.y * _e165.origin.y)) + (_e1090.z * _e165.origin.z)) + (_e1090.w * 1f));
-                                            let _e1108 = instances.member[(0u + _e991)].world_to_object[0u];
-                                            let _e1119 = ((((_e1108.x * _e165.direction.x) + (_e1108.y * _e165.direction.y)) + (_e1108.z * _e165.direction.z)) + (_e1108.w * 0f));
-                                            let _e1121 = instances.member[(0u + _e991)].world_to_object[1u];
-                                            let _e1132 = ((((_e1121.x * _e165.direction.x) + (_e1121.y * _e165.direction.y)) + (_e1121.z * _e165.direction.z)) + (_e1121.w * 0f));
-                                            let _e1134 = instances.member[(0u + _e991)].world_to_object[2u];
-                                            let _e1145 = ((((_e1134.x * _e165.direction.x) + (_e1134.y * _e165.direction.y)) + (_e1134.z * _e165.direction.z)) + (_e1134.w * 0f));
-                                            let _e1150 = instances.member[(0u + _e991)].root;
-                                            let _e1152 = instances.member[(0u + _e991)].first_triangle;
-                                            let _e1156 = abs(_e1119);
-                                            let _e1157 = abs(_e1132);
-                                            let _e1158 = abs(_e1145);
-                                            if (abs(_e1075) < 1000000000000000f) {
-                                                if (abs(_e1088) < 1000000000000000f) {
-                                                    if (abs(_e1101) < 1000000000000000f) {
-                                                        if (_e1156 < 1000000000000000f) {
-                                                            if (_e1157 < 1000000000000000f) {
-                                                                if (_e1158 < 1000000000000000f) {
-                                                                    if (_e1156 > 0f) {
+                                let _e1042 = phi_1582_;
+                                let _e1046 = core_intrinsics_maximum_number_nsz_f32_((_e1024 - _e384), (_e1027 - _e385));
+                                let _e1047 = core_intrinsics_maximum_number_nsz_f32_(_e1046, (_e1030 - _e386));
+                                let _e1048 = core_intrinsics_minimum_number_nsz_f32_((_e1036 + _e384), (_e1039 + _e385));
+                                let _e1049 = core_intrinsics_minimum_number_nsz_f32_(_e1048, (_e1042 + _e386));
+                                if (_e1047 <= _e1049) {
+                                    if (_e1047 <= _e980.t) {
+                                        if (_e1049 >= _e165.tmin) {
+                                            let _e1061 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1072 = ((((_e1061.x * _e165.origin.x) + (_e1061.y * _e165.origin.y)) + (_e1061.z * _e165.origin.z)) + (_e1061.w * 1f));
+                                            let _e1074 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1085 = ((((_e1074.x * _e165.origin.x) + (_e1074.y * _e165.origin.y)) + (_e1074.z * _e165.origin.z)) + (_e1074.w * 1f));
+                                            let _e1087 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1098 = ((((_e1087.x * _e165.origin.x) + (_e1087.y * _e165.origin.y)) + (_e1087.z * _e165.origin.z)) + (_e1087.w * 1f));
+                                            let _e1105 = instances.member[(0u + _e988)].world_to_object[0u];
+                                            let _e1116 = ((((_e1105.x * _e165.direction.x) + (_e1105.y * _e165.direction.y)) + (_e1105.z * _e165.direction.z)) + (_e1105.w * 0f));
+                                            let _e1118 = instances.member[(0u + _e988)].world_to_object[1u];
+                                            let _e1129 = ((((_e1118.x * _e165.direction.x) + (_e1118.y * _e165.direction.y)) + (_e1118.z * _e165.direction.z)) + (_e1118.w * 0f));
+                                            let _e1131 = instances.member[(0u + _e988)].world_to_object[2u];
+                                            let _e1142 = ((((_e1131.x * _e165.direction.x) + (_e1131.y * _e165.direction.y)) + (_e1131.z * _e165.direction.z)) + (_e1131.w * 0f));
+                                            let _e1147 = instances.member[(0u + _e988)].root;
+                                            let _e1149 = instances.member[(0u + _e988)].first_triangle;
+                                            let _e1153 = abs(_e1116);
+                                            let _e1154 = abs(_e1129);
+                                            let _e1155 = abs(_e1142);
+                                            if (abs(_e1072) < 1000000000000000f) {
+                                                if (abs(_e1085) < 1000000000000000f) {
+                                                    if (abs(_e1098) < 1000000000000000f) {
+                                                        if (_e1153 < 1000000000000000f) {
+                                                            if (_e1154 < 1000000000000000f) {
+                                                                if (_e1155 < 1000000000000000f) {
+                                                                    if (_e1153 > 0f) {
                                                                         phi_1739_ = bool();
                                                                         phi_1740_ = true;
                                                                     } else {
-                                                                        let _e1166 = (_e1157 > 0f);
-                                                                        if _e1166 {
+                                                                        let _e1163 = (_e1154 > 0f);
+                                                                        if _e1163 {
                                                                             phi_1738_ = bool();
                                                                         } else {
-                                                                            phi_1738_ = (_e1158 > 0f);
+                                                                            phi_1738_ = (_e1155 > 0f);
                                                                         }
-                                                                        let _e1169 = phi_1738_;
-                                                                        phi_1739_ = _e1169;
-                                                                        phi_1740_ = _e1166;
+                                                                        let _e1166 = phi_1738_;
+                                                                        phi_1739_ = _e1166;
+                                                                        phi_1740_ = _e1163;
                                                                     }
-                                                                    let _e1171 = phi_1739_;
-                                                                    let _e1173 = phi_1740_;
-                                                                    if _e1173 {
+                                                                    let _e1168 = phi_1739_;
+                                                                    let _e1170 = phi_1740_;
+                                                                    if _e1170 {
                                                                         phi_1744_ = true;
                                                                     } else {
-                                                                        phi_1744_ = _e1171;
+                                                                        phi_1744_ = _e1168;
                                                                     }
-                                                                    let _e1175 = phi_1744_;
-                                                                    phi_1745_ = _e1175;
+                                                                    let _e1172 = phi_1744_;
+                                                                    phi_1745_ = _e1172;
                                                                     phi_1746_ = false;
                                                                 } else {
                                                                     phi_1745_ = bool();
                                                                     phi_1746_ = true;
                                                                 }
-                                                                let _e1177 = phi_1745_;
-                                                                let _e1179 = phi_1746_;
-                                                                phi_1747_ = _e1177;
+                                                                let _e1174 = phi_1745_;
+                                                                let _e1176 = phi_1746_;
+                                                                phi_1747_ = _e1174;
                                                                 phi_1748_ = false;
-                                                                phi_1749_ = _e1179;
+                                                                phi_1749_ = _e1176;
                                                             } else {
                                                                 phi_1747_ = bool();
                                                                 phi_1748_ = true;
                                                                 phi_1749_ = false;
                                                             }
-                                                            let _e1181 = phi_1747_;
-                                                            let _e1183 = phi_1748_;
-                                                            let _e1185 = phi_1749_;
-                                                            phi_1750_ = _e1181;
-                                                            phi_1751_ = _e1183;
-                                                            phi_1752_ = _e1185;
+                                                            let _e1178 = phi_1747_;
+                                                            let _e1180 = phi_1748_;
+                                                            let _e1182 = phi_1749_;
+                                                            phi_1750_ = _e1178;
+                                                            phi_1751_ = _e1180;
+                                                            phi_1752_ = _e1182;
                                                         } else {
                                                             phi_1750_ = bool();
                                                             phi_1751_ = true;
                                                             phi_1752_ = false;
                                                         }
-                                                        let _e1187 = phi_1750_;
-                                                        let _e1189 = phi_1751_;
-                                                        let _e1191 = phi_1752_;
-                                                        phi_1753_ = _e1187;
-                                                        phi_1754_ = _e1189;
-                                                        phi_1755_ = _e1191;
+                                                        let _e1184 = phi_1750_;
+                                                        let _e1186 = phi_1751_;
+                                                        let _e1188 = phi_1752_;
+                                                        phi_1753_ = _e1184;
+                                                        phi_1754_ = _e1186;
+                                                        phi_1755_ = _e1188;
                                                     } else {
                                                         phi_1753_ = bool();
                                                         phi_1754_ = true;
                                                         phi_1755_ = false;
                                                     }
-                                                    let _e1193 = phi_1753_;
-                                                    let _e1195 = phi_1754_;
-                                                    let _e1197 = phi_1755_;
-                                                    phi_1756_ = _e1193;
-                                                    phi_1757_ = _e1195;
-                                                    phi_1758_ = _e1197;
+                                                    let _e1190 = phi_1753_;
+                                                    let _e1192 = phi_1754_;
+                                                    let _e1194 = phi_1755_;
+                                                    phi_1756_ = _e1190;
+                                                    phi_1757_ = _e1192;
+                                                    phi_1758_ = _e1194;
                                                 } else {
                                                     phi_1756_ = bool();
                                                     phi_1757_ = true;
                                                     phi_1758_ = false;
                                                 }
-                                                let _e1199 = phi_1756_;
-                                                let _e1201 = phi_1757_;
-                                                let _e1203 = phi_1758_;
-                                                phi_1759_ = _e1199;
-                                                phi_1760_ = _e1201;
-                                                phi_1761_ = _e1203;
+                                                let _e1196 = phi_1756_;
+                                                let _e1198 = phi_1757_;
+                                                let _e1200 = phi_1758_;
+                                                phi_1759_ = _e1196;
+                                                phi_1760_ = _e1198;
+                                                phi_1761_ = _e1200;
                                             } else {
                                                 phi_1759_ = bool();
                                                 phi_1760_ = true;
                                                 phi_1761_ = false;
                                             }
-                                            let _e1205 = phi_1759_;
-                                            let _e1207 = phi_1760_;
-                                            let _e1209 = phi_1761_;
-                                            if _e1207 {
+                                            let _e1202 = phi_1759_;
+                                            let _e1204 = phi_1760_;
+                                            let _e1206 = phi_1761_;
+                                            if _e1204 {
                                                 phi_1765_ = true;
                                             } else {
-                                                phi_1765_ = _e1209;
+                                                phi_1765_ = _e1206;
                                             }
-                                            let _e1211 = phi_1765_;
-                                            if _e1211 {
+                                            let _e1208 = phi_1765_;
+                                            if _e1208 {
                                                 phi_1769_ = false;
                                             } else {
-                                                phi_1769_ = _e1205;
+                                                phi_1769_ = _e1202;
                                             }
-                                            let _e1213 = phi_1769_;
-                                            if _e1213 {
-                                                let _e1214 = (_e1150 >= _e78);
-                                                if _e1214 {
+                                            let _e1210 = phi_1769_;
+                                            if _e1210 {
+                                                let _e1211 = (_e1147 >= _e78);
+                                                if _e1211 {
                                                     phi_3172_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1150 < _e78) {
+                                                    if (_e1147 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
-                                                    let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
-                                                    let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
-                                                    let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
-                                                    let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1119), abs(_e1132));
-                                                    let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1145));
-                                                    let _e1280 = (_e1279 * 0.0000000000009094947f);
-                                                    if (abs(_e1119) < _e1280) {
-                                                        phi_1839_ = _e1280;
+                                                    let _e1217 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1221 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1225 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1229 = nodes.member[(0u + _e1147)].frame[0u];
+                                                    let _e1233 = nodes.member[(0u + _e1147)].frame[1u];
+                                                    let _e1237 = nodes.member[(0u + _e1147)].frame[2u];
+                                                    let _e1241 = nodes.member[(0u + _e1147)].frame[3u];
+                                                    let _e1275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1116), abs(_e1129));
+                                                    let _e1276 = core_intrinsics_maximum_number_nsz_f32_(_e1275, abs(_e1142));
+                                                    let _e1277 = (_e1276 * 0.0000000000009094947f);
+                                                    if (abs(_e1116) < _e1277) {
+                                                        phi_1839_ = _e1277;
                                                     } else {
-                                                        phi_1839_ = abs(_e1119);
+                                                        phi_1839_ = abs(_e1116);
                                                     }
-                                                    let _e1285 = phi_1839_;
-                                                    if (_e1119 < 0f) {
-                                                        phi_1846_ = (-1f / _e1285);
+                                                    let _e1282 = phi_1839_;
+                                                    if (_e1116 < 0f) {
+                                                        phi_1846_ = (-1f / _e1282);
                                                     } else {
-                                                        phi_1846_ = (1f / _e1285);
+                                                        phi_1846_ = (1f / _e1282);
                                                     }
-                                                    let _e1290 = phi_1846_;
-                                                    if (abs(_e1132) < _e1280) {
-                                                        phi_1853_ = _e1280;
+                                                    let _e1287 = phi_1846_;
+                                                    if (abs(_e1129) < _e1277) {
+                                                        phi_1853_ = _e1277;
                                                     } else {
-                                                        phi_1853_ = abs(_e1132);
+                                                        phi_1853_ = abs(_e1129);
                                                     }
-                                                    let _e1295 = phi_1853_;
-                                                    if (_e1132 < 0f) {
-                                                        phi_1860_ = (-1f / _e1295);
+                                                    let _e1292 = phi_1853_;
+                                                    if (_e1129 < 0f) {
+                                                        phi_1860_ = (-1f / _e1292);
                                                     } else {
-                                                        phi_1860_ = (1f / _e1295);
+                                                        phi_1860_ = (1f / _e1292);
                                                     }
-                                                    let _e1300 = phi_1860_;
-                                                    if (abs(_e1145) < _e1280) {
-                                                        phi_1867_ = _e1280;
+                                                    let _e1297 = phi_1860_;
+                                                    if (abs(_e1142) < _e1277) {
+                                                        phi_1867_ = _e1277;
                                                     } else {
-                                                        phi_1867_ = abs(_e1145);
+                                                        phi_1867_ = abs(_e1142);
                                                     }
-                                                    let _e1305 = phi_1867_;
-                                                    if (_e1145 < 0f) {
-                                                        phi_1874_ = (-1f / _e1305);
+                                                    let _e1302 = phi_1867_;
+                                                    if (_e1142 < 0f) {
+                                                        phi_1874_ = (-1f / _e1302);
                                                     } else {
-                                                        phi_1874_ = (1f / _e1305);
+                                                        phi_1874_ = (1f / _e1302);
                                                     }
-                                                    let _e1310 = phi_1874_;
-                                                    let _e1314 = abs((bitcast<f32>(_e1220) - _e1075));
-                                                    let _e1315 = abs((bitcast<f32>(_e1224) - _e1088));
-                                                    let _e1316 = abs((bitcast<f32>(_e1228) - _e1101));
-                                                    let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1075));
-                                                    let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1088));
-                                                    let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1101));
-                                                    if (_e1314 > _e1320) {
-                                                        phi_1891_ = _e1314;
+                                                    let _e1307 = phi_1874_;
+                                                    let _e1311 = abs((bitcast<f32>(_e1217) - _e1072));
+                                                    let _e1312 = abs((bitcast<f32>(_e1221) - _e1085));
+                                                    let _e1313 = abs((bitcast<f32>(_e1225) - _e1098));
+                                                    let _e1317 = abs(((bitcast<f32>(_e1229) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1072));
+                                                    let _e1318 = abs(((bitcast<f32>(_e1233) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1085));
+                                                    let _e1319 = abs(((bitcast<f32>(_e1237) + (bitcast<f32>((((_e1241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1098));
+                                                    if (_e1311 > _e1317) {
+                                                        phi_1891_ = _e1311;
                                                     } else {
-                                                        phi_1891_ = _e1320;
+                                                        phi_1891_ = _e1317;
                                                     }
-                                                    let _e1325 = phi_1891_;
-                                                    if (_e1315 > _e1321) {
-                                                        phi_1896_ = _e1315;
+                                                    let _e1322 = phi_1891_;
+                                                    if (_e1312 > _e1318) {
+                                                        phi_1896_ = _e1312;
                                                     } else {
-                                                        phi_1896_ = _e1321;
+                                                        phi_1896_ = _e1318;
                                                     }
-                                                    let _e1328 = phi_1896_;
-                                                    if (_e1316 > _e1322) {
-                                                        phi_1901_ = _e1316;
+                                                    let _e1325 = phi_1896_;
+                                                    if (_e1313 > _e1319) {
+                                                        phi_1901_ = _e1313;
                                                     } else {
-                                                        phi_1901_ = _e1322;
+                                                        phi_1901_ = _e1319;
                                                     }
-                                                    let _e1331 = phi_1901_;
-                                                    let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
-                                                    let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
-                                                    let _e1337 = (_e1333 * 0.0000019073486f);
-                                                    let _e1338 = (abs(_e1290) * _e1337);
-                                                    let _e1339 = (abs(_e1300) * _e1337);
-                                                    let _e1340 = (abs(_e1310) * _e1337);
-                                                    let _e1344 = (_e1333 * 0.0000009536743f);
-                                                    let _e1345 = (abs(_e1290) * _e1344);
-                                                    let _e1346 = (abs(_e1300) * _e1344);
-                                                    let _e1347 = (abs(_e1310) * _e1344);
-                                                    let _e1348 = abs(_e1119);
-                                                    let _e1349 = abs(_e1132);
-                                                    let _e1350 = abs(_e1145);
-                                                    if (_e1348 >= _e1349) {
-                                                        if (_e1348 >= _e1350) {
+                                                    let _e1328 = phi_1901_;
+                                                    let _e1329 = core_intrinsics_maximum_number_nsz_f32_(_e1322, _e1325);
+                                                    let _e1330 = core_intrinsics_maximum_number_nsz_f32_(_e1329, _e1328);
+                                                    let _e1334 = (_e1330 * 0.0000019073486f);
+                                                    let _e1335 = (abs(_e1287) * _e1334);
+                                                    let _e1336 = (abs(_e1297) * _e1334);
+                                                    let _e1337 = (abs(_e1307) * _e1334);
+                                                    let _e1341 = (_e1330 * 0.0000009536743f);
+                                                    let _e1342 = (abs(_e1287) * _e1341);
+                                                    let _e1343 = (abs(_e1297) * _e1341);
+                                                    let _e1344 = (abs(_e1307) * _e1341);
+                                                    let _e1345 = abs(_e1116);
+                                                    let _e1346 = abs(_e1129);
+                                                    let _e1347 = abs(_e1142);
+                                                    if (_e1345 >= _e1346) {
+                                                        if (_e1345 >= _e1347) {
                                                             phi_1929_ = false;
                                                         } else {
                                                             phi_1929_ = true;
                                                         }
-                                                        let _e1354 = phi_1929_;
-                                                        phi_1930_ = _e1354;
+                                                        let _e1351 = phi_1929_;
+                                                        phi_1930_ = _e1351;
                                                     } else {
                                                         phi_1930_ = true;
                                                     }
-                                                    let _e1356 = phi_1930_;
-                                                    if _e1356 {
-                                                        if (_e1349 >= _e1350) {
+                                                    let _e1353 = phi_1930_;
+                                                    if _e1353 {
+                                                        if (_e1346 >= _e1347) {
                                                             phi_1938_ = 1u;
                                                         } else {
                                                             phi_1938_ = 2u;
                                                         }
-                                                        let _e1359 = phi_1938_;
-                                                        phi_1939_ = _e1359;
+                                                        let _e1356 = phi_1938_;
+                                                        phi_1939_ = _e1356;
                                                     } else {
                                                         phi_1939_ = 0u;
                                                     }
-                                                    let _e1361 = phi_1939_;
-                                                    if (_e1361 == 0u) {
-                                                        phi_1951_ = vec3<f32>(_e1132, _e1145, _e1119);
+                                                    let _e1358 = phi_1939_;
+                                                    if (_e1358 == 0u) {
+                                                        phi_1951_ = vec3<f32>(_e1129, _e1142, _e1116);
                                                     } else {
-                                                        if (_e1361 == 1u) {
-                                                            phi_1950_ = vec3<f32>(_e1145, _e1119, _e1132);
+                                                        if (_e1358 == 1u) {
+                                                            phi_1950_ = vec3<f32>(_e1142, _e1116, _e1129);
                                                         } else {
-                                                            phi_1950_ = vec3<f32>(_e1119, _e1132, _e1145);
+                                                            phi_1950_ = vec3<f32>(_e1116, _e1129, _e1142);
                                                         }
-                                                        let _e1367 = phi_1950_;
-                                                        phi_1951_ = _e1367;
+                                                        let _e1364 = phi_1950_;
+                                                        phi_1951_ = _e1364;
                                                     }
-                                                    let _e1369 = phi_1951_;
-                                                    let _e1372 = (_e1369.x / _e1369.z);
-                                                    let _e1375 = (_e1369.y / _e1369.z);
-                                                    if (_e1290 < 0f) {
+                                                    let _e1366 = phi_1951_;
+                                                    let _e1369 = (_e1366.x / _e1366.z);
+                                                    let _e1372 = (_e1366.y / _e1366.z);
+                                                    if (_e1287 < 0f) {
                                                         phi_1964_ = 0u;
                                                     } else {
                                                         phi_1964_ = 1u;
                                                     }
-                                                    let _e1380 = phi_1964_;
-                                                    if (_e1300 < 0f) {
+                                                    let _e1377 = phi_1964_;
+                                                    if (_e1297 < 0f) {
                                                         phi_1969_ = 0u;
                                                     } else {
                                                         phi_1969_ = 2u;
                                                     }
-                                                    let _e1383 = phi_1969_;
-                                                    if (_e1310 < 0f) {
+                                                    let _e1380 = phi_1969_;
+                                                    if (_e1307 < 0f) {
                                                         phi_1974_ = 0u;
                                                     } else {
                                                         phi_1974_ = 4u;
                                                     }
-                                                    let _e1386 = phi_1974_;
-                                                    let _e1388 = ((_e1380 | _e1383) | _e1386);
-                                                    let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
-                                                    let _e1463 = local_1.group_mask;
-                                                    if ((_e1463 & 4278190080u) == 0u) {
-                                                        let _e1467 = local_1.len;
-                                                        if (_e1467 == 0u) {
+                                                    let _e1383 = phi_1974_;
+                                                    let _e1385 = ((_e1377 | _e1380) | _e1383);
+                                                    let _e1386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1147, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1386.first[0], _e1386.first[1], _e1386.first[2], _e1386.first[3], _e1386.first[4], _e1386.first[5], _e1386.first[6], _e1386.first[7], _e1386.first[8], _e1386.first[9], _e1386.first[10], _e1386.first[11], _e1386.first[12], _e1386.first[13], _e1386.first[14], _e1386.first[15], _e1386.first[16], _e1386.first[17], _e1386.first[18], _e1386.first[19], _e1386.first[20], _e1386.first[21], _e1386.first[22], _e1386.first[23], _e1386.first[24], _e1386.first[25], _e1386.first[26], _e1386.first[27], _e1386.first[28], _e1386.first[29], _e1386.first[30], _e1386.first[31]), array<u32, 32>(_e1386.mask[0], _e1386.mask[1], _e1386.mask[2], _e1386.mask[3], _e1386.mask[4], _e1386.mask[5], _e1386.mask[6], _e1386.mask[7], _e1386.mask[8], _e1386.mask[9], _e1386.mask[10], _e1386.mask[11], _e1386.mask[12], _e1386.mask[13], _e1386.mask[14], _e1386.mask[15], _e1386.mask[16], _e1386.mask[17], _e1386.mask[18], _e1386.mask[19], _e1386.mask[20], _e1386.mask[21], _e1386.mask[22], _e1386.mask[23], _e1386.mask[24], _e1386.mask[25], _e1386.mask[26], _e1386.mask[27], _e1386.mask[28], _e1386.mask[29], _e1386.mask[30], _e1386.mask[31]), _e1386.len, _e1386.group, _e1386.group_mask);
+                                                    let _e1460 = local_1.group_mask;
+                                                    if ((_e1460 & 4278190080u) == 0u) {
+                                                        let _e1464 = local_1.len;
+                                                        if (_e1464 == 0u) {
                                                             phi_2088_ = false;
                                                         } else {
+                                                            let _e1468 = local_1.len;
+                                                            local_1.len = (_e1468 - 1u);
                                                             let _e1471 = local_1.len;
-                                                            local_1.len = (_e1471 - 1u);
-                                                            let _e1474 = local_1.len;
-                                                            if (_e1474 < 32u) {
+                                                            if (_e1471 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1479 = local_1.first[(0u + _e1474)];
-                                                            local_1.group = _e1479;
-                                                            let _e1482 = local_1.len;
-                                                            if (_e1482 < 32u) {
+                                                            let _e1476 = local_1.first[(0u + _e1471)];
+                                                            local_1.group = _e1476;
+                                                            let _e1479 = local_1.len;
+                                                            if (_e1479 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1487 = local_1.mask[(0u + _e1482)];
-                                                            local_1.group_mask = _e1487;
+                                                            let _e1484 = local_1.mask[(0u + _e1479)];
+                                                            local_1.group_mask = _e1484;
                                                             phi_2088_ = true;
                                                         }
-                                                        let _e1490 = phi_2088_;
-                                                        phi_2089_ = _e1490;
+                                                        let _e1487 = phi_2088_;
+                                                        phi_2089_ = _e1487;
                                                     } else {
                                                         phi_2089_ = true;
                                                     }
-                                                    let _e1492 = phi_2089_;
-                                                    if _e1492 {
-                                                        let _e1494 = local_1.group_mask;
-                                                        let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
-                                                        let _e1504 = local_1.group_mask;
-                                                        let _e1518 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
-                                                        let _e1521 = local_1.group;
-                                                        phi_2120_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1489 = phi_2089_;
+                                                    if _e1489 {
+                                                        let _e1491 = local_1.group_mask;
+                                                        let _e1497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1491)), 32u, (_e1491 == 0u)));
+                                                        let _e1501 = local_1.group_mask;
+                                                        let _e1515 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1515 & ~((1u << bitcast<u32>((_e1497 & 31u)))));
+                                                        let _e1518 = local_1.group;
+                                                        phi_2120_ = (_e1518 + countOneBits(((_e1501 & ~((4294967295u << bitcast<u32>((((_e1497 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
                                                         phi_2120_ = 4294967295u;
                                                     }
-                                                    let _e1524 = phi_2120_;
-                                                    phi_2122_ = _e983;
-                                                    phi_2125_ = _e1524;
+                                                    let _e1521 = phi_2120_;
+                                                    phi_2122_ = _e980;
+                                                    phi_2125_ = _e1521;
                                                     loop {
-                                                        let _e1526 = phi_2122_;
-                                                        let _e1528 = phi_2125_;
-                                                        local_10 = _e1526;
-                                                        let _e1529 = (_e1528 != 4294967295u);
-                                                        if _e1529 {
-                                                            if (_e1528 < _e78) {
+                                                        let _e1523 = phi_2122_;
+                                                        let _e1525 = phi_2125_;
+                                                        local_10 = _e1523;
+                                                        let _e1526 = (_e1525 != 4294967295u);
+                                                        if _e1526 {
+                                                            if (_e1525 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1536 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1561 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1562 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
-                                                            let _e1563 = (bitcast<f32>((((_e1536 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
-                                                            let _e1566 = nodes.member[(0u + _e1528)].frame[0u];
-                                                            let _e1570 = nodes.member[(0u + _e1528)].frame[1u];
-                                                            let _e1574 = nodes.member[(0u + _e1528)].frame[2u];
-                                                            let _e1579 = ((bitcast<f32>(_e1566) - _e1075) * _e1290);
-                                                            let _e1580 = ((bitcast<f32>(_e1570) - _e1088) * _e1300);
-                                                            let _e1581 = ((bitcast<f32>(_e1574) - _e1101) * _e1310);
-                                                            let _e1589 = nodes.member[(0u + _e1528)].x;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1600.unnamed.word, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_mask_LightPlace(_e1589.x, _e1606.unnamed_1.shift));
-                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_mask_LightPlace(_e1612.unnamed_1.word, _e1589.y));
+                                                            let _e1533 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1558 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
+                                                            let _e1559 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1297);
+                                                            let _e1560 = (bitcast<f32>((((_e1533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1307);
+                                                            let _e1563 = nodes.member[(0u + _e1525)].frame[0u];
+                                                            let _e1567 = nodes.member[(0u + _e1525)].frame[1u];
+                                                            let _e1571 = nodes.member[(0u + _e1525)].frame[2u];
+                                                            let _e1576 = ((bitcast<f32>(_e1563) - _e1072) * _e1287);
+                                                            let _e1577 = ((bitcast<f32>(_e1567) - _e1085) * _e1297);
+                                                            let _e1578 = ((bitcast<f32>(_e1571) - _e1098) * _e1307);
+                                                            let _e1586 = nodes.member[(0u + _e1525)].x;
+                                                            if (_e1287 < 0f) {
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1597.unnamed.word, _e1586.w), _e1597.unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_mask_LightPlace(_e1586.x, _e1603.unnamed_1.shift));
+                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_mask_LightPlace(_e1609.unnamed_1.word, _e1586.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.unnamed.word, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_mask_LightPlace(_e1589.z, _e1634.unnamed_1.shift));
-                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_mask_LightPlace(_e1640.unnamed_1.word, _e1589.w));
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1625.unnamed.word, _e1586.y), _e1625.unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_mask_LightPlace(_e1586.z, _e1631.unnamed_1.shift));
+                                                                phi_2206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_mask_LightPlace(_e1637.unnamed_1.word, _e1586.w));
                                                             }
-                                                            let _e1648 = phi_2206_;
-                                                            let _e1658 = nodes.member[(0u + _e1528)].y;
-                                                            if (_e1300 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1669.unnamed.word, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1658.x, _e1675.unnamed_1.shift));
-                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_mask_LightPlace(_e1681.unnamed_1.word, _e1658.y));
+                                                            let _e1645 = phi_2206_;
+                                                            let _e1655 = nodes.member[(0u + _e1525)].y;
+                                                            if (_e1297 < 0f) {
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1666.unnamed.word, _e1655.w), _e1666.unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_mask_LightPlace(_e1655.x, _e1672.unnamed_1.shift));
+                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_mask_LightPlace(_e1678.unnamed_1.word, _e1655.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1697.unnamed.word, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_mask_LightPlace(_e1658.z, _e1703.unnamed_1.shift));
-                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_mask_LightPlace(_e1709.unnamed_1.word, _e1658.w));
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1694.unnamed.word, _e1655.y), _e1694.unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_mask_LightPlace(_e1655.z, _e1700.unnamed_1.shift));
+                                                                phi_2233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_mask_LightPlace(_e1706.unnamed_1.word, _e1655.w));
                                                             }
-                                                            let _e1717 = phi_2233_;
-                                                            let _e1727 = nodes.member[(0u + _e1528)].z;
-                                                            if (_e1310 < 0f) {
-                                                                let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1738.unnamed.word, _e1727.w), _e1738.unnamed_1);
-                                                                let _e1750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1727.x, _e1744.unnamed_1.shift));
-                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1750.unnamed, lt_mask_LightPlace(_e1750.unnamed_1.word, _e1727.y));
+                                                            let _e1714 = phi_2233_;
+                                                            let _e1724 = nodes.member[(0u + _e1525)].z;
+                                                            if (_e1307 < 0f) {
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1735.unnamed.word, _e1724.w), _e1735.unnamed_1);
+                                                                let _e1747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1741.unnamed, lt_mask_LightPlace(_e1724.x, _e1741.unnamed_1.shift));
+                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1747.unnamed, lt_mask_LightPlace(_e1747.unnamed_1.word, _e1724.y));
                                                             } else {
-                                                                let _e1766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1727.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1766.unnamed.word, _e1727.y), _e1766.unnamed_1);
-                                                                let _e1778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1772.unnamed, lt_mask_LightPlace(_e1727.z, _e1772.unnamed_1.shift));
-                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1778.unnamed, lt_mask_LightPlace(_e1778.unnamed_1.word, _e1727.w));
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1763.unnamed.word, _e1724.y), _e1763.unnamed_1);
+                                                                let _e1775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1769.unnamed, lt_mask_LightPlace(_e1724.z, _e1769.unnamed_1.shift));
+                                                                phi_2260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1775.unnamed, lt_mask_LightPlace(_e1775.unnamed_1.word, _e1724.w));
                                                             }
-                                                            let _e1786 = phi_2260_;
+                                                            let _e1783 = phi_2260_;
                                                             phi_2266_ = 0u;
                                                             phi_2269_ = 0u;
                                                             loop {
-                                                                let _e1796 = phi_2266_;
-                                                                let _e1798 = phi_2269_;
-                                                                local_6 = _e1798;
-                                                                local_7 = _e1798;
-                                                                local_8 = _e1798;
-                                                                let _e1799 = (_e1796 < 8u);
-                                                                if _e1799 {
-                                                                    let _e1801 = (_e1796 >> bitcast<u32>(2i));
-                                                                    let _e1802 = (_e1796 & 3u);
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2283_ = _e1648.unnamed.word;
+                                                                let _e1793 = phi_2266_;
+                                                                let _e1795 = phi_2269_;
+                                                                local_6 = _e1795;
+                                                                local_7 = _e1795;
+                                                                local_8 = _e1795;
+                                                                let _e1796 = (_e1793 < 8u);
+                                                                if _e1796 {
+                                                                    let _e1798 = (_e1793 >> bitcast<u32>(2i));
+                                                                    let _e1799 = (_e1793 & 3u);
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2283_ = _e1645.unnamed.word;
                                                                     } else {
-                                                                        phi_2283_ = _e1648.unnamed.shift;
+                                                                        phi_2283_ = _e1645.unnamed.shift;
                                                                     }
-                                                                    let _e1805 = phi_2283_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2293_ = _e1717.unnamed.word;
+                                                                    let _e1802 = phi_2283_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2293_ = _e1714.unnamed.word;
                                                                     } else {
-                                                                        phi_2293_ = _e1717.unnamed.shift;
+                                                                        phi_2293_ = _e1714.unnamed.shift;
                                                                     }
-                                                                    let _e1814 = phi_2293_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2303_ = _e1786.unnamed.word;
+                                                                    let _e1811 = phi_2293_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2303_ = _e1783.unnamed.word;
                                                                     } else {
-                                                                        phi_2303_ = _e1786.unnamed.shift;
+                                                                        phi_2303_ = _e1783.unnamed.shift;
                                                                     }
-                                                                    let _e1823 = phi_2303_;
-                                                                    let _e1836 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1805 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1338)), ((f32(((_e1814 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1339)));
-                                                                    let _e1837 = core_intrinsics_maximum_number_nsz_f32_(_e1836, ((f32(((_e1823 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)));
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2321_ = _e1648.unnamed_1.word;
+                                                                    let _e1820 = phi_2303_;
+                                                                    let _e1833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1802 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 - _e1335)), ((f32(((_e1811 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 - _e1336)));
+                                                                    let _e1834 = core_intrinsics_maximum_number_nsz_f32_(_e1833, ((f32(((_e1820 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1337)));
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2321_ = _e1645.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2321_ = _e1648.unnamed_1.shift;
+                                                                        phi_2321_ = _e1645.unnamed_1.shift;
                                                                     }
-                                                                    let _e1840 = phi_2321_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2331_ = _e1717.unnamed_1.word;
+                                                                    let _e1837 = phi_2321_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2331_ = _e1714.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2331_ = _e1717.unnamed_1.shift;
+                                                                        phi_2331_ = _e1714.unnamed_1.shift;
                                                                     }
-                                                                    let _e1849 = phi_2331_;
-                                                                    if (_e1801 == 0u) {
-                                                                        phi_2341_ = _e1786.unnamed_1.word;
+                                                                    let _e1846 = phi_2331_;
+                                                                    if (_e1798 == 0u) {
+                                                                        phi_2341_ = _e1783.unnamed_1.word;
                                                                     } else {
-                                                                        phi_2341_ = _e1786.unnamed_1.shift;
+                                                                        phi_2341_ = _e1783.unnamed_1.shift;
                                                                     }
-                                                                    let _e1858 = phi_2341_;
-                                                                    let _e1871 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1338)), ((f32(((_e1849 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1339)));
-                                                                    let _e1872 = core_intrinsics_minimum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)));
-                                                                    if (_e1837 <= _e1872) {
-                                                                        if (_e1837 <= _e1526.t) {
-                                                                            if (_e1872 >= _e165.tmin) {
-                                                                                if (_e1801 == 0u) {
-                                                                                    let _e1879 = nodes.member[(0u + _e1528)].links[2u];
+                                                                    let _e1855 = phi_2341_;
+                                                                    let _e1868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1837 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1558) + (_e1576 + _e1335)), ((f32(((_e1846 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1559) + (_e1577 + _e1336)));
+                                                                    let _e1869 = core_intrinsics_minimum_number_nsz_f32_(_e1868, ((f32(((_e1855 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1337)));
+                                                                    if (_e1834 <= _e1869) {
+                                                                        if (_e1834 <= _e1523.t) {
+                                                                            if (_e1869 >= _e165.tmin) {
+                                                                                if (_e1798 == 0u) {
+                                                                                    let _e1876 = nodes.member[(0u + _e1525)].links[2u];
+                                                                                    phi_2377_ = _e1876;
+                                                                                } else {
+                                                                                    let _e1879 = nodes.member[(0u + _e1525)].links[3u];
                                                                                     phi_2377_ = _e1879;
-                                                                                } else {
-                                                                                    let _e1882 = nodes.member[(0u + _e1528)].links[3u];
-                                                                                    phi_2377_ = _e1882;
                                                                                 }
-                                                                                let _e1884 = phi_2377_;
-                                                                                let _e1889 = ((_e1884 >> bitcast<u32>(((_e1802 * 8u) & 31u))) & 255u);
-                                                                                let _e1890 = (_e1889 & 31u);
-                                                                                if (_e1890 >= 24u) {
-                                                                                    phi_2390_ = (24u + ((_e1890 - 24u) ^ _e1388));
+                                                                                let _e1881 = phi_2377_;
+                                                                                let _e1886 = ((_e1881 >> bitcast<u32>(((_e1799 * 8u) & 31u))) & 255u);
+                                                                                let _e1887 = (_e1886 & 31u);
+                                                                                if (_e1887 >= 24u) {
+                                                                                    phi_2390_ = (24u + ((_e1887 - 24u) ^ _e1385));
                                                                                 } else {
-                                                                                    phi_2390_ = _e1890;
+                                                                                    phi_2390_ = _e1887;
                                                                                 }
-                                                                                let _e1896 = phi_2390_;
-                                                                                phi_2395_ = (_e1798 | ((_e1889 >> bitcast<u32>(5i)) << bitcast<u32>((_e1896 & 31u))));
+                                                                                let _e1893 = phi_2390_;
+                                                                                phi_2395_ = (_e1795 | ((_e1886 >> bitcast<u32>(5i)) << bitcast<u32>((_e1893 & 31u))));
                                                                             } else {
-                                                                                phi_2395_ = _e1798;
+                                                                                phi_2395_ = _e1795;
                                                                             }
-                                                                            let _e1904 = phi_2395_;
-                                                                            phi_2396_ = _e1904;
+                                                                            let _e1901 = phi_2395_;
+                                                                            phi_2396_ = _e1901;
                                                                         } else {
-                                                                            phi_2396_ = _e1798;
+                                                                            phi_2396_ = _e1795;
                                                                         }
-                                                                        let _e1906 = phi_2396_;
-                                                                        phi_2397_ = _e1906;
+                                                                        let _e1903 = phi_2396_;
+                                                                        phi_2397_ = _e1903;
                                                                     } else {
-                                                                        phi_2397_ = _e1798;
+                                                                        phi_2397_ = _e1795;
                                                                     }
-                                                                    let _e1908 = phi_2397_;
-                                                                    phi_2267_ = (_e1796 + 1u);
-                                                                    phi_2270_ = _e1908;
+                                                                    let _e1905 = phi_2397_;
+                                                                    phi_2267_ = (_e1793 + 1u);
+                                                                    phi_2270_ = _e1905;
                                                                 } else {
                                                                     phi_2267_ = u32();
                                                                     phi_2270_ = u32();
                                                                 }
-                                                                let _e1911 = phi_2267_;
-                                                                let _e1913 = phi_2270_;
+                                                                let _e1908 = phi_2267_;
+                                                                let _e1910 = phi_2270_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2266_ = _e1911;
-                                                                    phi_2269_ = _e1913;
-                                                                    break if !(_e1799);
+                                                                    phi_2266_ = _e1908;
+                                                                    phi_2269_ = _e1910;
+                                                                    break if !(_e1796);
                                                                 }
                                                             }
-                                                            let _e1917 = nodes.member[(0u + _e1528)].links[0u];
-                                                            let _e1921 = nodes.member[(0u + _e1528)].frame[3u];
-                                                            let _e1925 = local_6;
-                                                            if ((_e1925 & 4278190080u) == 0u) {
+                                                            let _e1914 = nodes.member[(0u + _e1525)].links[0u];
+                                                            let _e1918 = nodes.member[(0u + _e1525)].frame[3u];
+                                                            let _e1922 = local_6;
+                                                            if ((_e1922 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1929 = local_1.group_mask;
-                                                                if ((_e1929 & 4278190080u) == 0u) {
+                                                                let _e1926 = local_1.group_mask;
+                                                                if ((_e1926 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1933 = local_1.len;
-                                                                    if (_e1933 < 32u) {
-                                                                        let _e1936 = local_1.group;
-                                                                        let _e1938 = local_1.len;
-                                                                        if (_e1938 < 32u) {
+                                                                    let _e1930 = local_1.len;
+                                                                    if (_e1930 < 32u) {
+                                                                        let _e1933 = local_1.group;
+                                                                        let _e1935 = local_1.len;
+                                                                        if (_e1935 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1938)] = _e1936;
-                                                                        let _e1944 = local_1.group_mask;
-                                                                        let _e1946 = local_1.len;
-                                                                        if (_e1946 < 32u) {
+                                                                        local_1.first[(0u + _e1935)] = _e1933;
+                                                                        let _e1941 = local_1.group_mask;
+                                                                        let _e1943 = local_1.len;
+                                                                        if (_e1943 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1946)] = _e1944;
-                                                                        let _e1953 = local_1.len;
-                                                                        local_1.len = (_e1953 + 1u);
+                                                                        local_1.mask[(0u + _e1943)] = _e1941;
+                                                                        let _e1950 = local_1.len;
+                                                                        local_1.len = (_e1950 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1150 + _e1917);
-                                                                let _e1957 = local_7;
-                                                                local_1.group_mask = ((_e1957 & 4278190080u) | (_e1921 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1147 + _e1914);
+                                                                let _e1954 = local_7;
+                                                                local_1.group_mask = ((_e1954 & 4278190080u) | (_e1918 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1962 = local_8;
-                                                            phi_2455_ = _e1526;
-                                                            phi_2458_ = (_e1962 & 16777215u);
+                                                            let _e1959 = local_8;
+                                                            phi_2455_ = _e1523;
+                                                            phi_2458_ = (_e1959 & 16777215u);
                                                             loop {
-                                                                let _e1965 = phi_2455_;
-                                                                let _e1967 = phi_2458_;
-                                                                local_9 = _e1965;
-                                                                if (_e1967 == 0u) {
+                                                                let _e1962 = phi_2455_;
+                                                                let _e1964 = phi_2458_;
+                                                                local_9 = _e1962;
+                                                                if (_e1964 == 0u) {
                                                                     phi_2456_ = lt_bvh_Hit();
                                                                     phi_2459_ = u32();
                                                                     phi_3100_ = false;
                                                                 } else {
-                                                                    let _e1971 = nodes.member[(0u + _e1528)].links[1u];
-                                                                    let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
-                                                                    if (_e1976 < _e81) {
+                                                                    let _e1968 = nodes.member[(0u + _e1525)].links[1u];
+                                                                    let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
+                                                                    if (_e1973 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1983 = triangles.member[(0u + _e1976)].v0_;
-                                                                    let _e1985 = (_e1983.x - _e1075);
-                                                                    let _e1987 = (_e1983.y - _e1088);
-                                                                    let _e1989 = (_e1983.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2503_ = vec3<f32>(_e1987, _e1989, _e1985);
+                                                                    let _e1980 = triangles.member[(0u + _e1973)].v0_;
+                                                                    let _e1982 = (_e1980.x - _e1072);
+                                                                    let _e1984 = (_e1980.y - _e1085);
+                                                                    let _e1986 = (_e1980.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2503_ = vec3<f32>(_e1984, _e1986, _e1982);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2502_ = vec3<f32>(_e1989, _e1985, _e1987);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2502_ = vec3<f32>(_e1986, _e1982, _e1984);
                                                                         } else {
-                                                                            phi_2502_ = (_e1983 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2502_ = (_e1980 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e1997 = phi_2502_;
-                                                                        phi_2503_ = _e1997;
+                                                                        let _e1994 = phi_2502_;
+                                                                        phi_2503_ = _e1994;
                                                                     }
-                                                                    let _e1999 = phi_2503_;
-                                                                    let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
-                                                                    let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
-                                                                    let _e2009 = triangles.member[(0u + _e1976)].v1_;
-                                                                    let _e2011 = (_e2009.x - _e1075);
-                                                                    let _e2013 = (_e2009.y - _e1088);
-                                                                    let _e2015 = (_e2009.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2533_ = vec3<f32>(_e2013, _e2015, _e2011);
+                                                                    let _e1996 = phi_2503_;
+                                                                    let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
+                                                                    let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
+                                                                    let _e2006 = triangles.member[(0u + _e1973)].v1_;
+                                                                    let _e2008 = (_e2006.x - _e1072);
+                                                                    let _e2010 = (_e2006.y - _e1085);
+                                                                    let _e2012 = (_e2006.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2533_ = vec3<f32>(_e2010, _e2012, _e2008);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2532_ = vec3<f32>(_e2015, _e2011, _e2013);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2532_ = vec3<f32>(_e2012, _e2008, _e2010);
                                                                         } else {
-                                                                            phi_2532_ = (_e2009 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2532_ = (_e2006 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2023 = phi_2532_;
-                                                                        phi_2533_ = _e2023;
+                                                                        let _e2020 = phi_2532_;
+                                                                        phi_2533_ = _e2020;
                                                                     }
-                                                                    let _e2025 = phi_2533_;
-                                                                    let _e2029 = (_e2025.x - (_e1372 * _e2025.z));
-                                                                    let _e2033 = (_e2025.y - (_e1375 * _e2025.z));
-                                                                    let _e2035 = triangles.member[(0u + _e1976)].v2_;
-                                                                    let _e2037 = (_e2035.x - _e1075);
-                                                                    let _e2039 = (_e2035.y - _e1088);
-                                                                    let _e2041 = (_e2035.z - _e1101);
-                                                                    if (_e1361 == 0u) {
-                                                                        phi_2563_ = vec3<f32>(_e2039, _e2041, _e2037);
+                                                                    let _e2022 = phi_2533_;
+                                                                    let _e2026 = (_e2022.x - (_e1369 * _e2022.z));
+                                                                    let _e2030 = (_e2022.y - (_e1372 * _e2022.z));
+                                                                    let _e2032 = triangles.member[(0u + _e1973)].v2_;
+                                                                    let _e2034 = (_e2032.x - _e1072);
+                                                                    let _e2036 = (_e2032.y - _e1085);
+                                                                    let _e2038 = (_e2032.z - _e1098);
+                                                                    if (_e1358 == 0u) {
+                                                                        phi_2563_ = vec3<f32>(_e2036, _e2038, _e2034);
                                                                     } else {
-                                                                        if (_e1361 == 1u) {
-                                                                            phi_2562_ = vec3<f32>(_e2041, _e2037, _e2039);
+                                                                        if (_e1358 == 1u) {
+                                                                            phi_2562_ = vec3<f32>(_e2038, _e2034, _e2036);
                                                                         } else {
-                                                                            phi_2562_ = (_e2035 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2562_ = (_e2032 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2049 = phi_2562_;
-                                                                        phi_2563_ = _e2049;
+                                                                        let _e2046 = phi_2562_;
+                                                                        phi_2563_ = _e2046;
                                                                     }
-                                                                    let _e2051 = phi_2563_;
-                                                                    let _e2055 = (_e2051.x - (_e1372 * _e2051.z));
-                                                                    let _e2059 = (_e2051.y - (_e1375 * _e2051.z));
-                                                                    if (_e2029 < _e2055) {
+                                                                    let _e2048 = phi_2563_;
+                                                                    let _e2052 = (_e2048.x - (_e1369 * _e2048.z));
+                                                                    let _e2056 = (_e2048.y - (_e1372 * _e2048.z));
+                                                                    if (_e2026 < _e2052) {
                                                                         phi_2582_ = true;
                                                                     } else {
-                                                                        if (_e2029 == _e2055) {
-                                                                            phi_2581_ = (_e2033 < _e2059);
+                                                                        if (_e2026 == _e2052) {
+                                                                            phi_2581_ = (_e2030 < _e2056);
                                                                         } else {
                                                                             phi_2581_ = false;
                                                                         }
-                                                                        let _e2064 = phi_2581_;
-                                                                        phi_2582_ = _e2064;
+                                                                        let _e2061 = phi_2581_;
+                                                                        phi_2582_ = _e2061;
                                                                     }
-                                                                    let _e2066 = phi_2582_;
-                                                                    if _e2066 {
-                                                                        phi_2586_ = _e2059;
-                                                                        phi_2587_ = _e2055;
-                                                                        phi_2588_ = _e2033;
-                                                                        phi_2589_ = _e2029;
+                                                                    let _e2063 = phi_2582_;
+                                                                    if _e2063 {
+                                                                        phi_2586_ = _e2056;
+                                                                        phi_2587_ = _e2052;
+                                                                        phi_2588_ = _e2030;
+                                                                        phi_2589_ = _e2026;
                                                                     } else {
-                                                                        phi_2586_ = _e2033;
-                                                                        phi_2587_ = _e2029;
-                                                                        phi_2588_ = _e2059;
-                                                                        phi_2589_ = _e2055;
+                                                                        phi_2586_ = _e2030;
+                                                                        phi_2587_ = _e2026;
+                                                                        phi_2588_ = _e2056;
+                                                                        phi_2589_ = _e2052;
                                                                     }
-                                                                    let _e2068 = phi_2586_;
-                                                                    let _e2070 = phi_2587_;
-                                                                    let _e2072 = phi_2588_;
-                                                                    let _e2074 = phi_2589_;
-                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
-                                                                    if _e2066 {
-                                                                        phi_2597_ = -(_e2077);
+                                                                    let _e2065 = phi_2586_;
+                                                                    let _e2067 = phi_2587_;
+                                                                    let _e2069 = phi_2588_;
+                                                                    let _e2071 = phi_2589_;
+                                                                    let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
+                                                                    if _e2063 {
+                                                                        phi_2597_ = -(_e2074);
                                                                     } else {
-                                                                        phi_2597_ = _e2077;
+                                                                        phi_2597_ = _e2074;
                                                                     }
-                                                                    let _e2080 = phi_2597_;
-                                                                    if (_e2055 < _e2003) {
+                                                                    let _e2077 = phi_2597_;
+                                                                    if (_e2052 < _e2000) {
                                                                         phi_2608_ = true;
                                                                     } else {
-                                                                        if (_e2055 == _e2003) {
-                                                                            phi_2607_ = (_e2059 < _e2007);
+                                                                        if (_e2052 == _e2000) {
+                                                                            phi_2607_ = (_e2056 < _e2004);
                                                                         } else {
                                                                             phi_2607_ = false;
                                                                         }
-                                                                        let _e2085 = phi_2607_;
-                                                                        phi_2608_ = _e2085;
+                                                                        let _e2082 = phi_2607_;
+                                                                        phi_2608_ = _e2082;
                                                                     }
-                                                                    let _e2087 = phi_2608_;
-                                                                    if _e2087 {
-                                                                        phi_2612_ = _e2007;
-                                                                        phi_2613_ = _e2003;
-                                                                        phi_2614_ = _e2059;
-                                                                        phi_2615_ = _e2055;
+                                                                    let _e2084 = phi_2608_;
+                                                                    if _e2084 {
+                                                                        phi_2612_ = _e2004;
+                                                                        phi_2613_ = _e2000;
+                                                                        phi_2614_ = _e2056;
+                                                                        phi_2615_ = _e2052;
                                                                     } else {
-                                                                        phi_2612_ = _e2059;
-                                                                        phi_2613_ = _e2055;
-                                                                        phi_2614_ = _e2007;
-                                                                        phi_2615_ = _e2003;
+                                                                        phi_2612_ = _e2056;
+                                                                        phi_2613_ = _e2052;
+                                                                        phi_2614_ = _e2004;
+                                                                        phi_2615_ = _e2000;
                                                                     }
-                                                                    let _e2089 = phi_2612_;
-                                                                    let _e2091 = phi_2613_;
-                                                                    let _e2093 = phi_2614_;
-                                                                    let _e2095 = phi_2615_;
-                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
-                                                                    if _e2087 {
-                                                                        phi_2623_ = -(_e2098);
+                                                                    let _e2086 = phi_2612_;
+                                                                    let _e2088 = phi_2613_;
+                                                                    let _e2090 = phi_2614_;
+                                                                    let _e2092 = phi_2615_;
+                                                                    let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
+                                                                    if _e2084 {
+                                                                        phi_2623_ = -(_e2095);
                                                                     } else {
-                                                                        phi_2623_ = _e2098;
+                                                                        phi_2623_ = _e2095;
                                                                     }
-                                                                    let _e2101 = phi_2623_;
-                                                                    if (_e2003 < _e2029) {
+                                                                    let _e2098 = phi_2623_;
+                                                                    if (_e2000 < _e2026) {
                                                                         phi_2634_ = true;
                                                                     } else {
-                                                                        if (_e2003 == _e2029) {
-                                                                            phi_2633_ = (_e2007 < _e2033);
+                                                                        if (_e2000 == _e2026) {
+                                                                            phi_2633_ = (_e2004 < _e2030);
                                                                         } else {
                                                                             phi_2633_ = false;
                                                                         }
-                                                                        let _e2106 = phi_2633_;
-                                                                        phi_2634_ = _e2106;
+                                                                        let _e2103 = phi_2633_;
+                                                                        phi_2634_ = _e2103;
                                                                     }
-                                                                    let _e2108 = phi_2634_;
-                                                                    if _e2108 {
-                                                                        phi_2638_ = _e2033;
-                                                                        phi_2639_ = _e2029;
-                                                                        phi_2640_ = _e2007;
-                                                                        phi_2641_ = _e2003;
+                                                                    let _e2105 = phi_2634_;
+                                                                    if _e2105 {
+                                                                        phi_2638_ = _e2030;
+                                                                        phi_2639_ = _e2026;
+                                                                        phi_2640_ = _e2004;
+                                                                        phi_2641_ = _e2000;
                                                                     } else {
-                                                                        phi_2638_ = _e2007;
-                                                                        phi_2639_ = _e2003;
-                                                                        phi_2640_ = _e2033;
-                                                                        phi_2641_ = _e2029;
+                                                                        phi_2638_ = _e2004;
+                                                                        phi_2639_ = _e2000;
+                                                                        phi_2640_ = _e2030;
+                                                                        phi_2641_ = _e2026;
                                                                     }
-                                                                    let _e2110 = phi_2638_;
-                                                                    let _e2112 = phi_2639_;
-                                                                    let _e2114 = phi_2640_;
-                                                                    let _e2116 = phi_2641_;
-                                                                    let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
-                                                                    if _e2108 {
-                                                                        phi_2649_ = -(_e2119);
+                                                                    let _e2107 = phi_2638_;
+                                                                    let _e2109 = phi_2639_;
+                                                                    let _e2111 = phi_2640_;
+                                                                    let _e2113 = phi_2641_;
+                                                                    let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
+                                                                    if _e2105 {
+                                                                        phi_2649_ = -(_e2116);
                                                                     } else {
-                                                                        phi_2649_ = _e2119;
+                                                                        phi_2649_ = _e2116;
                                                                     }
-                                                                    let _e2122 = phi_2649_;
-                                                                    if (_e2080 >= 0f) {
-                                                                        if (_e2101 >= 0f) {
-                                                                            if (_e2122 >= 0f) {
-                                                                                phi_2664_ = ((_e2080 + _e2101) + _e2122);
+                                                                    let _e2119 = phi_2649_;
+                                                                    if (_e2077 >= 0f) {
+                                                                        if (_e2098 >= 0f) {
+                                                                            if (_e2119 >= 0f) {
+                                                                                phi_2664_ = ((_e2077 + _e2098) + _e2119);
                                                                                 phi_2665_ = false;
                                                                             } else {
                                                                                 phi_2664_ = f32();
                                                                                 phi_2665_ = true;
                                                                             }
-                                                                            let _e2129 = phi_2664_;
-                                                                            let _e2131 = phi_2665_;
-                                                                            phi_2666_ = _e2129;
-                                                                            phi_2667_ = _e2131;
+                                                                            let _e2126 = phi_2664_;
+                                                                            let _e2128 = phi_2665_;
+                                                                            phi_2666_ = _e2126;
+                                                                            phi_2667_ = _e2128;
                                                                         } else {
                                                                             phi_2666_ = f32();
                                                                             phi_2667_ = true;
                                                                         }
-                                                                        let _e2133 = phi_2666_;
-                                                                        let _e2135 = phi_2667_;
-                                                                        phi_2668_ = _e2133;
-                                                                        phi_2669_ = _e2135;
+                                                                        let _e2130 = phi_2666_;
+                                                                        let _e2132 = phi_2667_;
+                                                                        phi_2668_ = _e2130;
+                                                                        phi_2669_ = _e2132;
                                                                     } else {
                                                                         phi_2668_ = f32();
                                                                         phi_2669_ = true;
                                                                     }
-                                                                    let _e2137 = phi_2668_;
-                                                                    let _e2139 = phi_2669_;
-                                                                    if _e2139 {
-                                                                        if (_e2080 <= 0f) {
-                                                                            if (_e2101 <= 0f) {
-                                                                                let _e2142 = (_e2122 <= 0f);
-                                                                                if _e2142 {
+                                                                    let _e2134 = phi_2668_;
+                                                                    let _e2136 = phi_2669_;
+                                                                    if _e2136 {
+                                                                        if (_e2077 <= 0f) {
+                                                                            if (_e2098 <= 0f) {
+                                                                                let _e2139 = (_e2119 <= 0f);
+                                                                                if _e2139 {
                                                                                 }
-                                                                                phi_2687_ = ((_e2080 + _e2101) + _e2122);
+                                                                                phi_2687_ = ((_e2077 + _e2098) + _e2119);
                                                                                 phi_2688_ = false;
-                                                                                phi_2689_ = _e2142;
+                                                                                phi_2689_ = _e2139;
                                                                             } else {
                                                                                 phi_2687_ = f32();
                                                                                 phi_2688_ = true;
                                                                                 phi_2689_ = false;
                                                                             }
-                                                                            let _e2146 = phi_2687_;
-                                                                            let _e2148 = phi_2688_;
-                                                                            let _e2150 = phi_2689_;
-                                                                            phi_2690_ = _e2146;
-                                                                            phi_2691_ = _e2148;
-                                                                            phi_2692_ = _e2150;
+                                                                            let _e2143 = phi_2687_;
+                                                                            let _e2145 = phi_2688_;
+                                                                            let _e2147 = phi_2689_;
+                                                                            phi_2690_ = _e2143;
+                                                                            phi_2691_ = _e2145;
+                                                                            phi_2692_ = _e2147;
                                                                         } else {
                                                                             phi_2690_ = f32();
                                                                             phi_2691_ = true;
                                                                             phi_2692_ = false;
                                                                         }
-                                                                        let _e2152 = phi_2690_;
-                                                                        let _e2154 = phi_2691_;
-                                                                        let _e2156 = phi_2692_;
-                                                                        if _e2154 {
+                                                                        let _e2149 = phi_2690_;
+                                                                        let _e2151 = phi_2691_;
+                                                                        let _e2153 = phi_2692_;
+                                                                        if _e2151 {
                                                                             phi_2696_ = false;
                                                                         } else {
-                                                                            phi_2696_ = _e2156;
+                                                                            phi_2696_ = _e2153;
                                                                         }
-                                                                        let _e2158 = phi_2696_;
-                                                                        phi_2697_ = _e2152;
-                                                                        phi_2698_ = _e2158;
+                                                                        let _e2155 = phi_2696_;
+                                                                        phi_2697_ = _e2149;
+                                                                        phi_2698_ = _e2155;
                                                                     } else {
-                                                                        phi_2697_ = _e2137;
+                                                                        phi_2697_ = _e2134;
                                                                         phi_2698_ = true;
                                                                     }
-                                                                    let _e2160 = phi_2697_;
-                                                                    let _e2162 = phi_2698_;
-                                                                    if _e2162 {
-                                                                        let _e2163 = (_e2160 == 0f);
-                                                                        if _e2163 {
+                                                                    let _e2157 = phi_2697_;
+                                                                    let _e2159 = phi_2698_;
+                                                                    if _e2159 {
+                                                                        let _e2160 = (_e2157 == 0f);
+                                                                        if _e2160 {
                                                                             phi_3014_ = lt_bvh_triangle_Intersection();
                                                                             phi_3015_ = false;
                                                                         } else {
-                                                                            let _e2165 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2167 = (_e2165.x - _e1075);
-                                                                            let _e2169 = (_e2165.y - _e1088);
-                                                                            let _e2171 = (_e2165.z - _e1101);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2727_ = vec3<f32>(_e2169, _e2171, _e2167);
+                                                                            let _e2162 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2164 = (_e2162.x - _e1072);
+                                                                            let _e2166 = (_e2162.y - _e1085);
+                                                                            let _e2168 = (_e2162.z - _e1098);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2727_ = vec3<f32>(_e2166, _e2168, _e2164);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2726_ = vec3<f32>(_e2171, _e2167, _e2169);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2726_ = vec3<f32>(_e2168, _e2164, _e2166);
                                                                                 } else {
-                                                                                    phi_2726_ = (_e2165 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                                    phi_2726_ = (_e2162 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                                 }
-                                                                                let _e2179 = phi_2726_;
-                                                                                phi_2727_ = _e2179;
+                                                                                let _e2176 = phi_2726_;
+                                                                                phi_2727_ = _e2176;
                                                                             }
-                                                                            let _e2181 = phi_2727_;
-                                                                            let _e2183 = triangles.member[(0u + _e1976)].v1_;
-                                                                            let _e2185 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2188 = (_e2183.x - _e2185.x);
-                                                                            let _e2191 = (_e2183.y - _e2185.y);
-                                                                            let _e2194 = (_e2183.z - _e2185.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2753_ = vec3<f32>(_e2191, _e2194, _e2188);
+                                                                            let _e2178 = phi_2727_;
+                                                                            let _e2180 = triangles.member[(0u + _e1973)].v1_;
+                                                                            let _e2182 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2185 = (_e2180.x - _e2182.x);
+                                                                            let _e2188 = (_e2180.y - _e2182.y);
+                                                                            let _e2191 = (_e2180.z - _e2182.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2753_ = vec3<f32>(_e2188, _e2191, _e2185);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2752_ = vec3<f32>(_e2194, _e2188, _e2191);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2752_ = vec3<f32>(_e2191, _e2185, _e2188);
                                                                                 } else {
-                                                                                    phi_2752_ = (_e2183 - _e2185);
+                                                                                    phi_2752_ = (_e2180 - _e2182);
                                                                                 }
-                                                                                let _e2201 = phi_2752_;
-                                                                                phi_2753_ = _e2201;
+                                                                                let _e2198 = phi_2752_;
+                                                                                phi_2753_ = _e2198;
                                                                             }
-                                                                            let _e2203 = phi_2753_;
-                                                                            let _e2205 = triangles.member[(0u + _e1976)].v2_;
-                                                                            let _e2207 = triangles.member[(0u + _e1976)].v0_;
-                                                                            let _e2210 = (_e2205.x - _e2207.x);
-                                                                            let _e2213 = (_e2205.y - _e2207.y);
-                                                                            let _e2216 = (_e2205.z - _e2207.z);
-                                                                            if (_e1361 == 0u) {
-                                                                                phi_2779_ = vec3<f32>(_e2213, _e2216, _e2210);
+                                                                            let _e2200 = phi_2753_;
+                                                                            let _e2202 = triangles.member[(0u + _e1973)].v2_;
+                                                                            let _e2204 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2207 = (_e2202.x - _e2204.x);
+                                                                            let _e2210 = (_e2202.y - _e2204.y);
+                                                                            let _e2213 = (_e2202.z - _e2204.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2779_ = vec3<f32>(_e2210, _e2213, _e2207);
                                                                             } else {
-                                                                                if (_e1361 == 1u) {
-                                                                                    phi_2778_ = vec3<f32>(_e2216, _e2210, _e2213);
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2778_ = vec3<f32>(_e2213, _e2207, _e2210);
                                                                                 } else {
-                                                                                    phi_2778_ = (_e2205 - _e2207);
+                                                                                    phi_2778_ = (_e2202 - _e2204);
                                                                                 }
-                                                                                let _e2223 = phi_2778_;
-                                                                                phi_2779_ = _e2223;
+                                                                                let _e2220 = phi_2778_;
+                                                                                phi_2779_ = _e2220;
                                                                             }
-                                                                            let _e2225 = phi_2779_;
-                                                                            let _e2232 = ((_e2203.y * _e2225.z) - (_e2203.z * _e2225.y));
-                                                                            let _e2239 = ((_e2203.z * _e2225.x) - (_e2203.x * _e2225.z));
-                                                                            let _e2246 = ((_e2203.x * _e2225.y) - (_e2203.y * _e2225.x));
-                                                                            let _e2260 = (((1f / _e1369.z) * (((_e2232 * _e2181.x) + (_e2239 * _e2181.y)) + (_e2246 * _e2181.z))) / (((_e2232 * _e1372) + (_e2239 * _e1375)) + _e2246));
-                                                                            if (_e2260 > _e165.tmin) {
-                                                                                if (_e2260 < _e165.tmax) {
-                                                                                    let _e2264 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2266 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2264.x < _e2266.x) {
-                                                                                        phi_2835_ = _e2264.x;
+                                                                            let _e2222 = phi_2779_;
+                                                                            let _e2229 = ((_e2200.y * _e2222.z) - (_e2200.z * _e2222.y));
+                                                                            let _e2236 = ((_e2200.z * _e2222.x) - (_e2200.x * _e2222.z));
+                                                                            let _e2243 = ((_e2200.x * _e2222.y) - (_e2200.y * _e2222.x));
+                                                                            let _e2257 = (((1f / _e1366.z) * (((_e2229 * _e2178.x) + (_e2236 * _e2178.y)) + (_e2243 * _e2178.z))) / (((_e2229 * _e1369) + (_e2236 * _e1372)) + _e2243));
+                                                                            if (_e2257 > _e165.tmin) {
+                                                                                if (_e2257 < _e165.tmax) {
+                                                                                    let _e2261 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2263 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2261.x < _e2263.x) {
+                                                                                        phi_2835_ = _e2261.x;
                                                                                     } else {
-                                                                                        phi_2835_ = _e2266.x;
+                                                                                        phi_2835_ = _e2263.x;
                                                                                     }
-                                                                                    let _e2273 = phi_2835_;
-                                                                                    if (_e2264.y < _e2266.y) {
-                                                                                        phi_2844_ = _e2264.y;
+                                                                                    let _e2270 = phi_2835_;
+                                                                                    if (_e2261.y < _e2263.y) {
+                                                                                        phi_2844_ = _e2261.y;
                                                                                     } else {
-                                                                                        phi_2844_ = _e2266.y;
+                                                                                        phi_2844_ = _e2263.y;
                                                                                     }
-                                                                                    let _e2280 = phi_2844_;
-                                                                                    if (_e2264.z < _e2266.z) {
-                                                                                        phi_2853_ = _e2264.z;
+                                                                                    let _e2277 = phi_2844_;
+                                                                                    if (_e2261.z < _e2263.z) {
+                                                                                        phi_2853_ = _e2261.z;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2266.z;
+                                                                                        phi_2853_ = _e2263.z;
                                                                                     }
-                                                                                    let _e2287 = phi_2853_;
-                                                                                    let _e2289 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2273 < _e2289.x) {
-                                                                                        phi_2862_ = _e2273;
+                                                                                    let _e2284 = phi_2853_;
+                                                                                    let _e2286 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2270 < _e2286.x) {
+                                                                                        phi_2862_ = _e2270;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2289.x;
+                                                                                        phi_2862_ = _e2286.x;
                                                                                     }
-                                                                                    let _e2294 = phi_2862_;
-                                                                                    if (_e2280 < _e2289.y) {
-                                                                                        phi_2869_ = _e2280;
+                                                                                    let _e2291 = phi_2862_;
+                                                                                    if (_e2277 < _e2286.y) {
+                                                                                        phi_2869_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2869_ = _e2289.y;
+                                                                                        phi_2869_ = _e2286.y;
                                                                                     }
-                                                                                    let _e2299 = phi_2869_;
-                                                                                    if (_e2287 < _e2289.z) {
-                                                                                        phi_2876_ = _e2287;
+                                                                                    let _e2296 = phi_2869_;
+                                                                                    if (_e2284 < _e2286.z) {
+                                                                                        phi_2876_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2876_ = _e2289.z;
+                                                                                        phi_2876_ = _e2286.z;
                                                                                     }
-                                                                                    let _e2304 = phi_2876_;
-                                                                                    let _e2306 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2308 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2306.x > _e2308.x) {
-                                                                                        phi_2889_ = _e2306.x;
+                                                                                    let _e2301 = phi_2876_;
+                                                                                    let _e2303 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2305 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2303.x > _e2305.x) {
+                                                                                        phi_2889_ = _e2303.x;
                                                                                     } else {
-                                                                                        phi_2889_ = _e2308.x;
+                                                                                        phi_2889_ = _e2305.x;
                                                                                     }
-                                                                                    let _e2315 = phi_2889_;
-                                                                                    if (_e2306.y > _e2308.y) {
-                                                                                        phi_2898_ = _e2306.y;
+                                                                                    let _e2312 = phi_2889_;
+                                                                                    if (_e2303.y > _e2305.y) {
+                                                                                        phi_2898_ = _e2303.y;
                                                                                     } else {
-                                                                                        phi_2898_ = _e2308.y;
+                                                                                        phi_2898_ = _e2305.y;
                                                                                     }
-                                                                                    let _e2322 = phi_2898_;
-                                                                                    if (_e2306.z > _e2308.z) {
-                                                                                        phi_2907_ = _e2306.z;
+                                                                                    let _e2319 = phi_2898_;
+                                                                                    if (_e2303.z > _e2305.z) {
+                                                                                        phi_2907_ = _e2303.z;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2308.z;
+                                                                                        phi_2907_ = _e2305.z;
                                                                                     }
-                                                                                    let _e2329 = phi_2907_;
-                                                                                    let _e2331 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2315 > _e2331.x) {
-                                                                                        phi_2916_ = _e2315;
+                                                                                    let _e2326 = phi_2907_;
+                                                                                    let _e2328 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2312 > _e2328.x) {
+                                                                                        phi_2916_ = _e2312;
                                                                                     } else {
-                                                                                        phi_2916_ = _e2331.x;
+                                                                                        phi_2916_ = _e2328.x;
                                                                                     }
-                                                                                    let _e2336 = phi_2916_;
-                                                                                    if (_e2322 > _e2331.y) {
-                                                                                        phi_2923_ = _e2322;
+                                                                                    let _e2333 = phi_2916_;
+                                                                                    if (_e2319 > _e2328.y) {
+                                                                                        phi_2923_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2923_ = _e2331.y;
+                                                                                        phi_2923_ = _e2328.y;
                                                                                     }
-                                                                                    let _e2341 = phi_2923_;
-                                                                                    if (_e2329 > _e2331.z) {
-                                                                                        phi_2930_ = _e2329;
+                                                                                    let _e2338 = phi_2923_;
+                                                                                    if (_e2326 > _e2328.z) {
+                                                                                        phi_2930_ = _e2326;
                                                                                     } else {
-                                                                                        phi_2930_ = _e2331.z;
+                                                                                        phi_2930_ = _e2328.z;
                                                                                     }
-                                                                                    let _e2346 = phi_2930_;
-                                                                                    let _e2350 = ((_e2294 - _e1075) * _e1290);
-                                                                                    let _e2351 = ((_e2299 - _e1088) * _e1300);
-                                                                                    let _e2352 = ((_e2304 - _e1101) * _e1310);
-                                                                                    let _e2356 = ((_e2336 - _e1075) * _e1290);
-                                                                                    let _e2357 = ((_e2341 - _e1088) * _e1300);
-                                                                                    let _e2358 = ((_e2346 - _e1101) * _e1310);
-                                                                                    if (_e2350 < _e2356) {
-                                                                                        phi_2947_ = _e2350;
+                                                                                    let _e2343 = phi_2930_;
+                                                                                    let _e2347 = ((_e2291 - _e1072) * _e1287);
+                                                                                    let _e2348 = ((_e2296 - _e1085) * _e1297);
+                                                                                    let _e2349 = ((_e2301 - _e1098) * _e1307);
+                                                                                    let _e2353 = ((_e2333 - _e1072) * _e1287);
+                                                                                    let _e2354 = ((_e2338 - _e1085) * _e1297);
+                                                                                    let _e2355 = ((_e2343 - _e1098) * _e1307);
+                                                                                    if (_e2347 < _e2353) {
+                                                                                        phi_2947_ = _e2347;
                                                                                     } else {
-                                                                                        phi_2947_ = _e2356;
+                                                                                        phi_2947_ = _e2353;
                                                                                     }
-                                                                                    let _e2361 = phi_2947_;
-                                                                                    if (_e2351 < _e2357) {
-                                                                                        phi_2952_ = _e2351;
+                                                                                    let _e2358 = phi_2947_;
+                                                                                    if (_e2348 < _e2354) {
+                                                                                        phi_2952_ = _e2348;
                                                                                     } else {
-                                                                                        phi_2952_ = _e2357;
+                                                                                        phi_2952_ = _e2354;
                                                                                     }
-                                                                                    let _e2364 = phi_2952_;
-                                                                                    if (_e2352 < _e2358) {
-                                                                                        phi_2957_ = _e2352;
+                                                                                    let _e2361 = phi_2952_;
+                                                                                    if (_e2349 < _e2355) {
+                                                                                        phi_2957_ = _e2349;
                                                                                     } else {
-                                                                                        phi_2957_ = _e2358;
+                                                                                        phi_2957_ = _e2355;
                                                                                     }
-                                                                                    let _e2367 = phi_2957_;
-                                                                                    if (_e2350 > _e2356) {
-                                                                                        phi_2965_ = _e2350;
+                                                                                    let _e2364 = phi_2957_;
+                                                                                    if (_e2347 > _e2353) {
+                                                                                        phi_2965_ = _e2347;
                                                                                     } else {
-                                                                                        phi_2965_ = _e2356;
+                                                                                        phi_2965_ = _e2353;
                                                                                     }
-                                                                                    let _e2373 = phi_2965_;
-                                                                                    if (_e2351 > _e2357) {
-                                                                                        phi_2970_ = _e2351;
+                                                                                    let _e2370 = phi_2965_;
+                                                                                    if (_e2348 > _e2354) {
+                                                                                        phi_2970_ = _e2348;
                                                                                     } else {
-                                                                                        phi_2970_ = _e2357;
+                                                                                        phi_2970_ = _e2354;
                                                                                     }
-                                                                                    let _e2376 = phi_2970_;
-                                                                                    if (_e2352 > _e2358) {
-                                                                                        phi_2975_ = _e2352;
+                                                                                    let _e2373 = phi_2970_;
+                                                                                    if (_e2349 > _e2355) {
+                                                                                        phi_2975_ = _e2349;
                                                                                     } else {
-                                                                                        phi_2975_ = _e2358;
+                                                                                        phi_2975_ = _e2355;
                                                                                     }
-                                                                                    let _e2379 = phi_2975_;
-                                                                                    let _e2383 = core_intrinsics_maximum_number_nsz_f32_((_e2361 - _e1345), (_e2364 - _e1346));
-                                                                                    let _e2384 = core_intrinsics_maximum_number_nsz_f32_(_e2383, (_e2367 - _e1347));
-                                                                                    let _e2385 = core_intrinsics_minimum_number_nsz_f32_((_e2373 + _e1345), (_e2376 + _e1346));
-                                                                                    let _e2386 = core_intrinsics_minimum_number_nsz_f32_(_e2385, (_e2379 + _e1347));
-                                                                                    if (_e2384 > _e1050) {
-                                                                                        phi_2987_ = _e2384;
+                                                                                    let _e2376 = phi_2975_;
+                                                                                    let _e2380 = core_intrinsics_maximum_number_nsz_f32_((_e2358 - _e1342), (_e2361 - _e1343));
+                                                                                    let _e2381 = core_intrinsics_maximum_number_nsz_f32_(_e2380, (_e2364 - _e1344));
+                                                                                    let _e2382 = core_intrinsics_minimum_number_nsz_f32_((_e2370 + _e1342), (_e2373 + _e1343));
+                                                                                    let _e2383 = core_intrinsics_minimum_number_nsz_f32_(_e2382, (_e2376 + _e1344));
+                                                                                    if (_e2381 > _e1047) {
+                                                                                        phi_2987_ = _e2381;
                                                                                     } else {
-                                                                                        phi_2987_ = _e1050;
+                                                                                        phi_2987_ = _e1047;
                                                                                     }
-                                                                                    let _e2389 = phi_2987_;
-                                                                                    if (_e2386 < _e1052) {
-                                                                                        phi_2992_ = _e2386;
+                                                                                    let _e2386 = phi_2987_;
+                                                                                    if (_e2383 < _e1049) {
+                                                                                        phi_2992_ = _e2383;
                                                                                     } else {
-                                                                                        phi_2992_ = _e1052;
+                                                                                        phi_2992_ = _e1049;
                                                                                     }
-                                                                                    let _e2392 = phi_2992_;
-                                                                                    if (_e2260 < _e2389) {
-                                                                                        phi_2997_ = _e2389;
+                                                                                    let _e2389 = phi_2992_;
+                                                                                    if (_e2257 < _e2386) {
+                                                                                        phi_2997_ = _e2386;
                                                                                     } else {
-                                                                                        phi_2997_ = _e2260;
+                                                                                        phi_2997_ = _e2257;
                                                                                     }
-                                                                                    let _e2395 = phi_2997_;
-                                                                                    if (_e2395 > _e2392) {
+                                                                                    let _e2392 = phi_2997_;
+                                                                                    if (_e2392 > _e2389) {
+                                                                                        phi_3002_ = _e2389;
+                                                                                    } else {
                                                                                         phi_3002_ = _e2392;
-                                                                                    } else {
-                                                                                        phi_3002_ = _e2395;
                                                                                     }
-                                                                                    let _e2398 = phi_3002_;
-                                                                                    phi_3007_ = lt_bvh_triangle_Intersection(_e2398, (_e2101 / _e2160), (_e2122 / _e2160), (_e2389 <= _e2392));
+                                                                                    let _e2395 = phi_3002_;
+                                                                                    phi_3007_ = lt_bvh_triangle_Intersection(_e2395, (_e2098 / _e2157), (_e2119 / _e2157), (_e2386 <= _e2389));
                                                                                     phi_3008_ = false;
                                                                                 } else {
                                                                                     phi_3007_ = lt_bvh_triangle_Intersection();
                                                                                     phi_3008_ = true;
                                                                                 }
-                                                                                let _e2404 = phi_3007_;
-                                                                                let _e2406 = phi_3008_;
-                                                                                phi_3009_ = _e2404;
-                                                                                phi_3010_ = _e2406;
+                                                                                let _e2401 = phi_3007_;
+                                                                                let _e2403 = phi_3008_;
+                                                                                phi_3009_ = _e2401;
+                                                                                phi_3010_ = _e2403;
                                                                             } else {
                                                                                 phi_3009_ = lt_bvh_triangle_Intersection();
                                                                                 phi_3010_ = true;
                                                                             }
-                                                                            let _e2408 = phi_3009_;
-                                                                            let _e2410 = phi_3010_;
-                                                                            if _e2410 {
+                                                                            let _e2405 = phi_3009_;
+                                                                            let _e2407 = phi_3010_;
+                                                                            if _e2407 {
                                                                             }
-                                                                            phi_3014_ = _e2408;
-                                                                            phi_3015_ = _e2410;
+                                                                            phi_3014_ = _e2405;
+                                                                            phi_3015_ = _e2407;
                                                                         }
-                                                                        let _e2412 = phi_3014_;
-                                                                        let _e2414 = phi_3015_;
-                                                                        phi_3016_ = _e2412;
-                                                                        phi_3017_ = _e2163;
-                                                                        phi_3018_ = _e2414;
+                                                                        let _e2409 = phi_3014_;
+                                                                        let _e2411 = phi_3015_;
+                                                                        phi_3016_ = _e2409;
+                                                                        phi_3017_ = _e2160;
+                                                                        phi_3018_ = _e2411;
                                                                     } else {
                                                                         phi_3016_ = lt_bvh_triangle_Intersection();
                                                                         phi_3017_ = true;
                                                                         phi_3018_ = false;
                                                                     }
-                                                                    let _e2416 = phi_3016_;
-                                                                    let _e2418 = phi_3017_;
-                                                                    let _e2420 = phi_3018_;
-                                                                    if _e2418 {
+                                                                    let _e2413 = phi_3016_;
+                                                                    let _e2415 = phi_3017_;
+                                                                    let _e2417 = phi_3018_;
+                                                                    if _e2415 {
                                                                         phi_3022_ = true;
                                                                     } else {
-                                                                        phi_3022_ = _e2420;
+                                                                        phi_3022_ = _e2417;
                                                                     }
-                                                                    let _e2422 = phi_3022_;
-                                                                    if _e2422 {
+                                                                    let _e2419 = phi_3022_;
+                                                                    if _e2419 {
                                                                         phi_3026_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_3026_ = _e2416;
+                                                                        phi_3026_ = _e2413;
                                                                     }
-                                                                    let _e2424 = phi_3026_;
-                                                                    if _e2424.is_hit {
-                                                                        if (_e2424.t > _e165.tmin) {
-                                                                            if (_e2424.t < _e1965.t) {
+                                                                    let _e2421 = phi_3026_;
+                                                                    if _e2421.is_hit {
+                                                                        if (_e2421.t > _e165.tmin) {
+                                                                            if (_e2421.t < _e1962.t) {
                                                                                 phi_3074_ = true;
                                                                             } else {
-                                                                                if (_e2424.t == _e1965.t) {
-                                                                                    if (_e1965.triangle != 4294967295u) {
-                                                                                        if (_e1976 < _e1965.triangle) {
+                                                                                if (_e2421.t == _e1962.t) {
+                                                                                    if (_e1962.triangle != 4294967295u) {
+                                                                                        if (_e1973 < _e1962.triangle) {
                                                                                             phi_3065_ = true;
                                                                                         } else {
-                                                                                            if (_e1976 == _e1965.triangle) {
-                                                                                                phi_3064_ = (_e991 < _e1965.instance);
+                                                                                            if (_e1973 == _e1962.triangle) {
+                                                                                                phi_3064_ = (_e988 < _e1962.instance);
                                                                                             } else {
                                                                                                 phi_3064_ = false;
                                                                                             }
-                                                                                            let _e2442 = phi_3064_;
-                                                                                            phi_3065_ = _e2442;
+                                                                                            let _e2439 = phi_3064_;
+                                                                                            phi_3065_ = _e2439;
                                                                                         }
-                                                                                        let _e2444 = phi_3065_;
-                                                                                        phi_3066_ = _e2444;
+                                                                                        let _e2441 = phi_3065_;
+                                                                                        phi_3066_ = _e2441;
                                                                                         phi_3067_ = false;
                                                                                     } else {
                                                                                         phi_3066_ = bool();
                                                                                         phi_3067_ = true;
                                                                                     }
-                                                                                    let _e2446 = phi_3066_;
-                                                                                    let _e2448 = phi_3067_;
-                                                                                    phi_3068_ = _e2446;
-                                                                                    phi_3069_ = _e2448;
+                                                                                    let _e2443 = phi_3066_;
+                                                                                    let _e2445 = phi_3067_;
+                                                                                    phi_3068_ = _e2443;
+                                                                                    phi_3069_ = _e2445;
                                                                                 } else {
                                                                                     phi_3068_ = bool();
                                                                                     phi_3069_ = true;
                                                                                 }
-                                                                                let _e2450 = phi_3068_;
-                                                                                let _e2452 = phi_3069_;
-                                                                                if _e2452 {
+                                                                                let _e2447 = phi_3068_;
+                                                                                let _e2449 = phi_3069_;
+                                                                                if _e2449 {
                                                                                     phi_3073_ = false;
                                                                                 } else {
-                                                                                    phi_3073_ = _e2450;
+                                                                                    phi_3073_ = _e2447;
                                                                                 }
-                                                                                let _e2454 = phi_3073_;
-                                                                                phi_3074_ = _e2454;
+                                                                                let _e2451 = phi_3073_;
+                                                                                phi_3074_ = _e2451;
                                                                             }
-                                                                            let _e2456 = phi_3074_;
-                                                                            if _e2456 {
-                                                                                let _e2458 = triangles.member[(0u + _e1976)].i0_;
-                                                                                if ((_e2458 & 2147483648u) == 0u) {
+                                                                            let _e2453 = phi_3074_;
+                                                                            if _e2453 {
+                                                                                let _e2455 = triangles.member[(0u + _e1973)].i0_;
+                                                                                if ((_e2455 & 2147483648u) == 0u) {
                                                                                     phi_3088_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
                                                                                     phi_3088_ = true;
                                                                                 }
-                                                                                let _e2462 = phi_3088_;
-                                                                                if _e2462 {
-                                                                                    phi_3096_ = lt_bvh_Hit(_e2424.t, _e2424.u, _e2424.v, _e1976, _e991);
+                                                                                let _e2459 = phi_3088_;
+                                                                                if _e2459 {
+                                                                                    phi_3096_ = lt_bvh_Hit(_e2421.t, _e2421.u, _e2421.v, _e1973, _e988);
                                                                                 } else {
-                                                                                    phi_3096_ = _e1965;
+                                                                                    phi_3096_ = _e1962;
                                                                                 }
-                                                                                let _e2468 = phi_3096_;
-                                                                                phi_3097_ = _e2468;
+                                                                                let _e2465 = phi_3096_;
+                                                                                phi_3097_ = _e2465;
                                                                             } else {
-                                                                                phi_3097_ = _e1965;
+                                                                                phi_3097_ = _e1962;
                                                                             }
-                                                                            let _e2470 = phi_3097_;
-                                                                            phi_3098_ = _e2470;
+                                                                            let _e2467 = phi_3097_;
+                                                                            phi_3098_ = _e2467;
                                                                         } else {
-                                                                            phi_3098_ = _e1965;
+                                                                            phi_3098_ = _e1962;
                                                                         }
-                                                                        let _e2472 = phi_3098_;
-                                                                        phi_3099_ = _e2472;
+                                                                        let _e2469 = phi_3098_;
+                                                                        phi_3099_ = _e2469;
                                                                     } else {
-                                                                        phi_3099_ = _e1965;
+                                                                        phi_3099_ = _e1962;
                                                                     }
-                                                                    let _e2474 = phi_3099_;
-                                                                    phi_2456_ = _e2474;
-                                                                    phi_2459_ = (_e1967 & (_e1967 - 1u));
+                                                                    let _e2471 = phi_3099_;
+                                                                    phi_2456_ = _e2471;
+                                                                    phi_2459_ = (_e1964 & (_e1964 - 1u));
                                                                     phi_3100_ = true;
                                                                 }
-                                                                let _e2476 = phi_2456_;
-                                                                let _e2478 = phi_2459_;
-                                                                let _e2480 = phi_3100_;
+                                                                let _e2473 = phi_2456_;
+                                                                let _e2475 = phi_2459_;
+                                                                let _e2477 = phi_3100_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2455_ = _e2476;
-                                                                    phi_2458_ = _e2478;
-                                                                    break if !(_e2480);
+                                                                    phi_2455_ = _e2473;
+                                                                    phi_2458_ = _e2475;
+                                                                    break if !(_e2477);
                                                                 }
                                                             }
-                                                            let _e2483 = local_1.group_mask;
-                                                            if ((_e2483 & 4278190080u) == 0u) {
-                                                                let _e2487 = local_1.len;
-                                                                if (_e2487 == 0u) {
+                                                            let _e2480 = local_1.group_mask;
+                                                            if ((_e2480 & 4278190080u) == 0u) {
+                                                                let _e2484 = local_1.len;
+                                                                if (_e2484 == 0u) {
                                                                     phi_3139_ = false;
                                                                 } else {
+                                                                    let _e2488 = local_1.len;
+                                                                    local_1.len = (_e2488 - 1u);
                                                                     let _e2491 = local_1.len;
-                                                                    local_1.len = (_e2491 - 1u);
-                                                                    let _e2494 = local_1.len;
-                                                                    if (_e2494 < 32u) {
+                                                                    if (_e2491 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2499 = local_1.first[(0u + _e2494)];
-                                                                    local_1.group = _e2499;
-                                                                    let _e2502 = local_1.len;
-                                                                    if (_e2502 < 32u) {
+                                                                    let _e2496 = local_1.first[(0u + _e2491)];
+                                                                    local_1.group = _e2496;
+                                                                    let _e2499 = local_1.len;
+                                                                    if (_e2499 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2507 = local_1.mask[(0u + _e2502)];
-                                                                    local_1.group_mask = _e2507;
+                                                                    let _e2504 = local_1.mask[(0u + _e2499)];
+                                                                    local_1.group_mask = _e2504;
                                                                     phi_3139_ = true;
                                                                 }
-                                                                let _e2510 = phi_3139_;
-                                                                phi_3140_ = _e2510;
+                                                                let _e2507 = phi_3139_;
+                                                                phi_3140_ = _e2507;
                                                             } else {
                                                                 phi_3140_ = true;
                                                             }
-                                                            let _e2512 = phi_3140_;
-                                                            if _e2512 {
-                                                                let _e2514 = local_1.group_mask;
-                                                                let _e2520 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2514)), 32u, (_e2514 == 0u)));
-                                                                let _e2524 = local_1.group_mask;
-                                                                let _e2538 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2538 & ~((1u << bitcast<u32>((_e2520 & 31u)))));
-                                                                let _e2541 = local_1.group;
-                                                                phi_3171_ = (_e2541 + countOneBits(((_e2524 & ~((4294967295u << bitcast<u32>((((_e2520 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            let _e2509 = phi_3140_;
+                                                            if _e2509 {
+                                                                let _e2511 = local_1.group_mask;
+                                                                let _e2517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2511)), 32u, (_e2511 == 0u)));
+                                                                let _e2521 = local_1.group_mask;
+                                                                let _e2535 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2535 & ~((1u << bitcast<u32>((_e2517 & 31u)))));
+                                                                let _e2538 = local_1.group;
+                                                                phi_3171_ = (_e2538 + countOneBits(((_e2521 & ~((4294967295u << bitcast<u32>((((_e2517 - 24u) ^ _e1385) & 31u))))) & 255u)));
                                                             } else {
                                                                 phi_3171_ = 4294967295u;
                                                             }
-                                                            let _e2544 = phi_3171_;
-                                                            let _e3867 = local_9;
-                                                            phi_2123_ = _e3867;
-                                                            phi_2126_ = _e2544;
+                                                            let _e2541 = phi_3171_;
+                                                            let _e3864 = local_9;
+                                                            phi_2123_ = _e3864;
+                                                            phi_2126_ = _e2541;
                                                         } else {
                                                             phi_2123_ = lt_bvh_Hit();
                                                             phi_2126_ = u32();
                                                         }
-                                                        let _e2546 = phi_2123_;
-                                                        let _e2548 = phi_2126_;
+                                                        let _e2543 = phi_2123_;
+                                                        let _e2545 = phi_2126_;
                                                         continue;
                                                         continuing {
-                                                            phi_2122_ = _e2546;
-                                                            phi_2125_ = _e2548;
-                                                            break if !(_e1529);
+                                                            phi_2122_ = _e2543;
+                                                            phi_2125_ = _e2545;
+                                                            break if !(_e1526);
                                                         }
                                                     }
-                                                    let _e3871 = local_10;
-                                                    phi_3172_ = _e3871;
+                                                    let _e3868 = local_10;
+                                                    phi_3172_ = _e3868;
                                                 }
-                                                let _e2551 = phi_3172_;
-                                                phi_3173_ = _e2551;
-                                                phi_3174_ = _e1214;
+                                                let _e2548 = phi_3172_;
+                                                phi_3173_ = _e2548;
+                                                phi_3174_ = _e1211;
                                             } else {
                                                 phi_3173_ = lt_bvh_Hit();
                                                 phi_3174_ = true;
                                             }
-                                            let _e2553 = phi_3173_;
-                                            let _e2555 = phi_3174_;
-                                            if _e2555 {
-                                                phi_3178_ = _e983;
+                                            let _e2550 = phi_3173_;
+                                            let _e2552 = phi_3174_;
+                                            if _e2552 {
+                                                phi_3178_ = _e980;
                                             } else {
-                                                phi_3178_ = _e2553;
+                                                phi_3178_ = _e2550;
                                             }
-                                            let _e2557 = phi_3178_;
-                                            phi_3179_ = _e2557;
+                                            let _e2554 = phi_3178_;
+                                            phi_3179_ = _e2554;
                                         } else {
-                                            phi_3179_ = _e983;
+                                            phi_3179_ = _e980;
                                         }
-                                        let _e2559 = phi_3179_;
-                                        phi_3180_ = _e2559;
+                                        let _e2556 = phi_3179_;
+                                        phi_3180_ = _e2556;
                                     } else {
-                                        phi_3180_ = _e983;
+                                        phi_3180_ = _e980;
                                     }
-                                    let _e2561 = phi_3180_;
-                                    phi_3181_ = _e2561;
+                                    let _e2558 = phi_3180_;
+                                    phi_3181_ = _e2558;
                                 } else {
-                                    phi_3181_ = _e983;
+                                    phi_3181_ = _e980;
                                 }
-                                let _e2563 = phi_3181_;
-                                phi_1497_ = (_e981 & (_e981 - 1u));
-                                phi_1500_ = _e2563;
+                                let _e2560 = phi_3181_;
+                                phi_1497_ = (_e978 & (_e978 - 1u));
+                                phi_1500_ = _e2560;
                                 phi_3182_ = true;
                             }
-                            let _e2565 = phi_1497_;
-                            let _e2567 = phi_1500_;
-                            let _e2569 = phi_3182_;
+                            let _e2562 = phi_1497_;
+                            let _e2564 = phi_1500_;
+                            let _e2566 = phi_3182_;
                             continue;
                             continuing {
-                                phi_1496_ = _e2565;
-                                phi_1499_ = _e2567;
-                                break if !(_e2569);
+                                phi_1496_ = _e2562;
+                                phi_1499_ = _e2564;
+                                break if !(_e2566);
                             }
                         }
-                        let _e2572 = local_2.group_mask;
-                        if ((_e2572 & 4278190080u) == 0u) {
-                            let _e2576 = local_2.len;
-                            if (_e2576 == 0u) {
+                        let _e2569 = local_2.group_mask;
+                        if ((_e2569 & 4278190080u) == 0u) {
+                            let _e2573 = local_2.len;
+                            if (_e2573 == 0u) {
                                 phi_3221_ = false;
                             } else {
+                                let _e2577 = local_2.len;
+                                local_2.len = (_e2577 - 1u);
                                 let _e2580 = local_2.len;
-                                local_2.len = (_e2580 - 1u);
-                                let _e2583 = local_2.len;
-                                if (_e2583 < 32u) {
+                                if (_e2580 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2588 = local_2.first[(0u + _e2583)];
-                                local_2.group = _e2588;
-                                let _e2591 = local_2.len;
-                                if (_e2591 < 32u) {
+                                let _e2585 = local_2.first[(0u + _e2580)];
+                                local_2.group = _e2585;
+                                let _e2588 = local_2.len;
+                                if (_e2588 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2596 = local_2.mask[(0u + _e2591)];
-                                local_2.group_mask = _e2596;
+                                let _e2593 = local_2.mask[(0u + _e2588)];
+                                local_2.group_mask = _e2593;
                                 phi_3221_ = true;
                             }
-                            let _e2599 = phi_3221_;
-                            phi_3222_ = _e2599;
+                            let _e2596 = phi_3221_;
+                            phi_3222_ = _e2596;
                         } else {
                             phi_3222_ = true;
                         }
-                        let _e2601 = phi_3222_;
-                        if _e2601 {
-                            let _e2603 = local_2.group_mask;
-                            let _e2609 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2603)), 32u, (_e2603 == 0u)));
-                            let _e2613 = local_2.group_mask;
-                            let _e2627 = local_2.group_mask;
-                            local_2.group_mask = (_e2627 & ~((1u << bitcast<u32>((_e2609 & 31u)))));
-                            let _e2630 = local_2.group;
-                            phi_3253_ = (_e2630 + countOneBits(((_e2613 & ~((4294967295u << bitcast<u32>((((_e2609 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        let _e2598 = phi_3222_;
+                        if _e2598 {
+                            let _e2600 = local_2.group_mask;
+                            let _e2606 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2600)), 32u, (_e2600 == 0u)));
+                            let _e2610 = local_2.group_mask;
+                            let _e2624 = local_2.group_mask;
+                            local_2.group_mask = (_e2624 & ~((1u << bitcast<u32>((_e2606 & 31u)))));
+                            let _e2627 = local_2.group;
+                            phi_3253_ = (_e2627 + countOneBits(((_e2610 & ~((4294967295u << bitcast<u32>((((_e2606 - 24u) ^ _e397) & 31u))))) & 255u)));
                         } else {
                             phi_3253_ = 4294967295u;
                         }
-                        let _e2633 = phi_3253_;
-                        phi_1160_ = _e2633;
-                        let _e3887 = local_11;
-                        phi_1163_ = _e3887;
+                        let _e2630 = phi_3253_;
+                        phi_1160_ = _e2630;
+                        let _e3884 = local_11;
+                        phi_1163_ = _e3884;
                     } else {
                         phi_1160_ = u32();
                         phi_1163_ = lt_bvh_Hit();
                     }
-                    let _e2635 = phi_1160_;
-                    let _e2637 = phi_1163_;
+                    let _e2632 = phi_1160_;
+                    let _e2634 = phi_1163_;
                     continue;
                     continuing {
-                        phi_1159_ = _e2635;
-                        phi_1162_ = _e2637;
-                        break if !(_e541);
+                        phi_1159_ = _e2632;
+                        phi_1162_ = _e2634;
+                        break if !(_e538);
                     }
                 }
-                let _e3890 = local_12;
-                phi_3254_ = _e3890;
+                let _e3887 = local_12;
+                phi_3254_ = _e3887;
             }
-            let _e2640 = phi_3254_;
-            phi_3255_ = _e2640;
+            let _e2637 = phi_3254_;
+            phi_3255_ = _e2637;
             phi_3256_ = _e237;
         } else {
             phi_3255_ = lt_bvh_Hit();
             phi_3256_ = true;
         }
-        let _e2642 = phi_3255_;
-        let _e2644 = phi_3256_;
-        if _e2644 {
+        let _e2639 = phi_3255_;
+        let _e2641 = phi_3256_;
+        if _e2641 {
             phi_3260_ = _e167;
         } else {
-            phi_3260_ = _e2642;
+            phi_3260_ = _e2639;
         }
-        let _e2646 = phi_3260_;
-        if (_e2646.triangle != 4294967295u) {
-            let _e2652 = ((1f - _e2646.u) - _e2646.v);
-            if (_e2646.triangle < _e81) {
+        let _e2643 = phi_3260_;
+        if (_e2643.triangle != 4294967295u) {
+            let _e2649 = ((1f - _e2643.u) - _e2643.v);
+            if (_e2643.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2657 = triangles.member[(0u + _e2646.triangle)];
-            if (_e2646.instance < _e93) {
+            let _e2654 = triangles.member[(0u + _e2643.triangle)];
+            if (_e2643.instance < _e93) {
             } else {
                 return;
             }
-            let _e2668 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e2679 = ((((_e2668.x * _e2657.v0_.x) + (_e2668.y * _e2657.v0_.y)) + (_e2668.z * _e2657.v0_.z)) + (_e2668.w * 1f));
-            let _e2681 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e2692 = ((((_e2681.x * _e2657.v0_.x) + (_e2681.y * _e2657.v0_.y)) + (_e2681.z * _e2657.v0_.z)) + (_e2681.w * 1f));
-            let _e2694 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            let _e2705 = ((((_e2694.x * _e2657.v0_.x) + (_e2694.y * _e2657.v0_.y)) + (_e2694.z * _e2657.v0_.z)) + (_e2694.w * 1f));
-            let _e2712 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e2723 = ((((_e2712.x * _e2657.v1_.x) + (_e2712.y * _e2657.v1_.y)) + (_e2712.z * _e2657.v1_.z)) + (_e2712.w * 1f));
-            let _e2725 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e2736 = ((((_e2725.x * _e2657.v1_.x) + (_e2725.y * _e2657.v1_.y)) + (_e2725.z * _e2657.v1_.z)) + (_e2725.w * 1f));
-            let _e2738 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            let _e2749 = ((((_e2738.x * _e2657.v1_.x) + (_e2738.y * _e2657.v1_.y)) + (_e2738.z * _e2657.v1_.z)) + (_e2738.w * 1f));
-            let _e2756 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e2767 = ((((_e2756.x * _e2657.v2_.x) + (_e2756.y * _e2657.v2_.y)) + (_e2756.z * _e2657.v2_.z)) + (_e2756.w * 1f));
-            let _e2769 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e2780 = ((((_e2769.x * _e2657.v2_.x) + (_e2769.y * _e2657.v2_.y)) + (_e2769.z * _e2657.v2_.z)) + (_e2769.w * 1f));
-            let _e2782 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            let _e2793 = ((((_e2782.x * _e2657.v2_.x) + (_e2782.y * _e2657.v2_.y)) + (_e2782.z * _e2657.v2_.z)) + (_e2782.w * 1f));
-            let _e2806 = (((_e2679 * _e2652) + (_e2723 * _e2646.u)) + (_e2767 * _e2646.v));
-            let _e2807 = (((_e2692 * _e2652) + (_e2736 * _e2646.u)) + (_e2780 * _e2646.v));
-            let _e2808 = (((_e2705 * _e2652) + (_e2749 * _e2646.u)) + (_e2793 * _e2646.v));
-            let _e2810 = abs(_e2679);
-            let _e2811 = abs(_e2692);
-            let _e2812 = abs(_e2705);
-            let _e2813 = abs(_e2723);
-            let _e2814 = abs(_e2736);
-            let _e2815 = abs(_e2749);
-            if (_e2810 > _e2813) {
+            let _e2665 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e2676 = ((((_e2665.x * _e2654.v0_.x) + (_e2665.y * _e2654.v0_.y)) + (_e2665.z * _e2654.v0_.z)) + (_e2665.w * 1f));
+            let _e2678 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e2689 = ((((_e2678.x * _e2654.v0_.x) + (_e2678.y * _e2654.v0_.y)) + (_e2678.z * _e2654.v0_.z)) + (_e2678.w * 1f));
+            let _e2691 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            let _e2702 = ((((_e2691.x * _e2654.v0_.x) + (_e2691.y * _e2654.v0_.y)) + (_e2691.z * _e2654.v0_.z)) + (_e2691.w * 1f));
+            let _e2709 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e2720 = ((((_e2709.x * _e2654.v1_.x) + (_e2709.y * _e2654.v1_.y)) + (_e2709.z * _e2654.v1_.z)) + (_e2709.w * 1f));
+            let _e2722 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e2733 = ((((_e2722.x * _e2654.v1_.x) + (_e2722.y * _e2654.v1_.y)) + (_e2722.z * _e2654.v1_.z)) + (_e2722.w * 1f));
+            let _e2735 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            let _e2746 = ((((_e2735.x * _e2654.v1_.x) + (_e2735.y * _e2654.v1_.y)) + (_e2735.z * _e2654.v1_.z)) + (_e2735.w * 1f));
+            let _e2753 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e2764 = ((((_e2753.x * _e2654.v2_.x) + (_e2753.y * _e2654.v2_.y)) + (_e2753.z * _e2654.v2_.z)) + (_e2753.w * 1f));
+            let _e2766 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e2777 = ((((_e2766.x * _e2654.v2_.x) + (_e2766.y * _e2654.v2_.y)) + (_e2766.z * _e2654.v2_.z)) + (_e2766.w * 1f));
+            let _e2779 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            let _e2790 = ((((_e2779.x * _e2654.v2_.x) + (_e2779.y * _e2654.v2_.y)) + (_e2779.z * _e2654.v2_.z)) + (_e2779.w * 1f));
+            let _e2803 = (((_e2676 * _e2649) + (_e2720 * _e2643.u)) + (_e2764 * _e2643.v));
+            let _e2804 = (((_e2689 * _e2649) + (_e2733 * _e2643.u)) + (_e2777 * _e2643.v));
+            let _e2805 = (((_e2702 * _e2649) + (_e2746 * _e2643.u)) + (_e2790 * _e2643.v));
+            let _e2807 = abs(_e2676);
+            let _e2808 = abs(_e2689);
+            let _e2809 = abs(_e2702);
+            let _e2810 = abs(_e2720);
+            let _e2811 = abs(_e2733);
+            let _e2812 = abs(_e2746);
+            if (_e2807 > _e2810) {
+                phi_3447_ = _e2807;
+            } else {
                 phi_3447_ = _e2810;
-            } else {
-                phi_3447_ = _e2813;
             }
-            let _e2818 = phi_3447_;
-            if (_e2811 > _e2814) {
+            let _e2815 = phi_3447_;
+            if (_e2808 > _e2811) {
+                phi_3452_ = _e2808;
+            } else {
                 phi_3452_ = _e2811;
-            } else {
-                phi_3452_ = _e2814;
             }
-            let _e2821 = phi_3452_;
-            if (_e2812 > _e2815) {
+            let _e2818 = phi_3452_;
+            if (_e2809 > _e2812) {
+                phi_3457_ = _e2809;
+            } else {
                 phi_3457_ = _e2812;
-            } else {
-                phi_3457_ = _e2815;
             }
-            let _e2824 = phi_3457_;
-            let _e2825 = abs(_e2767);
-            let _e2826 = abs(_e2780);
-            let _e2827 = abs(_e2793);
-            if (_e2818 > _e2825) {
-                phi_3465_ = _e2818;
+            let _e2821 = phi_3457_;
+            let _e2822 = abs(_e2764);
+            let _e2823 = abs(_e2777);
+            let _e2824 = abs(_e2790);
+            if (_e2815 > _e2822) {
+                phi_3465_ = _e2815;
             } else {
-                phi_3465_ = _e2825;
+                phi_3465_ = _e2822;
             }
-            let _e2830 = phi_3465_;
-            if (_e2821 > _e2826) {
-                phi_3470_ = _e2821;
+            let _e2827 = phi_3465_;
+            if (_e2818 > _e2823) {
+                phi_3470_ = _e2818;
             } else {
-                phi_3470_ = _e2826;
+                phi_3470_ = _e2823;
             }
-            let _e2833 = phi_3470_;
-            if (_e2824 > _e2827) {
+            let _e2830 = phi_3470_;
+            if (_e2821 > _e2824) {
+                phi_3475_ = _e2821;
+            } else {
                 phi_3475_ = _e2824;
-            } else {
-                phi_3475_ = _e2827;
             }
-            let _e2836 = phi_3475_;
-            let _e2837 = (_e2723 - _e2679);
-            let _e2838 = (_e2736 - _e2692);
-            let _e2839 = (_e2749 - _e2705);
-            let _e2840 = (_e2767 - _e2679);
-            let _e2841 = (_e2780 - _e2692);
-            let _e2842 = (_e2793 - _e2705);
-            let _e2846 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2838), abs(_e2839));
-            let _e2847 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2837), _e2846);
-            let _e2848 = (_e2837 / _e2847);
-            let _e2849 = (_e2838 / _e2847);
-            let _e2850 = (_e2839 / _e2847);
-            let _e2854 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2841), abs(_e2842));
-            let _e2855 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2840), _e2854);
-            let _e2856 = (_e2840 / _e2855);
-            let _e2857 = (_e2841 / _e2855);
-            let _e2858 = (_e2842 / _e2855);
-            let _e2861 = ((_e2849 * _e2858) - (_e2857 * _e2850));
-            let _e2864 = ((_e2850 * _e2856) - (_e2858 * _e2848));
-            let _e2867 = ((_e2848 * _e2857) - (_e2856 * _e2849));
-            let _e2869 = p.member.eye;
-            let _e2882 = (1f / sqrt((((_e2861 * _e2861) + (_e2864 * _e2864)) + (_e2867 * _e2867))));
-            let _e2883 = (_e2861 * _e2882);
-            let _e2884 = (_e2864 * _e2882);
-            let _e2885 = (_e2867 * _e2882);
-            if ((((_e2883 * (_e2869.x - _e2806)) + (_e2884 * (_e2869.y - _e2807))) + (_e2885 * (_e2869.z - _e2808))) < 0f) {
-                phi_3539_ = vec3<f32>(-(_e2883), -(_e2884), -(_e2885));
+            let _e2833 = phi_3475_;
+            let _e2834 = (_e2720 - _e2676);
+            let _e2835 = (_e2733 - _e2689);
+            let _e2836 = (_e2746 - _e2702);
+            let _e2837 = (_e2764 - _e2676);
+            let _e2838 = (_e2777 - _e2689);
+            let _e2839 = (_e2790 - _e2702);
+            let _e2843 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2835), abs(_e2836));
+            let _e2844 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2834), _e2843);
+            let _e2845 = (_e2834 / _e2844);
+            let _e2846 = (_e2835 / _e2844);
+            let _e2847 = (_e2836 / _e2844);
+            let _e2851 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2838), abs(_e2839));
+            let _e2852 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2837), _e2851);
+            let _e2853 = (_e2837 / _e2852);
+            let _e2854 = (_e2838 / _e2852);
+            let _e2855 = (_e2839 / _e2852);
+            let _e2858 = ((_e2846 * _e2855) - (_e2854 * _e2847));
+            let _e2861 = ((_e2847 * _e2853) - (_e2855 * _e2845));
+            let _e2864 = ((_e2845 * _e2854) - (_e2853 * _e2846));
+            let _e2866 = p.member.eye;
+            let _e2879 = (1f / sqrt((((_e2858 * _e2858) + (_e2861 * _e2861)) + (_e2864 * _e2864))));
+            let _e2880 = (_e2858 * _e2879);
+            let _e2881 = (_e2861 * _e2879);
+            let _e2882 = (_e2864 * _e2879);
+            if ((((_e2880 * (_e2866.x - _e2803)) + (_e2881 * (_e2866.y - _e2804))) + (_e2882 * (_e2866.z - _e2805))) < 0f) {
+                phi_3539_ = vec3<f32>(-(_e2880), -(_e2881), -(_e2882));
             } else {
-                phi_3539_ = vec3<f32>(_e2883, _e2884, _e2885);
+                phi_3539_ = vec3<f32>(_e2880, _e2881, _e2882);
             }
-            let _e2898 = phi_3539_;
-            if (_e2646.triangle < _e81) {
+            let _e2895 = phi_3539_;
+            if (_e2643.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2903 = triangles.member[(0u + _e2646.triangle)];
-            let _e2905 = (_e2903.i0_ & 2147483647u);
-            if (_e2905 < _e84) {
+            let _e2900 = triangles.member[(0u + _e2643.triangle)];
+            let _e2902 = (_e2900.i0_ & 2147483647u);
+            if (_e2902 < _e84) {
             } else {
                 return;
             }
-            let _e2911 = vertices.member[(0u + _e2905)];
-            if (_e2903.i1_ < _e84) {
+            let _e2908 = vertices.member[(0u + _e2902)];
+            if (_e2900.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e2915 = vertices.member[(0u + _e2903.i1_)];
-            if (_e2903.i2_ < _e84) {
+            let _e2912 = vertices.member[(0u + _e2900.i1_)];
+            if (_e2900.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e2919 = vertices.member[(0u + _e2903.i2_)];
-            let _e2920 = array<abi_Vertex, 3>(_e2911, _e2915, _e2919);
-            if (_e2920[0].material < arrayLength((&materials.member))) {
+            let _e2916 = vertices.member[(0u + _e2900.i2_)];
+            let _e2917 = array<abi_Vertex, 3>(_e2908, _e2912, _e2916);
+            if (_e2917[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2926 = materials.member[(0u + _e2920[0].material)];
-            let _e2943 = (1f / 255f);
-            let _e2962 = (1f / 255f);
-            let _e2984 = (1f / 255f);
-            if (_e2926.color_size == 0u) {
+            let _e2923 = materials.member[(0u + _e2917[0].material)];
+            let _e2940 = (1f / 255f);
+            let _e2959 = (1f / 255f);
+            let _e2981 = (1f / 255f);
+            if (_e2923.color_size == 0u) {
                 phi_3782_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e2926.color_offset;
-                local.size = _e2926.color_size;
-                local.flags = _e2926.flags;
-                let _e3027 = _lt_shaders_texture_TextureView_quad((&local), (((_e2920[0].u * _e2652) + (_e2920[1].u * _e2646.u)) + (_e2920[2].u * _e2646.v)), (((_e2920[0].v * _e2652) + (_e2920[1].v * _e2646.u)) + (_e2920[2].v * _e2646.v)));
-                if (_e3027.indices[0] < _e96) {
+                local.offset = _e2923.color_offset;
+                local.size = _e2923.color_size;
+                local.flags = _e2923.flags;
+                let _e3024 = _lt_shaders_texture_TextureView_quad((&local), (((_e2917[0].u * _e2649) + (_e2917[1].u * _e2643.u)) + (_e2917[2].u * _e2643.v)), (((_e2917[0].v * _e2649) + (_e2917[1].v * _e2643.u)) + (_e2917[2].v * _e2643.v)));
+                if (_e3024.indices[0] < _e96) {
                 } else {
                     return;
                 }
-                let _e3033 = color_texels.member[(0u + _e3027.indices[0])];
-                let _e3044 = (1f / 255f);
-                if (_e3027.indices[1] < _e96) {
+                let _e3030 = color_texels.member[(0u + _e3024.indices[0])];
+                let _e3041 = (1f / 255f);
+                if (_e3024.indices[1] < _e96) {
                 } else {
                     return;
                 }
-                let _e3058 = color_texels.member[(0u + _e3027.indices[1])];
-                let _e3069 = (1f / 255f);
-                if (_e3027.indices[2] < _e96) {
+                let _e3055 = color_texels.member[(0u + _e3024.indices[1])];
+                let _e3066 = (1f / 255f);
+                if (_e3024.indices[2] < _e96) {
                 } else {
                     return;
                 }
-                let _e3086 = color_texels.member[(0u + _e3027.indices[2])];
-                let _e3097 = (1f / 255f);
-                if (_e3027.indices[3] < _e96) {
+                let _e3083 = color_texels.member[(0u + _e3024.indices[2])];
+                let _e3094 = (1f / 255f);
+                if (_e3024.indices[3] < _e96) {
                 } else {
                     return;
                 }
-                let _e3114 = color_texels.member[(0u + _e3027.indices[3])];
-                let _e3125 = (1f / 255f);
-                let _e3134 = (((((f32((_e3033 & 255u)) * _e3044) * _e3027.weights.x) + ((f32((_e3058 & 255u)) * _e3069) * _e3027.weights.y)) + ((f32((_e3086 & 255u)) * _e3097) * _e3027.weights.z)) + ((f32((_e3114 & 255u)) * _e3125) * _e3027.weights.w));
-                let _e3135 = (((((f32(((_e3033 >> bitcast<u32>(8i)) & 255u)) * _e3044) * _e3027.weights.x) + ((f32(((_e3058 >> bitcast<u32>(8i)) & 255u)) * _e3069) * _e3027.weights.y)) + ((f32(((_e3086 >> bitcast<u32>(8i)) & 255u)) * _e3097) * _e3027.weights.z)) + ((f32(((_e3114 >> bitcast<u32>(8i)) & 255u)) * _e3125) * _e3027.weights.w));
-                let _e3136 = (((((f32(((_e3033 >> bitcast<u32>(16i)) & 255u)) * _e3044) * _e3027.weights.x) + ((f32(((_e3058 >> bitcast<u32>(16i)) & 255u)) * _e3069) * _e3027.weights.y)) + ((f32(((_e3086 >> bitcast<u32>(16i)) & 255u)) * _e3097) * _e3027.weights.z)) + ((f32(((_e3114 >> bitcast<u32>(16i)) & 255u)) * _e3125) * _e3027.weights.w));
-                phi_3782_ = vec3<f32>((_e3134 * _e3134), (_e3135 * _e3135), (_e3136 * _e3136));
+                let _e3111 = color_texels.member[(0u + _e3024.indices[3])];
+                let _e3122 = (1f / 255f);
+                let _e3131 = (((((f32((_e3030 & 255u)) * _e3041) * _e3024.weights.x) + ((f32((_e3055 & 255u)) * _e3066) * _e3024.weights.y)) + ((f32((_e3083 & 255u)) * _e3094) * _e3024.weights.z)) + ((f32((_e3111 & 255u)) * _e3122) * _e3024.weights.w));
+                let _e3132 = (((((f32(((_e3030 >> bitcast<u32>(8i)) & 255u)) * _e3041) * _e3024.weights.x) + ((f32(((_e3055 >> bitcast<u32>(8i)) & 255u)) * _e3066) * _e3024.weights.y)) + ((f32(((_e3083 >> bitcast<u32>(8i)) & 255u)) * _e3094) * _e3024.weights.z)) + ((f32(((_e3111 >> bitcast<u32>(8i)) & 255u)) * _e3122) * _e3024.weights.w));
+                let _e3133 = (((((f32(((_e3030 >> bitcast<u32>(16i)) & 255u)) * _e3041) * _e3024.weights.x) + ((f32(((_e3055 >> bitcast<u32>(16i)) & 255u)) * _e3066) * _e3024.weights.y)) + ((f32(((_e3083 >> bitcast<u32>(16i)) & 255u)) * _e3094) * _e3024.weights.z)) + ((f32(((_e3111 >> bitcast<u32>(16i)) & 255u)) * _e3122) * _e3024.weights.w));
+                phi_3782_ = vec3<f32>((_e3131 * _e3131), (_e3132 * _e3132), (_e3133 * _e3133));
             }
-            let _e3142 = phi_3782_;
-            let _e3144 = ((_e2926.base_color.x * ((((f32((_e2920[0].color & 255u)) * _e2943) * _e2652) + ((f32((_e2920[1].color & 255u)) * _e2962) * _e2646.u)) + ((f32((_e2920[2].color & 255u)) * _e2984) * _e2646.v))) * _e3142.x);
-            let _e3146 = ((_e2926.base_color.y * ((((f32(((_e2920[0].color >> bitcast<u32>(8i)) & 255u)) * _e2943) * _e2652) + ((f32(((_e2920[1].color >> bitcast<u32>(8i)) & 255u)) * _e2962) * _e2646.u)) + ((f32(((_e2920[2].color >> bitcast<u32>(8i)) & 255u)) * _e2984) * _e2646.v))) * _e3142.y);
-            let _e3148 = ((_e2926.base_color.z * ((((f32(((_e2920[0].color >> bitcast<u32>(16i)) & 255u)) * _e2943) * _e2652) + ((f32(((_e2920[1].color >> bitcast<u32>(16i)) & 255u)) * _e2962) * _e2646.u)) + ((f32(((_e2920[2].color >> bitcast<u32>(16i)) & 255u)) * _e2984) * _e2646.v))) * _e3142.z);
-            let _e3149 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2833, _e2836);
-            let _e3150 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2830, _e3149);
-            if ((_e2926.flags & 2u) == 0u) {
+            let _e3139 = phi_3782_;
+            let _e3141 = ((_e2923.base_color.x * ((((f32((_e2917[0].color & 255u)) * _e2940) * _e2649) + ((f32((_e2917[1].color & 255u)) * _e2959) * _e2643.u)) + ((f32((_e2917[2].color & 255u)) * _e2981) * _e2643.v))) * _e3139.x);
+            let _e3143 = ((_e2923.base_color.y * ((((f32(((_e2917[0].color >> bitcast<u32>(8i)) & 255u)) * _e2940) * _e2649) + ((f32(((_e2917[1].color >> bitcast<u32>(8i)) & 255u)) * _e2959) * _e2643.u)) + ((f32(((_e2917[2].color >> bitcast<u32>(8i)) & 255u)) * _e2981) * _e2643.v))) * _e3139.y);
+            let _e3145 = ((_e2923.base_color.z * ((((f32(((_e2917[0].color >> bitcast<u32>(16i)) & 255u)) * _e2940) * _e2649) + ((f32(((_e2917[1].color >> bitcast<u32>(16i)) & 255u)) * _e2959) * _e2643.u)) + ((f32(((_e2917[2].color >> bitcast<u32>(16i)) & 255u)) * _e2981) * _e2643.v))) * _e3139.z);
+            let _e3146 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2830, _e2833);
+            let _e3147 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2827, _e3146);
+            if ((_e2923.flags & 2u) == 0u) {
                 phi_3797_ = 0u;
             } else {
                 phi_3797_ = 1u;
             }
-            let _e3155 = phi_3797_;
-            if (_e2920[0].normal == 2147516416u) {
-                phi_4027_ = _e2898;
+            let _e3152 = phi_3797_;
+            if (_e2917[0].normal == 2147516416u) {
+                phi_4027_ = _e2895;
             } else {
-                let _e3168 = (f32((bitcast<i32>((_e2920[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3174 = (f32((bitcast<i32>(_e2920[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3178 = ((1f - abs(_e3168)) - abs(_e3174));
-                if (_e3178 < 0f) {
-                    phi_3824_ = -(_e3178);
+                let _e3165 = (f32((bitcast<i32>((_e2917[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3171 = (f32((bitcast<i32>(_e2917[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3175 = ((1f - abs(_e3165)) - abs(_e3171));
+                if (_e3175 < 0f) {
+                    phi_3824_ = -(_e3175);
                 } else {
                     phi_3824_ = 0f;
                 }
-                let _e3182 = phi_3824_;
-                if (_e3168 < 0f) {
-                    phi_3831_ = (_e3168 + _e3182);
+                let _e3179 = phi_3824_;
+                if (_e3165 < 0f) {
+                    phi_3831_ = (_e3165 + _e3179);
                 } else {
-                    phi_3831_ = (_e3168 - _e3182);
+                    phi_3831_ = (_e3165 - _e3179);
                 }
-                let _e3187 = phi_3831_;
-                if (_e3174 < 0f) {
-                    phi_3838_ = (_e3174 + _e3182);
+                let _e3184 = phi_3831_;
+                if (_e3171 < 0f) {
+                    phi_3838_ = (_e3171 + _e3179);
                 } else {
-                    phi_3838_ = (_e3174 - _e3182);
+                    phi_3838_ = (_e3171 - _e3179);
                 }
-                let _e3192 = phi_3838_;
-                let _e3199 = (1f / sqrt((((_e3187 * _e3187) + (_e3192 * _e3192)) + (_e3178 * _e3178))));
-                let _e3215 = (f32((bitcast<i32>((_e2920[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3221 = (f32((bitcast<i32>(_e2920[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3225 = ((1f - abs(_e3215)) - abs(_e3221));
-                if (_e3225 < 0f) {
-                    phi_3873_ = -(_e3225);
+                let _e3189 = phi_3838_;
+                let _e3196 = (1f / sqrt((((_e3184 * _e3184) + (_e3189 * _e3189)) + (_e3175 * _e3175))));
+                let _e3212 = (f32((bitcast<i32>((_e2917[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3218 = (f32((bitcast<i32>(_e2917[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3222 = ((1f - abs(_e3212)) - abs(_e3218));
+                if (_e3222 < 0f) {
+                    phi_3873_ = -(_e3222);
                 } else {
                     phi_3873_ = 0f;
                 }
-                let _e3229 = phi_3873_;
-                if (_e3215 < 0f) {
-                    phi_3880_ = (_e3215 + _e3229);
+                let _e3226 = phi_3873_;
+                if (_e3212 < 0f) {
+                    phi_3880_ = (_e3212 + _e3226);
                 } else {
-                    phi_3880_ = (_e3215 - _e3229);
+                    phi_3880_ = (_e3212 - _e3226);
                 }
-                let _e3234 = phi_3880_;
-                if (_e3221 < 0f) {
-                    phi_3887_ = (_e3221 + _e3229);
+                let _e3231 = phi_3880_;
+                if (_e3218 < 0f) {
+                    phi_3887_ = (_e3218 + _e3226);
                 } else {
-                    phi_3887_ = (_e3221 - _e3229);
+                    phi_3887_ = (_e3218 - _e3226);
                 }
-                let _e3239 = phi_3887_;
-                let _e3246 = (1f / sqrt((((_e3234 * _e3234) + (_e3239 * _e3239)) + (_e3225 * _e3225))));
-                let _e3265 = (f32((bitcast<i32>((_e2920[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3271 = (f32((bitcast<i32>(_e2920[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3275 = ((1f - abs(_e3265)) - abs(_e3271));
-                if (_e3275 < 0f) {
-                    phi_3925_ = -(_e3275);
+                let _e3236 = phi_3887_;
+                let _e3243 = (1f / sqrt((((_e3231 * _e3231) + (_e3236 * _e3236)) + (_e3222 * _e3222))));
+                let _e3262 = (f32((bitcast<i32>((_e2917[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3268 = (f32((bitcast<i32>(_e2917[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3272 = ((1f - abs(_e3262)) - abs(_e3268));
+                if (_e3272 < 0f) {
+                    phi_3925_ = -(_e3272);
                 } else {
                     phi_3925_ = 0f;
                 }
-                let _e3279 = phi_3925_;
-                if (_e3265 < 0f) {
-                    phi_3932_ = (_e3265 + _e3279);
+                let _e3276 = phi_3925_;
+                if (_e3262 < 0f) {
+                    phi_3932_ = (_e3262 + _e3276);
                 } else {
-                    phi_3932_ = (_e3265 - _e3279);
+                    phi_3932_ = (_e3262 - _e3276);
                 }
-                let _e3284 = phi_3932_;
-                if (_e3271 < 0f) {
-                    phi_3939_ = (_e3271 + _e3279);
+                let _e3281 = phi_3932_;
+                if (_e3268 < 0f) {
+                    phi_3939_ = (_e3268 + _e3276);
                 } else {
-                    phi_3939_ = (_e3271 - _e3279);
+                    phi_3939_ = (_e3268 - _e3276);
                 }
-                let _e3289 = phi_3939_;
-                let _e3296 = (1f / sqrt((((_e3284 * _e3284) + (_e3289 * _e3289)) + (_e3275 * _e3275))));
-                let _e3303 = ((((_e3187 * _e3199) * _e2652) + ((_e3234 * _e3246) * _e2646.u)) + ((_e3284 * _e3296) * _e2646.v));
-                let _e3304 = ((((_e3192 * _e3199) * _e2652) + ((_e3239 * _e3246) * _e2646.u)) + ((_e3289 * _e3296) * _e2646.v));
-                let _e3305 = ((((_e3178 * _e3199) * _e2652) + ((_e3225 * _e3246) * _e2646.u)) + ((_e3275 * _e3296) * _e2646.v));
-                if (_e2646.instance < _e93) {
+                let _e3286 = phi_3939_;
+                let _e3293 = (1f / sqrt((((_e3281 * _e3281) + (_e3286 * _e3286)) + (_e3272 * _e3272))));
+                let _e3300 = ((((_e3184 * _e3196) * _e2649) + ((_e3231 * _e3243) * _e2643.u)) + ((_e3281 * _e3293) * _e2643.v));
+                let _e3301 = ((((_e3189 * _e3196) * _e2649) + ((_e3236 * _e3243) * _e2643.u)) + ((_e3286 * _e3293) * _e2643.v));
+                let _e3302 = ((((_e3175 * _e3196) * _e2649) + ((_e3222 * _e3243) * _e2643.u)) + ((_e3272 * _e3293) * _e2643.v));
+                if (_e2643.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3312 = instances.member[(0u + _e2646.instance)].world_to_object[0u];
-                let _e3321 = instances.member[(0u + _e2646.instance)].world_to_object[1u];
-                let _e3333 = instances.member[(0u + _e2646.instance)].world_to_object[2u];
-                let _e3340 = (((_e3312.x * _e3303) + (_e3321.x * _e3304)) + (_e3333.x * _e3305));
-                let _e3341 = (((_e3312.y * _e3303) + (_e3321.y * _e3304)) + (_e3333.y * _e3305));
-                let _e3342 = (((_e3312.z * _e3303) + (_e3321.z * _e3304)) + (_e3333.z * _e3305));
-                let _e3348 = sqrt((((_e3340 * _e3340) + (_e3341 * _e3341)) + (_e3342 * _e3342)));
-                if (_e3348 > 0f) {
-                    let _e3350 = (_e3340 / _e3348);
-                    let _e3351 = (_e3341 / _e3348);
-                    let _e3352 = (_e3342 / _e3348);
-                    if ((((_e3350 * _e2898.x) + (_e3351 * _e2898.y)) + (_e3352 * _e2898.z)) < 0f) {
-                        phi_4025_ = vec3<f32>(-(_e3350), -(_e3351), -(_e3352));
+                let _e3309 = instances.member[(0u + _e2643.instance)].world_to_object[0u];
+                let _e3318 = instances.member[(0u + _e2643.instance)].world_to_object[1u];
+                let _e3330 = instances.member[(0u + _e2643.instance)].world_to_object[2u];
+                let _e3337 = (((_e3309.x * _e3300) + (_e3318.x * _e3301)) + (_e3330.x * _e3302));
+                let _e3338 = (((_e3309.y * _e3300) + (_e3318.y * _e3301)) + (_e3330.y * _e3302));
+                let _e3339 = (((_e3309.z * _e3300) + (_e3318.z * _e3301)) + (_e3330.z * _e3302));
+                let _e3345 = sqrt((((_e3337 * _e3337) + (_e3338 * _e3338)) + (_e3339 * _e3339)));
+                if (_e3345 > 0f) {
+                    let _e3347 = (_e3337 / _e3345);
+                    let _e3348 = (_e3338 / _e3345);
+                    let _e3349 = (_e3339 / _e3345);
+                    if ((((_e3347 * _e2895.x) + (_e3348 * _e2895.y)) + (_e3349 * _e2895.z)) < 0f) {
+                        phi_4025_ = vec3<f32>(-(_e3347), -(_e3348), -(_e3349));
                     } else {
-                        phi_4025_ = vec3<f32>(_e3350, _e3351, _e3352);
+                        phi_4025_ = vec3<f32>(_e3347, _e3348, _e3349);
                     }
-                    let _e3368 = phi_4025_;
-                    phi_4026_ = _e3368;
+                    let _e3365 = phi_4025_;
+                    phi_4026_ = _e3365;
                 } else {
-                    phi_4026_ = _e2898;
+                    phi_4026_ = _e2895;
                 }
-                let _e3370 = phi_4026_;
-                phi_4027_ = _e3370;
+                let _e3367 = phi_4026_;
+                phi_4027_ = _e3367;
             }
-            let _e3372 = phi_4027_;
-            if (_e3144 > 0f) {
-                if (_e3144 < 1f) {
-                    phi_4036_ = _e3144;
+            let _e3369 = phi_4027_;
+            if (_e3141 > 0f) {
+                if (_e3141 < 1f) {
+                    phi_4036_ = _e3141;
                 } else {
                     phi_4036_ = 1f;
                 }
-                let _e3376 = phi_4036_;
-                phi_4037_ = _e3376;
+                let _e3373 = phi_4036_;
+                phi_4037_ = _e3373;
             } else {
                 phi_4037_ = 0f;
             }
-            let _e3378 = phi_4037_;
-            if (_e3146 > 0f) {
-                if (_e3146 < 1f) {
-                    phi_4047_ = _e3146;
+            let _e3375 = phi_4037_;
+            if (_e3143 > 0f) {
+                if (_e3143 < 1f) {
+                    phi_4047_ = _e3143;
                 } else {
                     phi_4047_ = 1f;
                 }
-                let _e3383 = phi_4047_;
-                phi_4048_ = _e3383;
+                let _e3380 = phi_4047_;
+                phi_4048_ = _e3380;
             } else {
                 phi_4048_ = 0f;
             }
-            let _e3385 = phi_4048_;
-            if (_e3148 > 0f) {
-                if (_e3148 < 1f) {
-                    phi_4058_ = _e3148;
+            let _e3382 = phi_4048_;
+            if (_e3145 > 0f) {
+                if (_e3145 < 1f) {
+                    phi_4058_ = _e3145;
                 } else {
                     phi_4058_ = 1f;
                 }
-                let _e3390 = phi_4058_;
-                phi_4059_ = _e3390;
+                let _e3387 = phi_4058_;
+                phi_4059_ = _e3387;
             } else {
                 phi_4059_ = 0f;
             }
-            let _e3392 = phi_4059_;
-            let _e3395 = ((sqrt(_e3378) * 255f) + 0.5f);
-            let _e3404 = ((sqrt(_e3385) * 255f) + 0.5f);
-            let _e3416 = ((sqrt(_e3392) * 255f) + 0.5f);
-            phi_4094_ = abi_Sample(vec3<f32>(_e2806, _e2807, _e2808), _e3150, _e2898, _e3155, _e3372, ((select(select(u32(_e3395), 0u, (_e3395 < bitcast<f32>(0u))), 4294967295u, (_e3395 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3404), 0u, (_e3404 < bitcast<f32>(0u))), 4294967295u, (_e3404 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3416), 0u, (_e3416 < bitcast<f32>(0u))), 4294967295u, (_e3416 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3389 = phi_4059_;
+            let _e3392 = ((sqrt(_e3375) * 255f) + 0.5f);
+            let _e3401 = ((sqrt(_e3382) * 255f) + 0.5f);
+            let _e3413 = ((sqrt(_e3389) * 255f) + 0.5f);
+            phi_4094_ = abi_Sample(vec3<f32>(_e2803, _e2804, _e2805), _e3147, _e2895, _e3152, _e3369, ((select(select(u32(_e3392), 0u, (_e3392 < bitcast<f32>(0u))), 4294967295u, (_e3392 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3401), 0u, (_e3401 < bitcast<f32>(0u))), 4294967295u, (_e3401 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3413), 0u, (_e3413 < bitcast<f32>(0u))), 4294967295u, (_e3413 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_4094_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3430 = phi_4094_;
+        let _e3427 = phi_4094_;
         if (_e108.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e108.shift)] = _e3430;
-        if (_e2646.triangle != 4294967295u) {
-            let _e3439 = ((1f - _e2646.u) - _e2646.v);
-            if (_e2646.triangle < _e81) {
+        samples.member[(0u + _e108.shift)] = _e3427;
+        if (_e2643.triangle != 4294967295u) {
+            let _e3436 = ((1f - _e2643.u) - _e2643.v);
+            if (_e2643.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3444 = triangles.member[(0u + _e2646.triangle)];
-            let _e3446 = (_e3444.i0_ & 2147483647u);
-            if (_e3446 < _e99) {
+            let _e3441 = triangles.member[(0u + _e2643.triangle)];
+            let _e3443 = (_e3441.i0_ & 2147483647u);
+            if (_e3443 < _e99) {
             } else {
                 return;
             }
-            let _e3452 = before.member[(0u + _e3446)];
-            if (_e3444.i1_ < _e99) {
+            let _e3449 = before.member[(0u + _e3443)];
+            if (_e3441.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3456 = before.member[(0u + _e3444.i1_)];
-            if (_e3444.i2_ < _e99) {
+            let _e3453 = before.member[(0u + _e3441.i1_)];
+            if (_e3441.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3460 = before.member[(0u + _e3444.i2_)];
-            if (_e2646.instance < _e93) {
+            let _e3457 = before.member[(0u + _e3441.i2_)];
+            if (_e2643.instance < _e93) {
             } else {
                 return;
             }
-            let _e3470 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3483 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3496 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            if (_e2646.instance < _e93) {
+            let _e3467 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e3480 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e3493 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            if (_e2643.instance < _e93) {
             } else {
                 return;
             }
-            let _e3520 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3533 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3546 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            if (_e2646.instance < _e93) {
+            let _e3517 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e3530 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e3543 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            if (_e2643.instance < _e93) {
             } else {
                 return;
             }
-            let _e3573 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3586 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3599 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            phi_4317_ = vec3<f32>((((((((_e3470.x * _e3452.x) + (_e3470.y * _e3452.y)) + (_e3470.z * _e3452.z)) + (_e3470.w * 1f)) * _e3439) + (((((_e3520.x * _e3456.x) + (_e3520.y * _e3456.y)) + (_e3520.z * _e3456.z)) + (_e3520.w * 1f)) * _e2646.u)) + (((((_e3573.x * _e3460.x) + (_e3573.y * _e3460.y)) + (_e3573.z * _e3460.z)) + (_e3573.w * 1f)) * _e2646.v)), (((((((_e3483.x * _e3452.x) + (_e3483.y * _e3452.y)) + (_e3483.z * _e3452.z)) + (_e3483.w * 1f)) * _e3439) + (((((_e3533.x * _e3456.x) + (_e3533.y * _e3456.y)) + (_e3533.z * _e3456.z)) + (_e3533.w * 1f)) * _e2646.u)) + (((((_e3586.x * _e3460.x) + (_e3586.y * _e3460.y)) + (_e3586.z * _e3460.z)) + (_e3586.w * 1f)) * _e2646.v)), (((((((_e3496.x * _e3452.x) + (_e3496.y * _e3452.y)) + (_e3496.z * _e3452.z)) + (_e3496.w * 1f)) * _e3439) + (((((_e3546.x * _e3456.x) + (_e3546.y * _e3456.y)) + (_e3546.z * _e3456.z)) + (_e3546.w * 1f)) * _e2646.u)) + (((((_e3599.x * _e3460.x) + (_e3599.y * _e3460.y)) + (_e3599.z * _e3460.z)) + (_e3599.w * 1f)) * _e2646.v)));
+            let _e3570 = instances.member[(0u + _e2643.instance)].object_to_world[0u];
+            let _e3583 = instances.member[(0u + _e2643.instance)].object_to_world[1u];
+            let _e3596 = instances.member[(0u + _e2643.instance)].object_to_world[2u];
+            phi_4317_ = vec3<f32>((((((((_e3467.x * _e3449.x) + (_e3467.y * _e3449.y)) + (_e3467.z * _e3449.z)) + (_e3467.w * 1f)) * _e3436) + (((((_e3517.x * _e3453.x) + (_e3517.y * _e3453.y)) + (_e3517.z * _e3453.z)) + (_e3517.w * 1f)) * _e2643.u)) + (((((_e3570.x * _e3457.x) + (_e3570.y * _e3457.y)) + (_e3570.z * _e3457.z)) + (_e3570.w * 1f)) * _e2643.v)), (((((((_e3480.x * _e3449.x) + (_e3480.y * _e3449.y)) + (_e3480.z * _e3449.z)) + (_e3480.w * 1f)) * _e3436) + (((((_e3530.x * _e3453.x) + (_e3530.y * _e3453.y)) + (_e3530.z * _e3453.z)) + (_e3530.w * 1f)) * _e2643.u)) + (((((_e3583.x * _e3457.x) + (_e3583.y * _e3457.y)) + (_e3583.z * _e3457.z)) + (_e3583.w * 1f)) * _e2643.v)), (((((((_e3493.x * _e3449.x) + (_e3493.y * _e3449.y)) + (_e3493.z * _e3449.z)) + (_e3493.w * 1f)) * _e3436) + (((((_e3543.x * _e3453.x) + (_e3543.y * _e3453.y)) + (_e3543.z * _e3453.z)) + (_e3543.w * 1f)) * _e2643.u)) + (((((_e3596.x * _e3457.x) + (_e3596.y * _e3457.y)) + (_e3596.z * _e3457.z)) + (_e3596.w * 1f)) * _e2643.v)));
         } else {
             phi_4317_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3619 = phi_4317_;
+        let _e3616 = phi_4317_;
         if (_e108.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.shift)] = vec4<f32>(_e3619.x, _e3619.y, _e3619.z, 1f);
+        past.member[(0u + _e108.shift)] = vec4<f32>(_e3616.x, _e3616.y, _e3616.z, 1f);
     }
     return;
 }

@@ -694,1972 +694,1972 @@ fn function_() {
                 } else {
                     phi_506_ = abs(_e145.direction.x);
                 }
-                let _e294 = phi_506_;
+                let _e293 = phi_506_;
                 if (_e145.direction.x < 0f) {
-                    phi_513_ = (-1f / _e294);
+                    phi_513_ = (-1f / _e293);
                 } else {
-                    phi_513_ = (1f / _e294);
+                    phi_513_ = (1f / _e293);
                 }
-                let _e299 = phi_513_;
+                let _e298 = phi_513_;
                 if (abs(_e145.direction.y) < _e287) {
                     phi_521_ = _e287;
                 } else {
                     phi_521_ = abs(_e145.direction.y);
                 }
-                let _e306 = phi_521_;
+                let _e304 = phi_521_;
                 if (_e145.direction.y < 0f) {
-                    phi_528_ = (-1f / _e306);
+                    phi_528_ = (-1f / _e304);
                 } else {
-                    phi_528_ = (1f / _e306);
+                    phi_528_ = (1f / _e304);
                 }
-                let _e311 = phi_528_;
+                let _e309 = phi_528_;
                 if (abs(_e145.direction.z) < _e287) {
                     phi_536_ = _e287;
                 } else {
                     phi_536_ = abs(_e145.direction.z);
                 }
-                let _e318 = phi_536_;
+                let _e315 = phi_536_;
                 if (_e145.direction.z < 0f) {
-                    phi_543_ = (-1f / _e318);
+                    phi_543_ = (-1f / _e315);
                 } else {
-                    phi_543_ = (1f / _e318);
+                    phi_543_ = (1f / _e315);
                 }
-                let _e323 = phi_543_;
-                let _e331 = abs((bitcast<f32>(_e223) - _e145.origin.x));
-                let _e332 = abs((bitcast<f32>(_e227) - _e145.origin.y));
-                let _e333 = abs((bitcast<f32>(_e231) - _e145.origin.z));
-                let _e341 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e247 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.x));
-                let _e342 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e247 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.y));
-                let _e343 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e247 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.z));
-                if (_e331 > _e341) {
-                    phi_568_ = _e331;
+                let _e320 = phi_543_;
+                let _e328 = abs((bitcast<f32>(_e223) - _e145.origin.x));
+                let _e329 = abs((bitcast<f32>(_e227) - _e145.origin.y));
+                let _e330 = abs((bitcast<f32>(_e231) - _e145.origin.z));
+                let _e338 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e247 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.x));
+                let _e339 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e247 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.y));
+                let _e340 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e247 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e145.origin.z));
+                if (_e328 > _e338) {
+                    phi_568_ = _e328;
                 } else {
-                    phi_568_ = _e341;
+                    phi_568_ = _e338;
                 }
-                let _e346 = phi_568_;
-                if (_e332 > _e342) {
-                    phi_573_ = _e332;
+                let _e343 = phi_568_;
+                if (_e329 > _e339) {
+                    phi_573_ = _e329;
                 } else {
-                    phi_573_ = _e342;
+                    phi_573_ = _e339;
                 }
-                let _e349 = phi_573_;
-                if (_e333 > _e343) {
-                    phi_578_ = _e333;
+                let _e346 = phi_573_;
+                if (_e330 > _e340) {
+                    phi_578_ = _e330;
                 } else {
-                    phi_578_ = _e343;
+                    phi_578_ = _e340;
                 }
-                let _e352 = phi_578_;
-                let _e353 = core_intrinsics_maximum_number_nsz_f32_(_e346, _e349);
-                let _e354 = core_intrinsics_maximum_number_nsz_f32_(_e353, _e352);
-                let _e359 = (_e354 * 0.0000019073486f);
-                let _e360 = (abs(_e299) * _e359);
-                let _e361 = (abs(_e311) * _e359);
-                let _e362 = (abs(_e323) * _e359);
-                let _e366 = (_e354 * 0.0000009536743f);
-                let _e367 = (abs(_e299) * _e366);
-                let _e368 = (abs(_e311) * _e366);
-                let _e369 = (abs(_e323) * _e366);
-                if (_e299 < 0f) {
+                let _e349 = phi_578_;
+                let _e350 = core_intrinsics_maximum_number_nsz_f32_(_e343, _e346);
+                let _e351 = core_intrinsics_maximum_number_nsz_f32_(_e350, _e349);
+                let _e356 = (_e351 * 0.0000019073486f);
+                let _e357 = (abs(_e298) * _e356);
+                let _e358 = (abs(_e309) * _e356);
+                let _e359 = (abs(_e320) * _e356);
+                let _e363 = (_e351 * 0.0000009536743f);
+                let _e364 = (abs(_e298) * _e363);
+                let _e365 = (abs(_e309) * _e363);
+                let _e366 = (abs(_e320) * _e363);
+                if (_e298 < 0f) {
                     phi_600_ = 0u;
                 } else {
                     phi_600_ = 1u;
                 }
-                let _e372 = phi_600_;
-                if (_e311 < 0f) {
+                let _e369 = phi_600_;
+                if (_e309 < 0f) {
                     phi_605_ = 0u;
                 } else {
                     phi_605_ = 2u;
                 }
-                let _e375 = phi_605_;
-                if (_e323 < 0f) {
+                let _e372 = phi_605_;
+                if (_e320 < 0f) {
                     phi_610_ = 0u;
                 } else {
                     phi_610_ = 4u;
                 }
-                let _e378 = phi_610_;
-                let _e380 = ((_e372 | _e375) | _e378);
-                let _e381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e94, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e381.first[0], _e381.first[1], _e381.first[2], _e381.first[3], _e381.first[4], _e381.first[5], _e381.first[6], _e381.first[7], _e381.first[8], _e381.first[9], _e381.first[10], _e381.first[11], _e381.first[12], _e381.first[13], _e381.first[14], _e381.first[15], _e381.first[16], _e381.first[17], _e381.first[18], _e381.first[19], _e381.first[20], _e381.first[21], _e381.first[22], _e381.first[23], _e381.first[24], _e381.first[25], _e381.first[26], _e381.first[27], _e381.first[28], _e381.first[29], _e381.first[30], _e381.first[31]), array<u32, 32>(_e381.mask[0], _e381.mask[1], _e381.mask[2], _e381.mask[3], _e381.mask[4], _e381.mask[5], _e381.mask[6], _e381.mask[7], _e381.mask[8], _e381.mask[9], _e381.mask[10], _e381.mask[11], _e381.mask[12], _e381.mask[13], _e381.mask[14], _e381.mask[15], _e381.mask[16], _e381.mask[17], _e381.mask[18], _e381.mask[19], _e381.mask[20], _e381.mask[21], _e381.mask[22], _e381.mask[23], _e381.mask[24], _e381.mask[25], _e381.mask[26], _e381.mask[27], _e381.mask[28], _e381.mask[29], _e381.mask[30], _e381.mask[31]), _e381.len, _e381.group, _e381.group_mask);
-                let _e455 = local_1.group_mask;
-                if ((_e455 & 4278190080u) == 0u) {
-                    let _e459 = local_1.len;
-                    if (_e459 == 0u) {
+                let _e375 = phi_610_;
+                let _e377 = ((_e369 | _e372) | _e375);
+                let _e378 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e94, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e378.first[0], _e378.first[1], _e378.first[2], _e378.first[3], _e378.first[4], _e378.first[5], _e378.first[6], _e378.first[7], _e378.first[8], _e378.first[9], _e378.first[10], _e378.first[11], _e378.first[12], _e378.first[13], _e378.first[14], _e378.first[15], _e378.first[16], _e378.first[17], _e378.first[18], _e378.first[19], _e378.first[20], _e378.first[21], _e378.first[22], _e378.first[23], _e378.first[24], _e378.first[25], _e378.first[26], _e378.first[27], _e378.first[28], _e378.first[29], _e378.first[30], _e378.first[31]), array<u32, 32>(_e378.mask[0], _e378.mask[1], _e378.mask[2], _e378.mask[3], _e378.mask[4], _e378.mask[5], _e378.mask[6], _e378.mask[7], _e378.mask[8], _e378.mask[9], _e378.mask[10], _e378.mask[11], _e378.mask[12], _e378.mask[13], _e378.mask[14], _e378.mask[15], _e378.mask[16], _e378.mask[17], _e378.mask[18], _e378.mask[19], _e378.mask[20], _e378.mask[21], _e378.mask[22], _e378.mask[23], _e378.mask[24], _e378.mask[25], _e378.mask[26], _e378.mask[27], _e378.mask[28], _e378.mask[29], _e378.mask[30], _e378.mask[31]), _e378.len, _e378.group, _e378.group_mask);
+                let _e452 = local_1.group_mask;
+                if ((_e452 & 4278190080u) == 0u) {
+                    let _e456 = local_1.len;
+                    if (_e456 == 0u) {
                         phi_724_ = false;
                     } else {
+                        let _e460 = local_1.len;
+                        local_1.len = (_e460 - 1u);
                         let _e463 = local_1.len;
-                        local_1.len = (_e463 - 1u);
-                        let _e466 = local_1.len;
-                        if (_e466 < 32u) {
+                        if (_e463 < 32u) {
                         } else {
                             return;
                         }
-                        let _e471 = local_1.first[(0u + _e466)];
-                        local_1.group = _e471;
-                        let _e474 = local_1.len;
-                        if (_e474 < 32u) {
+                        let _e468 = local_1.first[(0u + _e463)];
+                        local_1.group = _e468;
+                        let _e471 = local_1.len;
+                        if (_e471 < 32u) {
                         } else {
                             return;
                         }
-                        let _e479 = local_1.mask[(0u + _e474)];
-                        local_1.group_mask = _e479;
+                        let _e476 = local_1.mask[(0u + _e471)];
+                        local_1.group_mask = _e476;
                         phi_724_ = true;
                     }
-                    let _e482 = phi_724_;
-                    phi_725_ = _e482;
+                    let _e479 = phi_724_;
+                    phi_725_ = _e479;
                 } else {
                     phi_725_ = true;
                 }
-                let _e484 = phi_725_;
-                if _e484 {
-                    let _e486 = local_1.group_mask;
-                    let _e492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e486)), 32u, (_e486 == 0u)));
-                    let _e496 = local_1.group_mask;
-                    let _e510 = local_1.group_mask;
-                    local_1.group_mask = (_e510 & ~((1u << bitcast<u32>((_e492 & 31u)))));
-                    let _e513 = local_1.group;
-                    phi_756_ = (_e513 + countOneBits(((_e496 & ~((4294967295u << bitcast<u32>((((_e492 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e481 = phi_725_;
+                if _e481 {
+                    let _e483 = local_1.group_mask;
+                    let _e489 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e483)), 32u, (_e483 == 0u)));
+                    let _e493 = local_1.group_mask;
+                    let _e507 = local_1.group_mask;
+                    local_1.group_mask = (_e507 & ~((1u << bitcast<u32>((_e489 & 31u)))));
+                    let _e510 = local_1.group;
+                    phi_756_ = (_e510 + countOneBits(((_e493 & ~((4294967295u << bitcast<u32>((((_e489 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_756_ = 4294967295u;
                 }
-                let _e516 = phi_756_;
-                phi_758_ = _e516;
+                let _e513 = phi_756_;
+                phi_758_ = _e513;
                 phi_761_ = _e147;
                 loop {
-                    let _e518 = phi_758_;
-                    let _e520 = phi_761_;
-                    local_11 = _e520;
-                    let _e521 = (_e518 != 4294967295u);
-                    if _e521 {
-                        if (_e518 < _e67) {
+                    let _e515 = phi_758_;
+                    let _e517 = phi_761_;
+                    local_11 = _e517;
+                    let _e518 = (_e515 != 4294967295u);
+                    if _e518 {
+                        if (_e515 < _e67) {
                         } else {
                             return;
                         }
-                        let _e529 = nodes.member[(0u + _e518)].frame[3u];
-                        let _e554 = (bitcast<f32>((((_e529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
-                        let _e555 = (bitcast<f32>((((_e529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e311);
-                        let _e556 = (bitcast<f32>((((_e529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e323);
-                        let _e559 = nodes.member[(0u + _e518)].frame[0u];
-                        let _e563 = nodes.member[(0u + _e518)].frame[1u];
-                        let _e567 = nodes.member[(0u + _e518)].frame[2u];
-                        let _e575 = ((bitcast<f32>(_e559) - _e145.origin.x) * _e299);
-                        let _e576 = ((bitcast<f32>(_e563) - _e145.origin.y) * _e311);
-                        let _e577 = ((bitcast<f32>(_e567) - _e145.origin.z) * _e323);
-                        let _e585 = nodes.member[(0u + _e518)].x;
-                        if (_e299 < 0f) {
-                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e596.unnamed.word, _e585.w), _e596.unnamed_1);
-                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_mask_LightPlace(_e585.x, _e602.unnamed_1.shift));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_mask_LightPlace(_e608.unnamed_1.word, _e585.y));
+                        let _e526 = nodes.member[(0u + _e515)].frame[3u];
+                        let _e551 = (bitcast<f32>((((_e526 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e298);
+                        let _e552 = (bitcast<f32>((((_e526 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
+                        let _e553 = (bitcast<f32>((((_e526 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e320);
+                        let _e556 = nodes.member[(0u + _e515)].frame[0u];
+                        let _e560 = nodes.member[(0u + _e515)].frame[1u];
+                        let _e564 = nodes.member[(0u + _e515)].frame[2u];
+                        let _e572 = ((bitcast<f32>(_e556) - _e145.origin.x) * _e298);
+                        let _e573 = ((bitcast<f32>(_e560) - _e145.origin.y) * _e309);
+                        let _e574 = ((bitcast<f32>(_e564) - _e145.origin.z) * _e320);
+                        let _e582 = nodes.member[(0u + _e515)].x;
+                        if (_e298 < 0f) {
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.unnamed.word, _e582.w), _e593.unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_mask_LightPlace(_e582.x, _e599.unnamed_1.shift));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e605.unnamed_1.word, _e582.y));
                         } else {
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e624.unnamed.word, _e585.y), _e624.unnamed_1);
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_mask_LightPlace(_e585.z, _e630.unnamed_1.shift));
-                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_mask_LightPlace(_e636.unnamed_1.word, _e585.w));
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.unnamed.word, _e582.y), _e621.unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e582.z, _e627.unnamed_1.shift));
+                            phi_846_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_mask_LightPlace(_e633.unnamed_1.word, _e582.w));
                         }
-                        let _e644 = phi_846_;
-                        let _e654 = nodes.member[(0u + _e518)].y;
-                        if (_e311 < 0f) {
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.unnamed.word, _e654.w), _e665.unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e654.x, _e671.unnamed_1.shift));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e677.unnamed_1.word, _e654.y));
+                        let _e641 = phi_846_;
+                        let _e651 = nodes.member[(0u + _e515)].y;
+                        if (_e309 < 0f) {
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.unnamed.word, _e651.w), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e651.x, _e668.unnamed_1.shift));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e674.unnamed_1.word, _e651.y));
                         } else {
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e693.unnamed.word, _e654.y), _e693.unnamed_1);
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e654.z, _e699.unnamed_1.shift));
-                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_mask_LightPlace(_e705.unnamed_1.word, _e654.w));
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.unnamed.word, _e651.y), _e690.unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e651.z, _e696.unnamed_1.shift));
+                            phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_mask_LightPlace(_e702.unnamed_1.word, _e651.w));
                         }
-                        let _e713 = phi_873_;
-                        let _e723 = nodes.member[(0u + _e518)].z;
-                        if (_e323 < 0f) {
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.unnamed.word, _e723.w), _e734.unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e723.x, _e740.unnamed_1.shift));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e746.unnamed_1.word, _e723.y));
+                        let _e710 = phi_873_;
+                        let _e720 = nodes.member[(0u + _e515)].z;
+                        if (_e320 < 0f) {
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.unnamed.word, _e720.w), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e720.x, _e737.unnamed_1.shift));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e743.unnamed_1.word, _e720.y));
                         } else {
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e762.unnamed.word, _e723.y), _e762.unnamed_1);
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e723.z, _e768.unnamed_1.shift));
-                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_mask_LightPlace(_e774.unnamed_1.word, _e723.w));
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e759.unnamed.word, _e720.y), _e759.unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e720.z, _e765.unnamed_1.shift));
+                            phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_mask_LightPlace(_e771.unnamed_1.word, _e720.w));
                         }
-                        let _e782 = phi_900_;
+                        let _e779 = phi_900_;
                         phi_906_ = 0u;
                         phi_909_ = 0u;
                         loop {
-                            let _e792 = phi_906_;
-                            let _e794 = phi_909_;
-                            local_2 = _e794;
-                            local_3 = _e794;
-                            local_4 = _e794;
-                            let _e795 = (_e792 < 8u);
-                            if _e795 {
-                                let _e797 = (_e792 >> bitcast<u32>(2i));
-                                let _e798 = (_e792 & 3u);
-                                if (_e797 == 0u) {
-                                    phi_923_ = _e644.unnamed.word;
+                            let _e789 = phi_906_;
+                            let _e791 = phi_909_;
+                            local_2 = _e791;
+                            local_3 = _e791;
+                            local_4 = _e791;
+                            let _e792 = (_e789 < 8u);
+                            if _e792 {
+                                let _e794 = (_e789 >> bitcast<u32>(2i));
+                                let _e795 = (_e789 & 3u);
+                                if (_e794 == 0u) {
+                                    phi_923_ = _e641.unnamed.word;
                                 } else {
-                                    phi_923_ = _e644.unnamed.shift;
+                                    phi_923_ = _e641.unnamed.shift;
                                 }
-                                let _e801 = phi_923_;
-                                if (_e797 == 0u) {
-                                    phi_933_ = _e713.unnamed.word;
+                                let _e798 = phi_923_;
+                                if (_e794 == 0u) {
+                                    phi_933_ = _e710.unnamed.word;
                                 } else {
-                                    phi_933_ = _e713.unnamed.shift;
+                                    phi_933_ = _e710.unnamed.shift;
                                 }
-                                let _e810 = phi_933_;
-                                if (_e797 == 0u) {
-                                    phi_943_ = _e782.unnamed.word;
+                                let _e807 = phi_933_;
+                                if (_e794 == 0u) {
+                                    phi_943_ = _e779.unnamed.word;
                                 } else {
-                                    phi_943_ = _e782.unnamed.shift;
+                                    phi_943_ = _e779.unnamed.shift;
                                 }
-                                let _e819 = phi_943_;
-                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e801 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 - _e360)), ((f32(((_e810 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 - _e361)));
-                                let _e833 = core_intrinsics_maximum_number_nsz_f32_(_e832, ((f32(((_e819 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 - _e362)));
-                                if (_e797 == 0u) {
-                                    phi_961_ = _e644.unnamed_1.word;
+                                let _e816 = phi_943_;
+                                let _e829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e798 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e551) + (_e572 - _e357)), ((f32(((_e807 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e552) + (_e573 - _e358)));
+                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(_e829, ((f32(((_e816 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e553) + (_e574 - _e359)));
+                                if (_e794 == 0u) {
+                                    phi_961_ = _e641.unnamed_1.word;
                                 } else {
-                                    phi_961_ = _e644.unnamed_1.shift;
+                                    phi_961_ = _e641.unnamed_1.shift;
                                 }
-                                let _e836 = phi_961_;
-                                if (_e797 == 0u) {
-                                    phi_971_ = _e713.unnamed_1.word;
+                                let _e833 = phi_961_;
+                                if (_e794 == 0u) {
+                                    phi_971_ = _e710.unnamed_1.word;
                                 } else {
-                                    phi_971_ = _e713.unnamed_1.shift;
+                                    phi_971_ = _e710.unnamed_1.shift;
                                 }
-                                let _e845 = phi_971_;
-                                if (_e797 == 0u) {
-                                    phi_981_ = _e782.unnamed_1.word;
+                                let _e842 = phi_971_;
+                                if (_e794 == 0u) {
+                                    phi_981_ = _e779.unnamed_1.word;
                                 } else {
-                                    phi_981_ = _e782.unnamed_1.shift;
+                                    phi_981_ = _e779.unnamed_1.shift;
                                 }
-                                let _e854 = phi_981_;
-                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e554) + (_e575 + _e360)), ((f32(((_e845 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e555) + (_e576 + _e361)));
-                                let _e868 = core_intrinsics_minimum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e556) + (_e577 + _e362)));
-                                if (_e833 <= _e868) {
-                                    if (_e833 <= _e520.t) {
-                                        if (_e868 >= _e145.tmin) {
-                                            if (_e797 == 0u) {
-                                                let _e875 = nodes.member[(0u + _e518)].links[2u];
+                                let _e851 = phi_981_;
+                                let _e864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e551) + (_e572 + _e357)), ((f32(((_e842 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e552) + (_e573 + _e358)));
+                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(_e864, ((f32(((_e851 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e553) + (_e574 + _e359)));
+                                if (_e830 <= _e865) {
+                                    if (_e830 <= _e517.t) {
+                                        if (_e865 >= _e145.tmin) {
+                                            if (_e794 == 0u) {
+                                                let _e872 = nodes.member[(0u + _e515)].links[2u];
+                                                phi_1017_ = _e872;
+                                            } else {
+                                                let _e875 = nodes.member[(0u + _e515)].links[3u];
                                                 phi_1017_ = _e875;
-                                            } else {
-                                                let _e878 = nodes.member[(0u + _e518)].links[3u];
-                                                phi_1017_ = _e878;
                                             }
-                                            let _e880 = phi_1017_;
-                                            let _e885 = ((_e880 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u);
-                                            let _e886 = (_e885 & 31u);
-                                            if (_e886 >= 24u) {
-                                                phi_1030_ = (24u + ((_e886 - 24u) ^ _e380));
+                                            let _e877 = phi_1017_;
+                                            let _e882 = ((_e877 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u);
+                                            let _e883 = (_e882 & 31u);
+                                            if (_e883 >= 24u) {
+                                                phi_1030_ = (24u + ((_e883 - 24u) ^ _e377));
                                             } else {
-                                                phi_1030_ = _e886;
+                                                phi_1030_ = _e883;
                                             }
-                                            let _e892 = phi_1030_;
-                                            phi_1035_ = (_e794 | ((_e885 >> bitcast<u32>(5i)) << bitcast<u32>((_e892 & 31u))));
+                                            let _e889 = phi_1030_;
+                                            phi_1035_ = (_e791 | ((_e882 >> bitcast<u32>(5i)) << bitcast<u32>((_e889 & 31u))));
                                         } else {
-                                            phi_1035_ = _e794;
+                                            phi_1035_ = _e791;
                                         }
-                                        let _e900 = phi_1035_;
-                                        phi_1036_ = _e900;
+                                        let _e897 = phi_1035_;
+                                        phi_1036_ = _e897;
                                     } else {
-                                        phi_1036_ = _e794;
+                                        phi_1036_ = _e791;
                                     }
-                                    let _e902 = phi_1036_;
-                                    phi_1037_ = _e902;
+                                    let _e899 = phi_1036_;
+                                    phi_1037_ = _e899;
                                 } else {
-                                    phi_1037_ = _e794;
+                                    phi_1037_ = _e791;
                                 }
-                                let _e904 = phi_1037_;
-                                phi_907_ = (_e792 + 1u);
-                                phi_910_ = _e904;
+                                let _e901 = phi_1037_;
+                                phi_907_ = (_e789 + 1u);
+                                phi_910_ = _e901;
                             } else {
                                 phi_907_ = u32();
                                 phi_910_ = u32();
                             }
-                            let _e907 = phi_907_;
-                            let _e909 = phi_910_;
+                            let _e904 = phi_907_;
+                            let _e906 = phi_910_;
                             continue;
                             continuing {
-                                phi_906_ = _e907;
-                                phi_909_ = _e909;
-                                break if !(_e795);
+                                phi_906_ = _e904;
+                                phi_909_ = _e906;
+                                break if !(_e792);
                             }
                         }
-                        let _e913 = nodes.member[(0u + _e518)].links[0u];
-                        let _e917 = nodes.member[(0u + _e518)].frame[3u];
-                        let _e921 = local_2;
-                        if ((_e921 & 4278190080u) == 0u) {
+                        let _e910 = nodes.member[(0u + _e515)].links[0u];
+                        let _e914 = nodes.member[(0u + _e515)].frame[3u];
+                        let _e918 = local_2;
+                        if ((_e918 & 4278190080u) == 0u) {
                         } else {
-                            let _e925 = local_1.group_mask;
-                            if ((_e925 & 4278190080u) == 0u) {
+                            let _e922 = local_1.group_mask;
+                            if ((_e922 & 4278190080u) == 0u) {
                             } else {
-                                let _e929 = local_1.len;
-                                if (_e929 < 32u) {
-                                    let _e932 = local_1.group;
-                                    let _e934 = local_1.len;
-                                    if (_e934 < 32u) {
+                                let _e926 = local_1.len;
+                                if (_e926 < 32u) {
+                                    let _e929 = local_1.group;
+                                    let _e931 = local_1.len;
+                                    if (_e931 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e934)] = _e932;
-                                    let _e940 = local_1.group_mask;
-                                    let _e942 = local_1.len;
-                                    if (_e942 < 32u) {
+                                    local_1.first[(0u + _e931)] = _e929;
+                                    let _e937 = local_1.group_mask;
+                                    let _e939 = local_1.len;
+                                    if (_e939 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e942)] = _e940;
-                                    let _e949 = local_1.len;
-                                    local_1.len = (_e949 + 1u);
+                                    local_1.mask[(0u + _e939)] = _e937;
+                                    let _e946 = local_1.len;
+                                    local_1.len = (_e946 + 1u);
                                 }
                             }
-                            local_1.group = (_e94 + _e913);
-                            let _e953 = local_3;
-                            local_1.group_mask = ((_e953 & 4278190080u) | (_e917 >> bitcast<u32>(24i)));
+                            local_1.group = (_e94 + _e910);
+                            let _e950 = local_3;
+                            local_1.group_mask = ((_e950 & 4278190080u) | (_e914 >> bitcast<u32>(24i)));
                         }
-                        let _e958 = local_4;
-                        phi_1095_ = (_e958 & 16777215u);
-                        phi_1098_ = _e520;
+                        let _e955 = local_4;
+                        phi_1095_ = (_e955 & 16777215u);
+                        phi_1098_ = _e517;
                         loop {
-                            let _e961 = phi_1095_;
-                            let _e963 = phi_1098_;
-                            local_10 = _e963;
-                            if (_e961 == 0u) {
+                            let _e958 = phi_1095_;
+                            let _e960 = phi_1098_;
+                            local_10 = _e960;
+                            if (_e958 == 0u) {
                                 phi_1096_ = u32();
                                 phi_1099_ = lt_bvh_Hit();
                                 phi_2781_ = false;
                             } else {
-                                let _e967 = nodes.member[(0u + _e518)].links[1u];
-                                let _e971 = (_e967 + select(firstTrailingBit(_e961), 32u, (_e961 == 0u)));
-                                if (_e971 < _e82) {
+                                let _e964 = nodes.member[(0u + _e515)].links[1u];
+                                let _e968 = (_e964 + select(firstTrailingBit(_e958), 32u, (_e958 == 0u)));
+                                if (_e968 < _e82) {
                                 } else {
                                     return;
                                 }
-                                let _e978 = instances.member[(0u + _e971)].low_world;
-                                let _e980 = instances.member[(0u + _e971)].high_world;
-                                let _e990 = ((_e978.x - _e145.origin.x) * _e299);
-                                let _e991 = ((_e978.y - _e145.origin.y) * _e311);
-                                let _e992 = ((_e978.z - _e145.origin.z) * _e323);
-                                let _e1002 = ((_e980.x - _e145.origin.x) * _e299);
-                                let _e1003 = ((_e980.y - _e145.origin.y) * _e311);
-                                let _e1004 = ((_e980.z - _e145.origin.z) * _e323);
-                                if (_e990 < _e1002) {
-                                    phi_1153_ = _e990;
+                                let _e975 = instances.member[(0u + _e968)].low_world;
+                                let _e977 = instances.member[(0u + _e968)].high_world;
+                                let _e987 = ((_e975.x - _e145.origin.x) * _e298);
+                                let _e988 = ((_e975.y - _e145.origin.y) * _e309);
+                                let _e989 = ((_e975.z - _e145.origin.z) * _e320);
+                                let _e999 = ((_e977.x - _e145.origin.x) * _e298);
+                                let _e1000 = ((_e977.y - _e145.origin.y) * _e309);
+                                let _e1001 = ((_e977.z - _e145.origin.z) * _e320);
+                                if (_e987 < _e999) {
+                                    phi_1153_ = _e987;
                                 } else {
-                                    phi_1153_ = _e1002;
+                                    phi_1153_ = _e999;
                                 }
-                                let _e1007 = phi_1153_;
-                                if (_e991 < _e1003) {
-                                    phi_1158_ = _e991;
+                                let _e1004 = phi_1153_;
+                                if (_e988 < _e1000) {
+                                    phi_1158_ = _e988;
                                 } else {
-                                    phi_1158_ = _e1003;
+                                    phi_1158_ = _e1000;
                                 }
-                                let _e1010 = phi_1158_;
-                                if (_e992 < _e1004) {
-                                    phi_1163_ = _e992;
+                                let _e1007 = phi_1158_;
+                                if (_e989 < _e1001) {
+                                    phi_1163_ = _e989;
                                 } else {
-                                    phi_1163_ = _e1004;
+                                    phi_1163_ = _e1001;
                                 }
-                                let _e1013 = phi_1163_;
-                                if (_e990 > _e1002) {
-                                    phi_1171_ = _e990;
+                                let _e1010 = phi_1163_;
+                                if (_e987 > _e999) {
+                                    phi_1171_ = _e987;
                                 } else {
-                                    phi_1171_ = _e1002;
+                                    phi_1171_ = _e999;
                                 }
-                                let _e1019 = phi_1171_;
-                                if (_e991 > _e1003) {
-                                    phi_1176_ = _e991;
+                                let _e1016 = phi_1171_;
+                                if (_e988 > _e1000) {
+                                    phi_1176_ = _e988;
                                 } else {
-                                    phi_1176_ = _e1003;
+                                    phi_1176_ = _e1000;
                                 }
-                                let _e1022 = phi_1176_;
-                                if (_e992 > _e1004) {
-                                    phi_1181_ = _e992;
+                                let _e1019 = phi_1176_;
+                                if (_e989 > _e1001) {
+                                    phi_1181_ = _e989;
                                 } else {
-                                    phi_1181_ = _e1004;
+                                    phi_1181_ = _e1001;
                                 }
-                                let _e1025 = phi_1181_;
-                                let _e1029 = core_intrinsics_maximum_number_nsz_f32_((_e1007 - _e367), (_e1010 - _e368));
-                                let _e1030 = core_intrinsics_maximum_number_nsz_f32_(_e1029, (_e1013 - _e369));
-                                let _e1031 = core_intrinsics_minimum_number_nsz_f32_((_e1019 + _e367), (_e1022 + _e368));
-                                let _e1032 = core_intrinsics_minimum_number_nsz_f32_(_e1031, (_e1025 + _e369));
-                                if (_e1030 <= _e1032) {
-                                    if (_e1030 <= _e963.t) {
-                                        if (_e1032 >= _e145.tmin) {
-                                            let _e1044 = instances.member[(0u + _e971)].world_to_object[0u];
-                                            let _e1055 = ((((_e1044.x * _e145.origin.x) + (_e1044.y * _e145.origin.y)) + (_e1044.z * _e145.origin.z)) + (_e1044.w * 1f));
-                                            let _e1057 = instances.member[(0u + _e971)].world_to_object[1u];
-                                            let _e1068 = ((((_e1057.x * _e145.origin.x) + (_e1057.y * _e145.origin.y)) + (_e1057.z * _e145.origin.z)) + (_e1057.w * 1f));
-                                            let _e1070 = instances.member[(0u + _e971)].world_to_object[2u];
-                                            let _e1081 = ((((_e1070.x * _e145.origin.x) + (_e1070.y * _e145.origin.y)) + (_e1070.z * _e145.origin.z)) + (_e1070.w * 1f));
-                                            let _e1088 = instances.member[(0u + _e971)].world_to_object[0u];
-                                            let _e1099 = ((((_e1088.x * _e145.direction.x) + (_e1088.y * _e145.direction.y)) + (_e1088.z * _e145.direction.z)) + (_e1088.w * 0f));
-                                            let _e1101 = instances.member[(0u + _e971)].world_to_object[1u];
-                                            let _e1112 = ((((_e1101.x * _e145.direction.x) + (_e1101.y * _e145.direction.y)) + (_e1101.z * _e145.direction.z)) + (_e1101.w * 0f));
-                                            let _e1114 = instances.member[(0u + _e971)].world_to_object[2u];
-                                            let _e1125 = ((((_e1114.x * _e145.direction.x) + (_e1114.y * _e145.direction.y)) + (_e1114.z * _e145.direction.z)) + (_e1114.w * 0f));
-                                            let _e1130 = instances.member[(0u + _e971)].root;
-                                            let _e1132 = instances.member[(0u + _e971)].first_triangle;
-                                            let _e1136 = abs(_e1099);
-                                            let _e1137 = abs(_e1112);
-                                            let _e1138 = abs(_e1125);
-                                            if (abs(_e1055) < 1000000000000000f) {
-                                                if (abs(_e1068) < 1000000000000000f) {
-                                                    if (abs(_e1081) < 1000000000000000f) {
-                                                        if (_e1136 < 1000000000000000f) {
-                                                            if (_e1137 < 1000000000000000f) {
-                                                                if (_e1138 < 1000000000000000f) {
-                                                                    if (_e1136 > 0f) {
+                                let _e1022 = phi_1181_;
+                                let _e1026 = core_intrinsics_maximum_number_nsz_f32_((_e1004 - _e364), (_e1007 - _e365));
+                                let _e1027 = core_intrinsics_maximum_number_nsz_f32_(_e1026, (_e1010 - _e366));
+                                let _e1028 = core_intrinsics_minimum_number_nsz_f32_((_e1016 + _e364), (_e1019 + _e365));
+                                let _e1029 = core_intrinsics_minimum_number_nsz_f32_(_e1028, (_e1022 + _e366));
+                                if (_e1027 <= _e1029) {
+                                    if (_e1027 <= _e960.t) {
+                                        if (_e1029 >= _e145.tmin) {
+                                            let _e1041 = instances.member[(0u + _e968)].world_to_object[0u];
+                                            let _e1052 = ((((_e1041.x * _e145.origin.x) + (_e1041.y * _e145.origin.y)) + (_e1041.z * _e145.origin.z)) + (_e1041.w * 1f));
+                                            let _e1054 = instances.member[(0u + _e968)].world_to_object[1u];
+                                            let _e1065 = ((((_e1054.x * _e145.origin.x) + (_e1054.y * _e145.origin.y)) + (_e1054.z * _e145.origin.z)) + (_e1054.w * 1f));
+                                            let _e1067 = instances.member[(0u + _e968)].world_to_object[2u];
+                                            let _e1078 = ((((_e1067.x * _e145.origin.x) + (_e1067.y * _e145.origin.y)) + (_e1067.z * _e145.origin.z)) + (_e1067.w * 1f));
+                                            let _e1085 = instances.member[(0u + _e968)].world_to_object[0u];
+                                            let _e1096 = ((((_e1085.x * _e145.direction.x) + (_e1085.y * _e145.direction.y)) + (_e1085.z * _e145.direction.z)) + (_e1085.w * 0f));
+                                            let _e1098 = instances.member[(0u + _e968)].world_to_object[1u];
+                                            let _e1109 = ((((_e1098.x * _e145.direction.x) + (_e1098.y * _e145.direction.y)) + (_e1098.z * _e145.direction.z)) + (_e1098.w * 0f));
+                                            let _e1111 = instances.member[(0u + _e968)].world_to_object[2u];
+                                            let _e1122 = ((((_e1111.x * _e145.direction.x) + (_e1111.y * _e145.direction.y)) + (_e1111.z * _e145.direction.z)) + (_e1111.w * 0f));
+                                            let _e1127 = instances.member[(0u + _e968)].root;
+                                            let _e1129 = instances.member[(0u + _e968)].first_triangle;
+                                            let _e1133 = abs(_e1096);
+                                            let _e1134 = abs(_e1109);
+                                            let _e1135 = abs(_e1122);
+                                            if (abs(_e1052) < 1000000000000000f) {
+                                                if (abs(_e1065) < 1000000000000000f) {
+                                                    if (abs(_e1078) < 1000000000000000f) {
+                                                        if (_e1133 < 1000000000000000f) {
+                                                            if (_e1134 < 1000000000000000f) {
+                                                                if (_e1135 < 1000000000000000f) {
+                                                                    if (_e1133 > 0f) {
                                                                         phi_1338_ = bool();
                                                                         phi_1339_ = true;
                                                                     } else {
-                                                                        let _e1146 = (_e1137 > 0f);
-                                                                        if _e1146 {
+                                                                        let _e1143 = (_e1134 > 0f);
+                                                                        if _e1143 {
                                                                             phi_1337_ = bool();
                                                                         } else {
-                                                                            phi_1337_ = (_e1138 > 0f);
+                                                                            phi_1337_ = (_e1135 > 0f);
                                                                         }
-                                                                        let _e1149 = phi_1337_;
-                                                                        phi_1338_ = _e1149;
-                                                                        phi_1339_ = _e1146;
+                                                                        let _e1146 = phi_1337_;
+                                                                        phi_1338_ = _e1146;
+                                                                        phi_1339_ = _e1143;
                                                                     }
-                                                                    let _e1151 = phi_1338_;
-                                                                    let _e1153 = phi_1339_;
-                                                                    if _e1153 {
+                                                                    let _e1148 = phi_1338_;
+                                                                    let _e1150 = phi_1339_;
+                                                                    if _e1150 {
                                                                         phi_1343_ = true;
                                                                     } else {
-                                                                        phi_1343_ = _e1151;
+                                                                        phi_1343_ = _e1148;
                                                                     }
-                                                                    let _e1155 = phi_1343_;
-                                                                    phi_1344_ = _e1155;
+                                                                    let _e1152 = phi_1343_;
+                                                                    phi_1344_ = _e1152;
                                                                     phi_1345_ = false;
                                                                 } else {
                                                                     phi_1344_ = bool();
                                                                     phi_1345_ = true;
                                                                 }
-                                                                let _e1157 = phi_1344_;
-                                                                let _e1159 = phi_1345_;
-                                                                phi_1346_ = _e1157;
+                                                                let _e1154 = phi_1344_;
+                                                                let _e1156 = phi_1345_;
+                                                                phi_1346_ = _e1154;
                                                                 phi_1347_ = false;
-                                                                phi_1348_ = _e1159;
+                                                                phi_1348_ = _e1156;
                                                             } else {
                                                                 phi_1346_ = bool();
                                                                 phi_1347_ = true;
                                                                 phi_1348_ = false;
                                                             }
-                                                            let _e1161 = phi_1346_;
-                                                            let _e1163 = phi_1347_;
-                                                            let _e1165 = phi_1348_;
-                                                            phi_1349_ = _e1161;
-                                                            phi_1350_ = _e1163;
-                                                            phi_1351_ = _e1165;
+                                                            let _e1158 = phi_1346_;
+                                                            let _e1160 = phi_1347_;
+                                                            let _e1162 = phi_1348_;
+                                                            phi_1349_ = _e1158;
+                                                            phi_1350_ = _e1160;
+                                                            phi_1351_ = _e1162;
                                                         } else {
                                                             phi_1349_ = bool();
                                                             phi_1350_ = true;
                                                             phi_1351_ = false;
                                                         }
-                                                        let _e1167 = phi_1349_;
-                                                        let _e1169 = phi_1350_;
-                                                        let _e1171 = phi_1351_;
-                                                        phi_1352_ = _e1167;
-                                                        phi_1353_ = _e1169;
-                                                        phi_1354_ = _e1171;
+                                                        let _e1164 = phi_1349_;
+                                                        let _e1166 = phi_1350_;
+                                                        let _e1168 = phi_1351_;
+                                                        phi_1352_ = _e1164;
+                                                        phi_1353_ = _e1166;
+                                                        phi_1354_ = _e1168;
                                                     } else {
                                                         phi_1352_ = bool();
                                                         phi_1353_ = true;
                                                         phi_1354_ = false;
                                                     }
-                                                    let _e1173 = phi_1352_;
-                                                    let _e1175 = phi_1353_;
-                                                    let _e1177 = phi_1354_;
-                                                    phi_1355_ = _e1173;
-                                                    phi_1356_ = _e1175;
-                                                    phi_1357_ = _e1177;
+                                                    let _e1170 = phi_1352_;
+                                                    let _e1172 = phi_1353_;
+                                                    let _e1174 = phi_1354_;
+                                                    phi_1355_ = _e1170;
+                                                    phi_1356_ = _e1172;
+                                                    phi_1357_ = _e1174;
                                                 } else {
                                                     phi_1355_ = bool();
                                                     phi_1356_ = true;
                                                     phi_1357_ = false;
                                                 }
-                                                let _e1179 = phi_1355_;
-                                                let _e1181 = phi_1356_;
-                                                let _e1183 = phi_1357_;
-                                                phi_1358_ = _e1179;
-                                                phi_1359_ = _e1181;
-                                                phi_1360_ = _e1183;
+                                                let _e1176 = phi_1355_;
+                                                let _e1178 = phi_1356_;
+                                                let _e1180 = phi_1357_;
+                                                phi_1358_ = _e1176;
+                                                phi_1359_ = _e1178;
+                                                phi_1360_ = _e1180;
                                             } else {
                                                 phi_1358_ = bool();
                                                 phi_1359_ = true;
                                                 phi_1360_ = false;
                                             }
-                                            let _e1185 = phi_1358_;
-                                            let _e1187 = phi_1359_;
-                                            let _e1189 = phi_1360_;
-                                            if _e1187 {
+                                            let _e1182 = phi_1358_;
+                                            let _e1184 = phi_1359_;
+                                            let _e1186 = phi_1360_;
+                                            if _e1184 {
                                                 phi_1364_ = true;
                                             } else {
-                                                phi_1364_ = _e1189;
+                                                phi_1364_ = _e1186;
                                             }
-                                            let _e1191 = phi_1364_;
-                                            if _e1191 {
+                                            let _e1188 = phi_1364_;
+                                            if _e1188 {
                                                 phi_1368_ = false;
                                             } else {
-                                                phi_1368_ = _e1185;
+                                                phi_1368_ = _e1182;
                                             }
-                                            let _e1193 = phi_1368_;
-                                            if _e1193 {
-                                                let _e1194 = (_e1130 >= _e67);
-                                                if _e1194 {
+                                            let _e1190 = phi_1368_;
+                                            if _e1190 {
+                                                let _e1191 = (_e1127 >= _e67);
+                                                if _e1191 {
                                                     phi_2771_ = lt_bvh_Hit();
                                                 } else {
-                                                    if (_e1130 < _e67) {
+                                                    if (_e1127 < _e67) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1200 = nodes.member[(0u + _e1130)].frame[0u];
-                                                    let _e1204 = nodes.member[(0u + _e1130)].frame[1u];
-                                                    let _e1208 = nodes.member[(0u + _e1130)].frame[2u];
-                                                    let _e1212 = nodes.member[(0u + _e1130)].frame[0u];
-                                                    let _e1216 = nodes.member[(0u + _e1130)].frame[1u];
-                                                    let _e1220 = nodes.member[(0u + _e1130)].frame[2u];
-                                                    let _e1224 = nodes.member[(0u + _e1130)].frame[3u];
-                                                    let _e1258 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1099), abs(_e1112));
-                                                    let _e1259 = core_intrinsics_maximum_number_nsz_f32_(_e1258, abs(_e1125));
-                                                    let _e1260 = (_e1259 * 0.0000000000009094947f);
-                                                    if (abs(_e1099) < _e1260) {
-                                                        phi_1438_ = _e1260;
+                                                    let _e1197 = nodes.member[(0u + _e1127)].frame[0u];
+                                                    let _e1201 = nodes.member[(0u + _e1127)].frame[1u];
+                                                    let _e1205 = nodes.member[(0u + _e1127)].frame[2u];
+                                                    let _e1209 = nodes.member[(0u + _e1127)].frame[0u];
+                                                    let _e1213 = nodes.member[(0u + _e1127)].frame[1u];
+                                                    let _e1217 = nodes.member[(0u + _e1127)].frame[2u];
+                                                    let _e1221 = nodes.member[(0u + _e1127)].frame[3u];
+                                                    let _e1255 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1096), abs(_e1109));
+                                                    let _e1256 = core_intrinsics_maximum_number_nsz_f32_(_e1255, abs(_e1122));
+                                                    let _e1257 = (_e1256 * 0.0000000000009094947f);
+                                                    if (abs(_e1096) < _e1257) {
+                                                        phi_1438_ = _e1257;
                                                     } else {
-                                                        phi_1438_ = abs(_e1099);
+                                                        phi_1438_ = abs(_e1096);
                                                     }
-                                                    let _e1265 = phi_1438_;
-                                                    if (_e1099 < 0f) {
-                                                        phi_1445_ = (-1f / _e1265);
+                                                    let _e1262 = phi_1438_;
+                                                    if (_e1096 < 0f) {
+                                                        phi_1445_ = (-1f / _e1262);
                                                     } else {
-                                                        phi_1445_ = (1f / _e1265);
+                                                        phi_1445_ = (1f / _e1262);
                                                     }
-                                                    let _e1270 = phi_1445_;
-                                                    if (abs(_e1112) < _e1260) {
-                                                        phi_1452_ = _e1260;
+                                                    let _e1267 = phi_1445_;
+                                                    if (abs(_e1109) < _e1257) {
+                                                        phi_1452_ = _e1257;
                                                     } else {
-                                                        phi_1452_ = abs(_e1112);
+                                                        phi_1452_ = abs(_e1109);
                                                     }
-                                                    let _e1275 = phi_1452_;
-                                                    if (_e1112 < 0f) {
-                                                        phi_1459_ = (-1f / _e1275);
+                                                    let _e1272 = phi_1452_;
+                                                    if (_e1109 < 0f) {
+                                                        phi_1459_ = (-1f / _e1272);
                                                     } else {
-                                                        phi_1459_ = (1f / _e1275);
+                                                        phi_1459_ = (1f / _e1272);
                                                     }
-                                                    let _e1280 = phi_1459_;
-                                                    if (abs(_e1125) < _e1260) {
-                                                        phi_1466_ = _e1260;
+                                                    let _e1277 = phi_1459_;
+                                                    if (abs(_e1122) < _e1257) {
+                                                        phi_1466_ = _e1257;
                                                     } else {
-                                                        phi_1466_ = abs(_e1125);
+                                                        phi_1466_ = abs(_e1122);
                                                     }
-                                                    let _e1285 = phi_1466_;
-                                                    if (_e1125 < 0f) {
-                                                        phi_1473_ = (-1f / _e1285);
+                                                    let _e1282 = phi_1466_;
+                                                    if (_e1122 < 0f) {
+                                                        phi_1473_ = (-1f / _e1282);
                                                     } else {
-                                                        phi_1473_ = (1f / _e1285);
+                                                        phi_1473_ = (1f / _e1282);
                                                     }
-                                                    let _e1290 = phi_1473_;
-                                                    let _e1294 = abs((bitcast<f32>(_e1200) - _e1055));
-                                                    let _e1295 = abs((bitcast<f32>(_e1204) - _e1068));
-                                                    let _e1296 = abs((bitcast<f32>(_e1208) - _e1081));
-                                                    let _e1300 = abs(((bitcast<f32>(_e1212) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1055));
-                                                    let _e1301 = abs(((bitcast<f32>(_e1216) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1068));
-                                                    let _e1302 = abs(((bitcast<f32>(_e1220) + (bitcast<f32>((((_e1224 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1081));
-                                                    if (_e1294 > _e1300) {
-                                                        phi_1490_ = _e1294;
+                                                    let _e1287 = phi_1473_;
+                                                    let _e1291 = abs((bitcast<f32>(_e1197) - _e1052));
+                                                    let _e1292 = abs((bitcast<f32>(_e1201) - _e1065));
+                                                    let _e1293 = abs((bitcast<f32>(_e1205) - _e1078));
+                                                    let _e1297 = abs(((bitcast<f32>(_e1209) + (bitcast<f32>((((_e1221 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1052));
+                                                    let _e1298 = abs(((bitcast<f32>(_e1213) + (bitcast<f32>((((_e1221 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1065));
+                                                    let _e1299 = abs(((bitcast<f32>(_e1217) + (bitcast<f32>((((_e1221 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1078));
+                                                    if (_e1291 > _e1297) {
+                                                        phi_1490_ = _e1291;
                                                     } else {
-                                                        phi_1490_ = _e1300;
+                                                        phi_1490_ = _e1297;
                                                     }
-                                                    let _e1305 = phi_1490_;
-                                                    if (_e1295 > _e1301) {
-                                                        phi_1495_ = _e1295;
+                                                    let _e1302 = phi_1490_;
+                                                    if (_e1292 > _e1298) {
+                                                        phi_1495_ = _e1292;
                                                     } else {
-                                                        phi_1495_ = _e1301;
+                                                        phi_1495_ = _e1298;
                                                     }
-                                                    let _e1308 = phi_1495_;
-                                                    if (_e1296 > _e1302) {
-                                                        phi_1500_ = _e1296;
+                                                    let _e1305 = phi_1495_;
+                                                    if (_e1293 > _e1299) {
+                                                        phi_1500_ = _e1293;
                                                     } else {
-                                                        phi_1500_ = _e1302;
+                                                        phi_1500_ = _e1299;
                                                     }
-                                                    let _e1311 = phi_1500_;
-                                                    let _e1312 = core_intrinsics_maximum_number_nsz_f32_(_e1305, _e1308);
-                                                    let _e1313 = core_intrinsics_maximum_number_nsz_f32_(_e1312, _e1311);
-                                                    let _e1317 = (_e1313 * 0.0000019073486f);
-                                                    let _e1318 = (abs(_e1270) * _e1317);
-                                                    let _e1319 = (abs(_e1280) * _e1317);
-                                                    let _e1320 = (abs(_e1290) * _e1317);
-                                                    let _e1324 = (_e1313 * 0.0000009536743f);
-                                                    let _e1325 = (abs(_e1270) * _e1324);
-                                                    let _e1326 = (abs(_e1280) * _e1324);
-                                                    let _e1327 = (abs(_e1290) * _e1324);
-                                                    let _e1328 = abs(_e1099);
-                                                    let _e1329 = abs(_e1112);
-                                                    let _e1330 = abs(_e1125);
-                                                    if (_e1328 >= _e1329) {
-                                                        if (_e1328 >= _e1330) {
+                                                    let _e1308 = phi_1500_;
+                                                    let _e1309 = core_intrinsics_maximum_number_nsz_f32_(_e1302, _e1305);
+                                                    let _e1310 = core_intrinsics_maximum_number_nsz_f32_(_e1309, _e1308);
+                                                    let _e1314 = (_e1310 * 0.0000019073486f);
+                                                    let _e1315 = (abs(_e1267) * _e1314);
+                                                    let _e1316 = (abs(_e1277) * _e1314);
+                                                    let _e1317 = (abs(_e1287) * _e1314);
+                                                    let _e1321 = (_e1310 * 0.0000009536743f);
+                                                    let _e1322 = (abs(_e1267) * _e1321);
+                                                    let _e1323 = (abs(_e1277) * _e1321);
+                                                    let _e1324 = (abs(_e1287) * _e1321);
+                                                    let _e1325 = abs(_e1096);
+                                                    let _e1326 = abs(_e1109);
+                                                    let _e1327 = abs(_e1122);
+                                                    if (_e1325 >= _e1326) {
+                                                        if (_e1325 >= _e1327) {
                                                             phi_1528_ = false;
                                                         } else {
                                                             phi_1528_ = true;
                                                         }
-                                                        let _e1334 = phi_1528_;
-                                                        phi_1529_ = _e1334;
+                                                        let _e1331 = phi_1528_;
+                                                        phi_1529_ = _e1331;
                                                     } else {
                                                         phi_1529_ = true;
                                                     }
-                                                    let _e1336 = phi_1529_;
-                                                    if _e1336 {
-                                                        if (_e1329 >= _e1330) {
+                                                    let _e1333 = phi_1529_;
+                                                    if _e1333 {
+                                                        if (_e1326 >= _e1327) {
                                                             phi_1537_ = 1u;
                                                         } else {
                                                             phi_1537_ = 2u;
                                                         }
-                                                        let _e1339 = phi_1537_;
-                                                        phi_1538_ = _e1339;
+                                                        let _e1336 = phi_1537_;
+                                                        phi_1538_ = _e1336;
                                                     } else {
                                                         phi_1538_ = 0u;
                                                     }
-                                                    let _e1341 = phi_1538_;
-                                                    if (_e1341 == 0u) {
-                                                        phi_1550_ = vec3<f32>(_e1112, _e1125, _e1099);
+                                                    let _e1338 = phi_1538_;
+                                                    if (_e1338 == 0u) {
+                                                        phi_1550_ = vec3<f32>(_e1109, _e1122, _e1096);
                                                     } else {
-                                                        if (_e1341 == 1u) {
-                                                            phi_1549_ = vec3<f32>(_e1125, _e1099, _e1112);
+                                                        if (_e1338 == 1u) {
+                                                            phi_1549_ = vec3<f32>(_e1122, _e1096, _e1109);
                                                         } else {
-                                                            phi_1549_ = vec3<f32>(_e1099, _e1112, _e1125);
+                                                            phi_1549_ = vec3<f32>(_e1096, _e1109, _e1122);
                                                         }
-                                                        let _e1347 = phi_1549_;
-                                                        phi_1550_ = _e1347;
+                                                        let _e1344 = phi_1549_;
+                                                        phi_1550_ = _e1344;
                                                     }
-                                                    let _e1349 = phi_1550_;
-                                                    let _e1352 = (_e1349.x / _e1349.z);
-                                                    let _e1355 = (_e1349.y / _e1349.z);
-                                                    if (_e1270 < 0f) {
+                                                    let _e1346 = phi_1550_;
+                                                    let _e1349 = (_e1346.x / _e1346.z);
+                                                    let _e1352 = (_e1346.y / _e1346.z);
+                                                    if (_e1267 < 0f) {
                                                         phi_1563_ = 0u;
                                                     } else {
                                                         phi_1563_ = 1u;
                                                     }
-                                                    let _e1360 = phi_1563_;
-                                                    if (_e1280 < 0f) {
+                                                    let _e1357 = phi_1563_;
+                                                    if (_e1277 < 0f) {
                                                         phi_1568_ = 0u;
                                                     } else {
                                                         phi_1568_ = 2u;
                                                     }
-                                                    let _e1363 = phi_1568_;
-                                                    if (_e1290 < 0f) {
+                                                    let _e1360 = phi_1568_;
+                                                    if (_e1287 < 0f) {
                                                         phi_1573_ = 0u;
                                                     } else {
                                                         phi_1573_ = 4u;
                                                     }
-                                                    let _e1366 = phi_1573_;
-                                                    let _e1368 = ((_e1360 | _e1363) | _e1366);
-                                                    let _e1369 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1130, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1369.first[0], _e1369.first[1], _e1369.first[2], _e1369.first[3], _e1369.first[4], _e1369.first[5], _e1369.first[6], _e1369.first[7], _e1369.first[8], _e1369.first[9], _e1369.first[10], _e1369.first[11], _e1369.first[12], _e1369.first[13], _e1369.first[14], _e1369.first[15], _e1369.first[16], _e1369.first[17], _e1369.first[18], _e1369.first[19], _e1369.first[20], _e1369.first[21], _e1369.first[22], _e1369.first[23], _e1369.first[24], _e1369.first[25], _e1369.first[26], _e1369.first[27], _e1369.first[28], _e1369.first[29], _e1369.first[30], _e1369.first[31]), array<u32, 32>(_e1369.mask[0], _e1369.mask[1], _e1369.mask[2], _e1369.mask[3], _e1369.mask[4], _e1369.mask[5], _e1369.mask[6], _e1369.mask[7], _e1369.mask[8], _e1369.mask[9], _e1369.mask[10], _e1369.mask[11], _e1369.mask[12], _e1369.mask[13], _e1369.mask[14], _e1369.mask[15], _e1369.mask[16], _e1369.mask[17], _e1369.mask[18], _e1369.mask[19], _e1369.mask[20], _e1369.mask[21], _e1369.mask[22], _e1369.mask[23], _e1369.mask[24], _e1369.mask[25], _e1369.mask[26], _e1369.mask[27], _e1369.mask[28], _e1369.mask[29], _e1369.mask[30], _e1369.mask[31]), _e1369.len, _e1369.group, _e1369.group_mask);
-                                                    let _e1443 = local.group_mask;
-                                                    if ((_e1443 & 4278190080u) == 0u) {
-                                                        let _e1447 = local.len;
-                                                        if (_e1447 == 0u) {
+                                                    let _e1363 = phi_1573_;
+                                                    let _e1365 = ((_e1357 | _e1360) | _e1363);
+                                                    let _e1366 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1127, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1366.first[0], _e1366.first[1], _e1366.first[2], _e1366.first[3], _e1366.first[4], _e1366.first[5], _e1366.first[6], _e1366.first[7], _e1366.first[8], _e1366.first[9], _e1366.first[10], _e1366.first[11], _e1366.first[12], _e1366.first[13], _e1366.first[14], _e1366.first[15], _e1366.first[16], _e1366.first[17], _e1366.first[18], _e1366.first[19], _e1366.first[20], _e1366.first[21], _e1366.first[22], _e1366.first[23], _e1366.first[24], _e1366.first[25], _e1366.first[26], _e1366.first[27], _e1366.first[28], _e1366.first[29], _e1366.first[30], _e1366.first[31]), array<u32, 32>(_e1366.mask[0], _e1366.mask[1], _e1366.mask[2], _e1366.mask[3], _e1366.mask[4], _e1366.mask[5], _e1366.mask[6], _e1366.mask[7], _e1366.mask[8], _e1366.mask[9], _e1366.mask[10], _e1366.mask[11], _e1366.mask[12], _e1366.mask[13], _e1366.mask[14], _e1366.mask[15], _e1366.mask[16], _e1366.mask[17], _e1366.mask[18], _e1366.mask[19], _e1366.mask[20], _e1366.mask[21], _e1366.mask[22], _e1366.mask[23], _e1366.mask[24], _e1366.mask[25], _e1366.mask[26], _e1366.mask[27], _e1366.mask[28], _e1366.mask[29], _e1366.mask[30], _e1366.mask[31]), _e1366.len, _e1366.group, _e1366.group_mask);
+                                                    let _e1440 = local.group_mask;
+                                                    if ((_e1440 & 4278190080u) == 0u) {
+                                                        let _e1444 = local.len;
+                                                        if (_e1444 == 0u) {
                                                             phi_1687_ = false;
                                                         } else {
+                                                            let _e1448 = local.len;
+                                                            local.len = (_e1448 - 1u);
                                                             let _e1451 = local.len;
-                                                            local.len = (_e1451 - 1u);
-                                                            let _e1454 = local.len;
-                                                            if (_e1454 < 32u) {
+                                                            if (_e1451 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1459 = local.first[(0u + _e1454)];
-                                                            local.group = _e1459;
-                                                            let _e1462 = local.len;
-                                                            if (_e1462 < 32u) {
+                                                            let _e1456 = local.first[(0u + _e1451)];
+                                                            local.group = _e1456;
+                                                            let _e1459 = local.len;
+                                                            if (_e1459 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1467 = local.mask[(0u + _e1462)];
-                                                            local.group_mask = _e1467;
+                                                            let _e1464 = local.mask[(0u + _e1459)];
+                                                            local.group_mask = _e1464;
                                                             phi_1687_ = true;
                                                         }
-                                                        let _e1470 = phi_1687_;
-                                                        phi_1688_ = _e1470;
+                                                        let _e1467 = phi_1687_;
+                                                        phi_1688_ = _e1467;
                                                     } else {
                                                         phi_1688_ = true;
                                                     }
-                                                    let _e1472 = phi_1688_;
-                                                    if _e1472 {
-                                                        let _e1474 = local.group_mask;
-                                                        let _e1480 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1474)), 32u, (_e1474 == 0u)));
-                                                        let _e1484 = local.group_mask;
-                                                        let _e1498 = local.group_mask;
-                                                        local.group_mask = (_e1498 & ~((1u << bitcast<u32>((_e1480 & 31u)))));
-                                                        let _e1501 = local.group;
-                                                        phi_1719_ = (_e1501 + countOneBits(((_e1484 & ~((4294967295u << bitcast<u32>((((_e1480 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1469 = phi_1688_;
+                                                    if _e1469 {
+                                                        let _e1471 = local.group_mask;
+                                                        let _e1477 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1471)), 32u, (_e1471 == 0u)));
+                                                        let _e1481 = local.group_mask;
+                                                        let _e1495 = local.group_mask;
+                                                        local.group_mask = (_e1495 & ~((1u << bitcast<u32>((_e1477 & 31u)))));
+                                                        let _e1498 = local.group;
+                                                        phi_1719_ = (_e1498 + countOneBits(((_e1481 & ~((4294967295u << bitcast<u32>((((_e1477 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
                                                         phi_1719_ = 4294967295u;
                                                     }
-                                                    let _e1504 = phi_1719_;
-                                                    phi_1721_ = _e963;
-                                                    phi_1724_ = _e1504;
+                                                    let _e1501 = phi_1719_;
+                                                    phi_1721_ = _e960;
+                                                    phi_1724_ = _e1501;
                                                     loop {
-                                                        let _e1506 = phi_1721_;
-                                                        let _e1508 = phi_1724_;
-                                                        local_9 = _e1506;
-                                                        let _e1509 = (_e1508 != 4294967295u);
-                                                        if _e1509 {
-                                                            if (_e1508 < _e67) {
+                                                        let _e1503 = phi_1721_;
+                                                        let _e1505 = phi_1724_;
+                                                        local_9 = _e1503;
+                                                        let _e1506 = (_e1505 != 4294967295u);
+                                                        if _e1506 {
+                                                            if (_e1505 < _e67) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1516 = nodes.member[(0u + _e1508)].frame[3u];
-                                                            let _e1541 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1270);
-                                                            let _e1542 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1280);
-                                                            let _e1543 = (bitcast<f32>((((_e1516 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
-                                                            let _e1546 = nodes.member[(0u + _e1508)].frame[0u];
-                                                            let _e1550 = nodes.member[(0u + _e1508)].frame[1u];
-                                                            let _e1554 = nodes.member[(0u + _e1508)].frame[2u];
-                                                            let _e1559 = ((bitcast<f32>(_e1546) - _e1055) * _e1270);
-                                                            let _e1560 = ((bitcast<f32>(_e1550) - _e1068) * _e1280);
-                                                            let _e1561 = ((bitcast<f32>(_e1554) - _e1081) * _e1290);
-                                                            let _e1569 = nodes.member[(0u + _e1508)].x;
-                                                            if (_e1270 < 0f) {
-                                                                let _e1580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1569.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1580.unnamed.word, _e1569.w), _e1580.unnamed_1);
-                                                                let _e1592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1586.unnamed, lt_mask_LightPlace(_e1569.x, _e1586.unnamed_1.shift));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1592.unnamed, lt_mask_LightPlace(_e1592.unnamed_1.word, _e1569.y));
+                                                            let _e1513 = nodes.member[(0u + _e1505)].frame[3u];
+                                                            let _e1538 = (bitcast<f32>((((_e1513 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1267);
+                                                            let _e1539 = (bitcast<f32>((((_e1513 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1277);
+                                                            let _e1540 = (bitcast<f32>((((_e1513 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1287);
+                                                            let _e1543 = nodes.member[(0u + _e1505)].frame[0u];
+                                                            let _e1547 = nodes.member[(0u + _e1505)].frame[1u];
+                                                            let _e1551 = nodes.member[(0u + _e1505)].frame[2u];
+                                                            let _e1556 = ((bitcast<f32>(_e1543) - _e1052) * _e1267);
+                                                            let _e1557 = ((bitcast<f32>(_e1547) - _e1065) * _e1277);
+                                                            let _e1558 = ((bitcast<f32>(_e1551) - _e1078) * _e1287);
+                                                            let _e1566 = nodes.member[(0u + _e1505)].x;
+                                                            if (_e1267 < 0f) {
+                                                                let _e1577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1566.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1577.unnamed.word, _e1566.w), _e1577.unnamed_1);
+                                                                let _e1589 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1583.unnamed, lt_mask_LightPlace(_e1566.x, _e1583.unnamed_1.shift));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1589.unnamed, lt_mask_LightPlace(_e1589.unnamed_1.word, _e1566.y));
                                                             } else {
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1569.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1608.unnamed.word, _e1569.y), _e1608.unnamed_1);
-                                                                let _e1620 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1569.z, _e1614.unnamed_1.shift));
-                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1620.unnamed, lt_mask_LightPlace(_e1620.unnamed_1.word, _e1569.w));
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1566.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1605.unnamed.word, _e1566.y), _e1605.unnamed_1);
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_mask_LightPlace(_e1566.z, _e1611.unnamed_1.shift));
+                                                                phi_1805_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_mask_LightPlace(_e1617.unnamed_1.word, _e1566.w));
                                                             }
-                                                            let _e1628 = phi_1805_;
-                                                            let _e1638 = nodes.member[(0u + _e1508)].y;
-                                                            if (_e1280 < 0f) {
-                                                                let _e1649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1638.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1649.unnamed.word, _e1638.w), _e1649.unnamed_1);
-                                                                let _e1661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1655.unnamed, lt_mask_LightPlace(_e1638.x, _e1655.unnamed_1.shift));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1661.unnamed, lt_mask_LightPlace(_e1661.unnamed_1.word, _e1638.y));
+                                                            let _e1625 = phi_1805_;
+                                                            let _e1635 = nodes.member[(0u + _e1505)].y;
+                                                            if (_e1277 < 0f) {
+                                                                let _e1646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1635.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1646.unnamed.word, _e1635.w), _e1646.unnamed_1);
+                                                                let _e1658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1652.unnamed, lt_mask_LightPlace(_e1635.x, _e1652.unnamed_1.shift));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1658.unnamed, lt_mask_LightPlace(_e1658.unnamed_1.word, _e1635.y));
                                                             } else {
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1638.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1677.unnamed.word, _e1638.y), _e1677.unnamed_1);
-                                                                let _e1689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1638.z, _e1683.unnamed_1.shift));
-                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1689.unnamed, lt_mask_LightPlace(_e1689.unnamed_1.word, _e1638.w));
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1635.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1674.unnamed.word, _e1635.y), _e1674.unnamed_1);
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_mask_LightPlace(_e1635.z, _e1680.unnamed_1.shift));
+                                                                phi_1832_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_mask_LightPlace(_e1686.unnamed_1.word, _e1635.w));
                                                             }
-                                                            let _e1697 = phi_1832_;
-                                                            let _e1707 = nodes.member[(0u + _e1508)].z;
-                                                            if (_e1290 < 0f) {
-                                                                let _e1718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1707.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1718.unnamed.word, _e1707.w), _e1718.unnamed_1);
-                                                                let _e1730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1724.unnamed, lt_mask_LightPlace(_e1707.x, _e1724.unnamed_1.shift));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1730.unnamed, lt_mask_LightPlace(_e1730.unnamed_1.word, _e1707.y));
+                                                            let _e1694 = phi_1832_;
+                                                            let _e1704 = nodes.member[(0u + _e1505)].z;
+                                                            if (_e1287 < 0f) {
+                                                                let _e1715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1704.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1715.unnamed.word, _e1704.w), _e1715.unnamed_1);
+                                                                let _e1727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1721.unnamed, lt_mask_LightPlace(_e1704.x, _e1721.unnamed_1.shift));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1727.unnamed, lt_mask_LightPlace(_e1727.unnamed_1.word, _e1704.y));
                                                             } else {
-                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1707.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1746.unnamed.word, _e1707.y), _e1746.unnamed_1);
-                                                                let _e1758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1707.z, _e1752.unnamed_1.shift));
-                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1758.unnamed, lt_mask_LightPlace(_e1758.unnamed_1.word, _e1707.w));
+                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1704.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1743.unnamed.word, _e1704.y), _e1743.unnamed_1);
+                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_mask_LightPlace(_e1704.z, _e1749.unnamed_1.shift));
+                                                                phi_1859_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_mask_LightPlace(_e1755.unnamed_1.word, _e1704.w));
                                                             }
-                                                            let _e1766 = phi_1859_;
+                                                            let _e1763 = phi_1859_;
                                                             phi_1865_ = 0u;
                                                             phi_1868_ = 0u;
                                                             loop {
-                                                                let _e1776 = phi_1865_;
-                                                                let _e1778 = phi_1868_;
-                                                                local_5 = _e1778;
-                                                                local_6 = _e1778;
-                                                                local_7 = _e1778;
-                                                                let _e1779 = (_e1776 < 8u);
-                                                                if _e1779 {
-                                                                    let _e1781 = (_e1776 >> bitcast<u32>(2i));
-                                                                    let _e1782 = (_e1776 & 3u);
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1882_ = _e1628.unnamed.word;
+                                                                let _e1773 = phi_1865_;
+                                                                let _e1775 = phi_1868_;
+                                                                local_5 = _e1775;
+                                                                local_6 = _e1775;
+                                                                local_7 = _e1775;
+                                                                let _e1776 = (_e1773 < 8u);
+                                                                if _e1776 {
+                                                                    let _e1778 = (_e1773 >> bitcast<u32>(2i));
+                                                                    let _e1779 = (_e1773 & 3u);
+                                                                    if (_e1778 == 0u) {
+                                                                        phi_1882_ = _e1625.unnamed.word;
                                                                     } else {
-                                                                        phi_1882_ = _e1628.unnamed.shift;
+                                                                        phi_1882_ = _e1625.unnamed.shift;
                                                                     }
-                                                                    let _e1785 = phi_1882_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1892_ = _e1697.unnamed.word;
+                                                                    let _e1782 = phi_1882_;
+                                                                    if (_e1778 == 0u) {
+                                                                        phi_1892_ = _e1694.unnamed.word;
                                                                     } else {
-                                                                        phi_1892_ = _e1697.unnamed.shift;
+                                                                        phi_1892_ = _e1694.unnamed.shift;
                                                                     }
-                                                                    let _e1794 = phi_1892_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1902_ = _e1766.unnamed.word;
+                                                                    let _e1791 = phi_1892_;
+                                                                    if (_e1778 == 0u) {
+                                                                        phi_1902_ = _e1763.unnamed.word;
                                                                     } else {
-                                                                        phi_1902_ = _e1766.unnamed.shift;
+                                                                        phi_1902_ = _e1763.unnamed.shift;
                                                                     }
-                                                                    let _e1803 = phi_1902_;
-                                                                    let _e1816 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1785 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 - _e1318)), ((f32(((_e1794 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 - _e1319)));
-                                                                    let _e1817 = core_intrinsics_maximum_number_nsz_f32_(_e1816, ((f32(((_e1803 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 - _e1320)));
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1920_ = _e1628.unnamed_1.word;
+                                                                    let _e1800 = phi_1902_;
+                                                                    let _e1813 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1782 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1538) + (_e1556 - _e1315)), ((f32(((_e1791 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1539) + (_e1557 - _e1316)));
+                                                                    let _e1814 = core_intrinsics_maximum_number_nsz_f32_(_e1813, ((f32(((_e1800 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 - _e1317)));
+                                                                    if (_e1778 == 0u) {
+                                                                        phi_1920_ = _e1625.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1920_ = _e1628.unnamed_1.shift;
+                                                                        phi_1920_ = _e1625.unnamed_1.shift;
                                                                     }
-                                                                    let _e1820 = phi_1920_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1930_ = _e1697.unnamed_1.word;
+                                                                    let _e1817 = phi_1920_;
+                                                                    if (_e1778 == 0u) {
+                                                                        phi_1930_ = _e1694.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1930_ = _e1697.unnamed_1.shift;
+                                                                        phi_1930_ = _e1694.unnamed_1.shift;
                                                                     }
-                                                                    let _e1829 = phi_1930_;
-                                                                    if (_e1781 == 0u) {
-                                                                        phi_1940_ = _e1766.unnamed_1.word;
+                                                                    let _e1826 = phi_1930_;
+                                                                    if (_e1778 == 0u) {
+                                                                        phi_1940_ = _e1763.unnamed_1.word;
                                                                     } else {
-                                                                        phi_1940_ = _e1766.unnamed_1.shift;
+                                                                        phi_1940_ = _e1763.unnamed_1.shift;
                                                                     }
-                                                                    let _e1838 = phi_1940_;
-                                                                    let _e1851 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1820 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1541) + (_e1559 + _e1318)), ((f32(((_e1829 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1542) + (_e1560 + _e1319)));
-                                                                    let _e1852 = core_intrinsics_minimum_number_nsz_f32_(_e1851, ((f32(((_e1838 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u)) * _e1543) + (_e1561 + _e1320)));
-                                                                    if (_e1817 <= _e1852) {
-                                                                        if (_e1817 <= _e1506.t) {
-                                                                            if (_e1852 >= _e145.tmin) {
-                                                                                if (_e1781 == 0u) {
-                                                                                    let _e1859 = nodes.member[(0u + _e1508)].links[2u];
+                                                                    let _e1835 = phi_1940_;
+                                                                    let _e1848 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1817 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1538) + (_e1556 + _e1315)), ((f32(((_e1826 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1539) + (_e1557 + _e1316)));
+                                                                    let _e1849 = core_intrinsics_minimum_number_nsz_f32_(_e1848, ((f32(((_e1835 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u)) * _e1540) + (_e1558 + _e1317)));
+                                                                    if (_e1814 <= _e1849) {
+                                                                        if (_e1814 <= _e1503.t) {
+                                                                            if (_e1849 >= _e145.tmin) {
+                                                                                if (_e1778 == 0u) {
+                                                                                    let _e1856 = nodes.member[(0u + _e1505)].links[2u];
+                                                                                    phi_1976_ = _e1856;
+                                                                                } else {
+                                                                                    let _e1859 = nodes.member[(0u + _e1505)].links[3u];
                                                                                     phi_1976_ = _e1859;
-                                                                                } else {
-                                                                                    let _e1862 = nodes.member[(0u + _e1508)].links[3u];
-                                                                                    phi_1976_ = _e1862;
                                                                                 }
-                                                                                let _e1864 = phi_1976_;
-                                                                                let _e1869 = ((_e1864 >> bitcast<u32>(((_e1782 * 8u) & 31u))) & 255u);
-                                                                                let _e1870 = (_e1869 & 31u);
-                                                                                if (_e1870 >= 24u) {
-                                                                                    phi_1989_ = (24u + ((_e1870 - 24u) ^ _e1368));
+                                                                                let _e1861 = phi_1976_;
+                                                                                let _e1866 = ((_e1861 >> bitcast<u32>(((_e1779 * 8u) & 31u))) & 255u);
+                                                                                let _e1867 = (_e1866 & 31u);
+                                                                                if (_e1867 >= 24u) {
+                                                                                    phi_1989_ = (24u + ((_e1867 - 24u) ^ _e1365));
                                                                                 } else {
-                                                                                    phi_1989_ = _e1870;
+                                                                                    phi_1989_ = _e1867;
                                                                                 }
-                                                                                let _e1876 = phi_1989_;
-                                                                                phi_1994_ = (_e1778 | ((_e1869 >> bitcast<u32>(5i)) << bitcast<u32>((_e1876 & 31u))));
+                                                                                let _e1873 = phi_1989_;
+                                                                                phi_1994_ = (_e1775 | ((_e1866 >> bitcast<u32>(5i)) << bitcast<u32>((_e1873 & 31u))));
                                                                             } else {
-                                                                                phi_1994_ = _e1778;
+                                                                                phi_1994_ = _e1775;
                                                                             }
-                                                                            let _e1884 = phi_1994_;
-                                                                            phi_1995_ = _e1884;
+                                                                            let _e1881 = phi_1994_;
+                                                                            phi_1995_ = _e1881;
                                                                         } else {
-                                                                            phi_1995_ = _e1778;
+                                                                            phi_1995_ = _e1775;
                                                                         }
-                                                                        let _e1886 = phi_1995_;
-                                                                        phi_1996_ = _e1886;
+                                                                        let _e1883 = phi_1995_;
+                                                                        phi_1996_ = _e1883;
                                                                     } else {
-                                                                        phi_1996_ = _e1778;
+                                                                        phi_1996_ = _e1775;
                                                                     }
-                                                                    let _e1888 = phi_1996_;
-                                                                    phi_1866_ = (_e1776 + 1u);
-                                                                    phi_1869_ = _e1888;
+                                                                    let _e1885 = phi_1996_;
+                                                                    phi_1866_ = (_e1773 + 1u);
+                                                                    phi_1869_ = _e1885;
                                                                 } else {
                                                                     phi_1866_ = u32();
                                                                     phi_1869_ = u32();
                                                                 }
-                                                                let _e1891 = phi_1866_;
-                                                                let _e1893 = phi_1869_;
+                                                                let _e1888 = phi_1866_;
+                                                                let _e1890 = phi_1869_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1865_ = _e1891;
-                                                                    phi_1868_ = _e1893;
-                                                                    break if !(_e1779);
+                                                                    phi_1865_ = _e1888;
+                                                                    phi_1868_ = _e1890;
+                                                                    break if !(_e1776);
                                                                 }
                                                             }
-                                                            let _e1897 = nodes.member[(0u + _e1508)].links[0u];
-                                                            let _e1901 = nodes.member[(0u + _e1508)].frame[3u];
-                                                            let _e1905 = local_5;
-                                                            if ((_e1905 & 4278190080u) == 0u) {
+                                                            let _e1894 = nodes.member[(0u + _e1505)].links[0u];
+                                                            let _e1898 = nodes.member[(0u + _e1505)].frame[3u];
+                                                            let _e1902 = local_5;
+                                                            if ((_e1902 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1909 = local.group_mask;
-                                                                if ((_e1909 & 4278190080u) == 0u) {
+                                                                let _e1906 = local.group_mask;
+                                                                if ((_e1906 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1913 = local.len;
-                                                                    if (_e1913 < 32u) {
-                                                                        let _e1916 = local.group;
-                                                                        let _e1918 = local.len;
-                                                                        if (_e1918 < 32u) {
+                                                                    let _e1910 = local.len;
+                                                                    if (_e1910 < 32u) {
+                                                                        let _e1913 = local.group;
+                                                                        let _e1915 = local.len;
+                                                                        if (_e1915 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1918)] = _e1916;
-                                                                        let _e1924 = local.group_mask;
-                                                                        let _e1926 = local.len;
-                                                                        if (_e1926 < 32u) {
+                                                                        local.first[(0u + _e1915)] = _e1913;
+                                                                        let _e1921 = local.group_mask;
+                                                                        let _e1923 = local.len;
+                                                                        if (_e1923 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1926)] = _e1924;
-                                                                        let _e1933 = local.len;
-                                                                        local.len = (_e1933 + 1u);
+                                                                        local.mask[(0u + _e1923)] = _e1921;
+                                                                        let _e1930 = local.len;
+                                                                        local.len = (_e1930 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1130 + _e1897);
-                                                                let _e1937 = local_6;
-                                                                local.group_mask = ((_e1937 & 4278190080u) | (_e1901 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1127 + _e1894);
+                                                                let _e1934 = local_6;
+                                                                local.group_mask = ((_e1934 & 4278190080u) | (_e1898 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1942 = local_7;
-                                                            phi_2054_ = _e1506;
-                                                            phi_2057_ = (_e1942 & 16777215u);
+                                                            let _e1939 = local_7;
+                                                            phi_2054_ = _e1503;
+                                                            phi_2057_ = (_e1939 & 16777215u);
                                                             loop {
-                                                                let _e1945 = phi_2054_;
-                                                                let _e1947 = phi_2057_;
-                                                                local_8 = _e1945;
-                                                                if (_e1947 == 0u) {
+                                                                let _e1942 = phi_2054_;
+                                                                let _e1944 = phi_2057_;
+                                                                local_8 = _e1942;
+                                                                if (_e1944 == 0u) {
                                                                     phi_2055_ = lt_bvh_Hit();
                                                                     phi_2058_ = u32();
                                                                     phi_2699_ = false;
                                                                 } else {
-                                                                    let _e1951 = nodes.member[(0u + _e1508)].links[1u];
-                                                                    let _e1956 = ((_e1132 + _e1951) + select(firstTrailingBit(_e1947), 32u, (_e1947 == 0u)));
-                                                                    if (_e1956 < _e70) {
+                                                                    let _e1948 = nodes.member[(0u + _e1505)].links[1u];
+                                                                    let _e1953 = ((_e1129 + _e1948) + select(firstTrailingBit(_e1944), 32u, (_e1944 == 0u)));
+                                                                    if (_e1953 < _e70) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1963 = triangles.member[(0u + _e1956)].v0_;
-                                                                    let _e1965 = (_e1963.x - _e1055);
-                                                                    let _e1967 = (_e1963.y - _e1068);
-                                                                    let _e1969 = (_e1963.z - _e1081);
-                                                                    if (_e1341 == 0u) {
-                                                                        phi_2102_ = vec3<f32>(_e1967, _e1969, _e1965);
+                                                                    let _e1960 = triangles.member[(0u + _e1953)].v0_;
+                                                                    let _e1962 = (_e1960.x - _e1052);
+                                                                    let _e1964 = (_e1960.y - _e1065);
+                                                                    let _e1966 = (_e1960.z - _e1078);
+                                                                    if (_e1338 == 0u) {
+                                                                        phi_2102_ = vec3<f32>(_e1964, _e1966, _e1962);
                                                                     } else {
-                                                                        if (_e1341 == 1u) {
-                                                                            phi_2101_ = vec3<f32>(_e1969, _e1965, _e1967);
+                                                                        if (_e1338 == 1u) {
+                                                                            phi_2101_ = vec3<f32>(_e1966, _e1962, _e1964);
                                                                         } else {
-                                                                            phi_2101_ = (_e1963 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2101_ = (_e1960 - vec3<f32>(_e1052, _e1065, _e1078));
                                                                         }
-                                                                        let _e1977 = phi_2101_;
-                                                                        phi_2102_ = _e1977;
+                                                                        let _e1974 = phi_2101_;
+                                                                        phi_2102_ = _e1974;
                                                                     }
-                                                                    let _e1979 = phi_2102_;
-                                                                    let _e1983 = (_e1979.x - (_e1352 * _e1979.z));
-                                                                    let _e1987 = (_e1979.y - (_e1355 * _e1979.z));
-                                                                    let _e1989 = triangles.member[(0u + _e1956)].v1_;
-                                                                    let _e1991 = (_e1989.x - _e1055);
-                                                                    let _e1993 = (_e1989.y - _e1068);
-                                                                    let _e1995 = (_e1989.z - _e1081);
-                                                                    if (_e1341 == 0u) {
-                                                                        phi_2132_ = vec3<f32>(_e1993, _e1995, _e1991);
+                                                                    let _e1976 = phi_2102_;
+                                                                    let _e1980 = (_e1976.x - (_e1349 * _e1976.z));
+                                                                    let _e1984 = (_e1976.y - (_e1352 * _e1976.z));
+                                                                    let _e1986 = triangles.member[(0u + _e1953)].v1_;
+                                                                    let _e1988 = (_e1986.x - _e1052);
+                                                                    let _e1990 = (_e1986.y - _e1065);
+                                                                    let _e1992 = (_e1986.z - _e1078);
+                                                                    if (_e1338 == 0u) {
+                                                                        phi_2132_ = vec3<f32>(_e1990, _e1992, _e1988);
                                                                     } else {
-                                                                        if (_e1341 == 1u) {
-                                                                            phi_2131_ = vec3<f32>(_e1995, _e1991, _e1993);
+                                                                        if (_e1338 == 1u) {
+                                                                            phi_2131_ = vec3<f32>(_e1992, _e1988, _e1990);
                                                                         } else {
-                                                                            phi_2131_ = (_e1989 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2131_ = (_e1986 - vec3<f32>(_e1052, _e1065, _e1078));
                                                                         }
-                                                                        let _e2003 = phi_2131_;
-                                                                        phi_2132_ = _e2003;
+                                                                        let _e2000 = phi_2131_;
+                                                                        phi_2132_ = _e2000;
                                                                     }
-                                                                    let _e2005 = phi_2132_;
-                                                                    let _e2009 = (_e2005.x - (_e1352 * _e2005.z));
-                                                                    let _e2013 = (_e2005.y - (_e1355 * _e2005.z));
-                                                                    let _e2015 = triangles.member[(0u + _e1956)].v2_;
-                                                                    let _e2017 = (_e2015.x - _e1055);
-                                                                    let _e2019 = (_e2015.y - _e1068);
-                                                                    let _e2021 = (_e2015.z - _e1081);
-                                                                    if (_e1341 == 0u) {
-                                                                        phi_2162_ = vec3<f32>(_e2019, _e2021, _e2017);
+                                                                    let _e2002 = phi_2132_;
+                                                                    let _e2006 = (_e2002.x - (_e1349 * _e2002.z));
+                                                                    let _e2010 = (_e2002.y - (_e1352 * _e2002.z));
+                                                                    let _e2012 = triangles.member[(0u + _e1953)].v2_;
+                                                                    let _e2014 = (_e2012.x - _e1052);
+                                                                    let _e2016 = (_e2012.y - _e1065);
+                                                                    let _e2018 = (_e2012.z - _e1078);
+                                                                    if (_e1338 == 0u) {
+                                                                        phi_2162_ = vec3<f32>(_e2016, _e2018, _e2014);
                                                                     } else {
-                                                                        if (_e1341 == 1u) {
-                                                                            phi_2161_ = vec3<f32>(_e2021, _e2017, _e2019);
+                                                                        if (_e1338 == 1u) {
+                                                                            phi_2161_ = vec3<f32>(_e2018, _e2014, _e2016);
                                                                         } else {
-                                                                            phi_2161_ = (_e2015 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2161_ = (_e2012 - vec3<f32>(_e1052, _e1065, _e1078));
                                                                         }
-                                                                        let _e2029 = phi_2161_;
-                                                                        phi_2162_ = _e2029;
+                                                                        let _e2026 = phi_2161_;
+                                                                        phi_2162_ = _e2026;
                                                                     }
-                                                                    let _e2031 = phi_2162_;
-                                                                    let _e2035 = (_e2031.x - (_e1352 * _e2031.z));
-                                                                    let _e2039 = (_e2031.y - (_e1355 * _e2031.z));
-                                                                    if (_e2009 < _e2035) {
+                                                                    let _e2028 = phi_2162_;
+                                                                    let _e2032 = (_e2028.x - (_e1349 * _e2028.z));
+                                                                    let _e2036 = (_e2028.y - (_e1352 * _e2028.z));
+                                                                    if (_e2006 < _e2032) {
                                                                         phi_2181_ = true;
                                                                     } else {
-                                                                        if (_e2009 == _e2035) {
-                                                                            phi_2180_ = (_e2013 < _e2039);
+                                                                        if (_e2006 == _e2032) {
+                                                                            phi_2180_ = (_e2010 < _e2036);
                                                                         } else {
                                                                             phi_2180_ = false;
                                                                         }
-                                                                        let _e2044 = phi_2180_;
-                                                                        phi_2181_ = _e2044;
+                                                                        let _e2041 = phi_2180_;
+                                                                        phi_2181_ = _e2041;
                                                                     }
-                                                                    let _e2046 = phi_2181_;
-                                                                    if _e2046 {
-                                                                        phi_2185_ = _e2039;
-                                                                        phi_2186_ = _e2035;
-                                                                        phi_2187_ = _e2013;
-                                                                        phi_2188_ = _e2009;
+                                                                    let _e2043 = phi_2181_;
+                                                                    if _e2043 {
+                                                                        phi_2185_ = _e2036;
+                                                                        phi_2186_ = _e2032;
+                                                                        phi_2187_ = _e2010;
+                                                                        phi_2188_ = _e2006;
                                                                     } else {
-                                                                        phi_2185_ = _e2013;
-                                                                        phi_2186_ = _e2009;
-                                                                        phi_2187_ = _e2039;
-                                                                        phi_2188_ = _e2035;
+                                                                        phi_2185_ = _e2010;
+                                                                        phi_2186_ = _e2006;
+                                                                        phi_2187_ = _e2036;
+                                                                        phi_2188_ = _e2032;
                                                                     }
-                                                                    let _e2048 = phi_2185_;
-                                                                    let _e2050 = phi_2186_;
-                                                                    let _e2052 = phi_2187_;
-                                                                    let _e2054 = phi_2188_;
-                                                                    let _e2057 = ((_e2054 * _e2048) - (_e2052 * _e2050));
-                                                                    if _e2046 {
-                                                                        phi_2196_ = -(_e2057);
+                                                                    let _e2045 = phi_2185_;
+                                                                    let _e2047 = phi_2186_;
+                                                                    let _e2049 = phi_2187_;
+                                                                    let _e2051 = phi_2188_;
+                                                                    let _e2054 = ((_e2051 * _e2045) - (_e2049 * _e2047));
+                                                                    if _e2043 {
+                                                                        phi_2196_ = -(_e2054);
                                                                     } else {
-                                                                        phi_2196_ = _e2057;
+                                                                        phi_2196_ = _e2054;
                                                                     }
-                                                                    let _e2060 = phi_2196_;
-                                                                    if (_e2035 < _e1983) {
+                                                                    let _e2057 = phi_2196_;
+                                                                    if (_e2032 < _e1980) {
                                                                         phi_2207_ = true;
                                                                     } else {
-                                                                        if (_e2035 == _e1983) {
-                                                                            phi_2206_ = (_e2039 < _e1987);
+                                                                        if (_e2032 == _e1980) {
+                                                                            phi_2206_ = (_e2036 < _e1984);
                                                                         } else {
                                                                             phi_2206_ = false;
                                                                         }
-                                                                        let _e2065 = phi_2206_;
-                                                                        phi_2207_ = _e2065;
+                                                                        let _e2062 = phi_2206_;
+                                                                        phi_2207_ = _e2062;
                                                                     }
-                                                                    let _e2067 = phi_2207_;
-                                                                    if _e2067 {
-                                                                        phi_2211_ = _e1987;
-                                                                        phi_2212_ = _e1983;
-                                                                        phi_2213_ = _e2039;
-                                                                        phi_2214_ = _e2035;
+                                                                    let _e2064 = phi_2207_;
+                                                                    if _e2064 {
+                                                                        phi_2211_ = _e1984;
+                                                                        phi_2212_ = _e1980;
+                                                                        phi_2213_ = _e2036;
+                                                                        phi_2214_ = _e2032;
                                                                     } else {
-                                                                        phi_2211_ = _e2039;
-                                                                        phi_2212_ = _e2035;
-                                                                        phi_2213_ = _e1987;
-                                                                        phi_2214_ = _e1983;
+                                                                        phi_2211_ = _e2036;
+                                                                        phi_2212_ = _e2032;
+                                                                        phi_2213_ = _e1984;
+                                                                        phi_2214_ = _e1980;
                                                                     }
-                                                                    let _e2069 = phi_2211_;
-                                                                    let _e2071 = phi_2212_;
-                                                                    let _e2073 = phi_2213_;
-                                                                    let _e2075 = phi_2214_;
-                                                                    let _e2078 = ((_e2075 * _e2069) - (_e2073 * _e2071));
-                                                                    if _e2067 {
-                                                                        phi_2222_ = -(_e2078);
+                                                                    let _e2066 = phi_2211_;
+                                                                    let _e2068 = phi_2212_;
+                                                                    let _e2070 = phi_2213_;
+                                                                    let _e2072 = phi_2214_;
+                                                                    let _e2075 = ((_e2072 * _e2066) - (_e2070 * _e2068));
+                                                                    if _e2064 {
+                                                                        phi_2222_ = -(_e2075);
                                                                     } else {
-                                                                        phi_2222_ = _e2078;
+                                                                        phi_2222_ = _e2075;
                                                                     }
-                                                                    let _e2081 = phi_2222_;
-                                                                    if (_e1983 < _e2009) {
+                                                                    let _e2078 = phi_2222_;
+                                                                    if (_e1980 < _e2006) {
                                                                         phi_2233_ = true;
                                                                     } else {
-                                                                        if (_e1983 == _e2009) {
-                                                                            phi_2232_ = (_e1987 < _e2013);
+                                                                        if (_e1980 == _e2006) {
+                                                                            phi_2232_ = (_e1984 < _e2010);
                                                                         } else {
                                                                             phi_2232_ = false;
                                                                         }
-                                                                        let _e2086 = phi_2232_;
-                                                                        phi_2233_ = _e2086;
+                                                                        let _e2083 = phi_2232_;
+                                                                        phi_2233_ = _e2083;
                                                                     }
-                                                                    let _e2088 = phi_2233_;
-                                                                    if _e2088 {
-                                                                        phi_2237_ = _e2013;
-                                                                        phi_2238_ = _e2009;
-                                                                        phi_2239_ = _e1987;
-                                                                        phi_2240_ = _e1983;
+                                                                    let _e2085 = phi_2233_;
+                                                                    if _e2085 {
+                                                                        phi_2237_ = _e2010;
+                                                                        phi_2238_ = _e2006;
+                                                                        phi_2239_ = _e1984;
+                                                                        phi_2240_ = _e1980;
                                                                     } else {
-                                                                        phi_2237_ = _e1987;
-                                                                        phi_2238_ = _e1983;
-                                                                        phi_2239_ = _e2013;
-                                                                        phi_2240_ = _e2009;
+                                                                        phi_2237_ = _e1984;
+                                                                        phi_2238_ = _e1980;
+                                                                        phi_2239_ = _e2010;
+                                                                        phi_2240_ = _e2006;
                                                                     }
-                                                                    let _e2090 = phi_2237_;
-                                                                    let _e2092 = phi_2238_;
-                                                                    let _e2094 = phi_2239_;
-                                                                    let _e2096 = phi_2240_;
-                                                                    let _e2099 = ((_e2096 * _e2090) - (_e2094 * _e2092));
-                                                                    if _e2088 {
-                                                                        phi_2248_ = -(_e2099);
+                                                                    let _e2087 = phi_2237_;
+                                                                    let _e2089 = phi_2238_;
+                                                                    let _e2091 = phi_2239_;
+                                                                    let _e2093 = phi_2240_;
+                                                                    let _e2096 = ((_e2093 * _e2087) - (_e2091 * _e2089));
+                                                                    if _e2085 {
+                                                                        phi_2248_ = -(_e2096);
                                                                     } else {
-                                                                        phi_2248_ = _e2099;
+                                                                        phi_2248_ = _e2096;
                                                                     }
-                                                                    let _e2102 = phi_2248_;
-                                                                    if (_e2060 >= 0f) {
-                                                                        if (_e2081 >= 0f) {
-                                                                            if (_e2102 >= 0f) {
-                                                                                phi_2263_ = ((_e2060 + _e2081) + _e2102);
+                                                                    let _e2099 = phi_2248_;
+                                                                    if (_e2057 >= 0f) {
+                                                                        if (_e2078 >= 0f) {
+                                                                            if (_e2099 >= 0f) {
+                                                                                phi_2263_ = ((_e2057 + _e2078) + _e2099);
                                                                                 phi_2264_ = false;
                                                                             } else {
                                                                                 phi_2263_ = f32();
                                                                                 phi_2264_ = true;
                                                                             }
-                                                                            let _e2109 = phi_2263_;
-                                                                            let _e2111 = phi_2264_;
-                                                                            phi_2265_ = _e2109;
-                                                                            phi_2266_ = _e2111;
+                                                                            let _e2106 = phi_2263_;
+                                                                            let _e2108 = phi_2264_;
+                                                                            phi_2265_ = _e2106;
+                                                                            phi_2266_ = _e2108;
                                                                         } else {
                                                                             phi_2265_ = f32();
                                                                             phi_2266_ = true;
                                                                         }
-                                                                        let _e2113 = phi_2265_;
-                                                                        let _e2115 = phi_2266_;
-                                                                        phi_2267_ = _e2113;
-                                                                        phi_2268_ = _e2115;
+                                                                        let _e2110 = phi_2265_;
+                                                                        let _e2112 = phi_2266_;
+                                                                        phi_2267_ = _e2110;
+                                                                        phi_2268_ = _e2112;
                                                                     } else {
                                                                         phi_2267_ = f32();
                                                                         phi_2268_ = true;
                                                                     }
-                                                                    let _e2117 = phi_2267_;
-                                                                    let _e2119 = phi_2268_;
-                                                                    if _e2119 {
-                                                                        if (_e2060 <= 0f) {
-                                                                            if (_e2081 <= 0f) {
-                                                                                let _e2122 = (_e2102 <= 0f);
-                                                                                if _e2122 {
+                                                                    let _e2114 = phi_2267_;
+                                                                    let _e2116 = phi_2268_;
+                                                                    if _e2116 {
+                                                                        if (_e2057 <= 0f) {
+                                                                            if (_e2078 <= 0f) {
+                                                                                let _e2119 = (_e2099 <= 0f);
+                                                                                if _e2119 {
                                                                                 }
-                                                                                phi_2286_ = ((_e2060 + _e2081) + _e2102);
+                                                                                phi_2286_ = ((_e2057 + _e2078) + _e2099);
                                                                                 phi_2287_ = false;
-                                                                                phi_2288_ = _e2122;
+                                                                                phi_2288_ = _e2119;
                                                                             } else {
                                                                                 phi_2286_ = f32();
                                                                                 phi_2287_ = true;
                                                                                 phi_2288_ = false;
                                                                             }
-                                                                            let _e2126 = phi_2286_;
-                                                                            let _e2128 = phi_2287_;
-                                                                            let _e2130 = phi_2288_;
-                                                                            phi_2289_ = _e2126;
-                                                                            phi_2290_ = _e2128;
-                                                                            phi_2291_ = _e2130;
+                                                                            let _e2123 = phi_2286_;
+                                                                            let _e2125 = phi_2287_;
+                                                                            let _e2127 = phi_2288_;
+                                                                            phi_2289_ = _e2123;
+                                                                            phi_2290_ = _e2125;
+                                                                            phi_2291_ = _e2127;
                                                                         } else {
                                                                             phi_2289_ = f32();
                                                                             phi_2290_ = true;
                                                                             phi_2291_ = false;
                                                                         }
-                                                                        let _e2132 = phi_2289_;
-                                                                        let _e2134 = phi_2290_;
-                                                                        let _e2136 = phi_2291_;
-                                                                        if _e2134 {
+                                                                        let _e2129 = phi_2289_;
+                                                                        let _e2131 = phi_2290_;
+                                                                        let _e2133 = phi_2291_;
+                                                                        if _e2131 {
                                                                             phi_2295_ = false;
                                                                         } else {
-                                                                            phi_2295_ = _e2136;
+                                                                            phi_2295_ = _e2133;
                                                                         }
-                                                                        let _e2138 = phi_2295_;
-                                                                        phi_2296_ = _e2132;
-                                                                        phi_2297_ = _e2138;
+                                                                        let _e2135 = phi_2295_;
+                                                                        phi_2296_ = _e2129;
+                                                                        phi_2297_ = _e2135;
                                                                     } else {
-                                                                        phi_2296_ = _e2117;
+                                                                        phi_2296_ = _e2114;
                                                                         phi_2297_ = true;
                                                                     }
-                                                                    let _e2140 = phi_2296_;
-                                                                    let _e2142 = phi_2297_;
-                                                                    if _e2142 {
-                                                                        let _e2143 = (_e2140 == 0f);
-                                                                        if _e2143 {
+                                                                    let _e2137 = phi_2296_;
+                                                                    let _e2139 = phi_2297_;
+                                                                    if _e2139 {
+                                                                        let _e2140 = (_e2137 == 0f);
+                                                                        if _e2140 {
                                                                             phi_2613_ = lt_bvh_triangle_Intersection();
                                                                             phi_2614_ = false;
                                                                         } else {
-                                                                            let _e2145 = triangles.member[(0u + _e1956)].v0_;
-                                                                            let _e2147 = (_e2145.x - _e1055);
-                                                                            let _e2149 = (_e2145.y - _e1068);
-                                                                            let _e2151 = (_e2145.z - _e1081);
-                                                                            if (_e1341 == 0u) {
-                                                                                phi_2326_ = vec3<f32>(_e2149, _e2151, _e2147);
+                                                                            let _e2142 = triangles.member[(0u + _e1953)].v0_;
+                                                                            let _e2144 = (_e2142.x - _e1052);
+                                                                            let _e2146 = (_e2142.y - _e1065);
+                                                                            let _e2148 = (_e2142.z - _e1078);
+                                                                            if (_e1338 == 0u) {
+                                                                                phi_2326_ = vec3<f32>(_e2146, _e2148, _e2144);
                                                                             } else {
-                                                                                if (_e1341 == 1u) {
-                                                                                    phi_2325_ = vec3<f32>(_e2151, _e2147, _e2149);
+                                                                                if (_e1338 == 1u) {
+                                                                                    phi_2325_ = vec3<f32>(_e2148, _e2144, _e2146);
                                                                                 } else {
-                                                                                    phi_2325_ = (_e2145 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                                    phi_2325_ = (_e2142 - vec3<f32>(_e1052, _e1065, _e1078));
                                                                                 }
-                                                                                let _e2159 = phi_2325_;
-                                                                                phi_2326_ = _e2159;
+                                                                                let _e2156 = phi_2325_;
+                                                                                phi_2326_ = _e2156;
                                                                             }
-                                                                            let _e2161 = phi_2326_;
-                                                                            let _e2163 = triangles.member[(0u + _e1956)].v1_;
-                                                                            let _e2165 = triangles.member[(0u + _e1956)].v0_;
-                                                                            let _e2168 = (_e2163.x - _e2165.x);
-                                                                            let _e2171 = (_e2163.y - _e2165.y);
-                                                                            let _e2174 = (_e2163.z - _e2165.z);
-                                                                            if (_e1341 == 0u) {
-                                                                                phi_2352_ = vec3<f32>(_e2171, _e2174, _e2168);
+                                                                            let _e2158 = phi_2326_;
+                                                                            let _e2160 = triangles.member[(0u + _e1953)].v1_;
+                                                                            let _e2162 = triangles.member[(0u + _e1953)].v0_;
+                                                                            let _e2165 = (_e2160.x - _e2162.x);
+                                                                            let _e2168 = (_e2160.y - _e2162.y);
+                                                                            let _e2171 = (_e2160.z - _e2162.z);
+                                                                            if (_e1338 == 0u) {
+                                                                                phi_2352_ = vec3<f32>(_e2168, _e2171, _e2165);
                                                                             } else {
-                                                                                if (_e1341 == 1u) {
-                                                                                    phi_2351_ = vec3<f32>(_e2174, _e2168, _e2171);
+                                                                                if (_e1338 == 1u) {
+                                                                                    phi_2351_ = vec3<f32>(_e2171, _e2165, _e2168);
                                                                                 } else {
-                                                                                    phi_2351_ = (_e2163 - _e2165);
+                                                                                    phi_2351_ = (_e2160 - _e2162);
                                                                                 }
-                                                                                let _e2181 = phi_2351_;
-                                                                                phi_2352_ = _e2181;
+                                                                                let _e2178 = phi_2351_;
+                                                                                phi_2352_ = _e2178;
                                                                             }
-                                                                            let _e2183 = phi_2352_;
-                                                                            let _e2185 = triangles.member[(0u + _e1956)].v2_;
-                                                                            let _e2187 = triangles.member[(0u + _e1956)].v0_;
-                                                                            let _e2190 = (_e2185.x - _e2187.x);
-                                                                            let _e2193 = (_e2185.y - _e2187.y);
-                                                                            let _e2196 = (_e2185.z - _e2187.z);
-                                                                            if (_e1341 == 0u) {
-                                                                                phi_2378_ = vec3<f32>(_e2193, _e2196, _e2190);
+                                                                            let _e2180 = phi_2352_;
+                                                                            let _e2182 = triangles.member[(0u + _e1953)].v2_;
+                                                                            let _e2184 = triangles.member[(0u + _e1953)].v0_;
+                                                                            let _e2187 = (_e2182.x - _e2184.x);
+                                                                            let _e2190 = (_e2182.y - _e2184.y);
+                                                                            let _e2193 = (_e2182.z - _e2184.z);
+                                                                            if (_e1338 == 0u) {
+                                                                                phi_2378_ = vec3<f32>(_e2190, _e2193, _e2187);
                                                                             } else {
-                                                                                if (_e1341 == 1u) {
-                                                                                    phi_2377_ = vec3<f32>(_e2196, _e2190, _e2193);
+                                                                                if (_e1338 == 1u) {
+                                                                                    phi_2377_ = vec3<f32>(_e2193, _e2187, _e2190);
                                                                                 } else {
-                                                                                    phi_2377_ = (_e2185 - _e2187);
+                                                                                    phi_2377_ = (_e2182 - _e2184);
                                                                                 }
-                                                                                let _e2203 = phi_2377_;
-                                                                                phi_2378_ = _e2203;
+                                                                                let _e2200 = phi_2377_;
+                                                                                phi_2378_ = _e2200;
                                                                             }
-                                                                            let _e2205 = phi_2378_;
-                                                                            let _e2212 = ((_e2183.y * _e2205.z) - (_e2183.z * _e2205.y));
-                                                                            let _e2219 = ((_e2183.z * _e2205.x) - (_e2183.x * _e2205.z));
-                                                                            let _e2226 = ((_e2183.x * _e2205.y) - (_e2183.y * _e2205.x));
-                                                                            let _e2240 = (((1f / _e1349.z) * (((_e2212 * _e2161.x) + (_e2219 * _e2161.y)) + (_e2226 * _e2161.z))) / (((_e2212 * _e1352) + (_e2219 * _e1355)) + _e2226));
-                                                                            if (_e2240 > _e145.tmin) {
-                                                                                if (_e2240 < _e145.tmax) {
-                                                                                    let _e2244 = triangles.member[(0u + _e1956)].v0_;
-                                                                                    let _e2246 = triangles.member[(0u + _e1956)].v1_;
-                                                                                    if (_e2244.x < _e2246.x) {
-                                                                                        phi_2434_ = _e2244.x;
+                                                                            let _e2202 = phi_2378_;
+                                                                            let _e2209 = ((_e2180.y * _e2202.z) - (_e2180.z * _e2202.y));
+                                                                            let _e2216 = ((_e2180.z * _e2202.x) - (_e2180.x * _e2202.z));
+                                                                            let _e2223 = ((_e2180.x * _e2202.y) - (_e2180.y * _e2202.x));
+                                                                            let _e2237 = (((1f / _e1346.z) * (((_e2209 * _e2158.x) + (_e2216 * _e2158.y)) + (_e2223 * _e2158.z))) / (((_e2209 * _e1349) + (_e2216 * _e1352)) + _e2223));
+                                                                            if (_e2237 > _e145.tmin) {
+                                                                                if (_e2237 < _e145.tmax) {
+                                                                                    let _e2241 = triangles.member[(0u + _e1953)].v0_;
+                                                                                    let _e2243 = triangles.member[(0u + _e1953)].v1_;
+                                                                                    if (_e2241.x < _e2243.x) {
+                                                                                        phi_2434_ = _e2241.x;
                                                                                     } else {
-                                                                                        phi_2434_ = _e2246.x;
+                                                                                        phi_2434_ = _e2243.x;
                                                                                     }
-                                                                                    let _e2253 = phi_2434_;
-                                                                                    if (_e2244.y < _e2246.y) {
-                                                                                        phi_2443_ = _e2244.y;
+                                                                                    let _e2250 = phi_2434_;
+                                                                                    if (_e2241.y < _e2243.y) {
+                                                                                        phi_2443_ = _e2241.y;
                                                                                     } else {
-                                                                                        phi_2443_ = _e2246.y;
+                                                                                        phi_2443_ = _e2243.y;
                                                                                     }
-                                                                                    let _e2260 = phi_2443_;
-                                                                                    if (_e2244.z < _e2246.z) {
-                                                                                        phi_2452_ = _e2244.z;
+                                                                                    let _e2257 = phi_2443_;
+                                                                                    if (_e2241.z < _e2243.z) {
+                                                                                        phi_2452_ = _e2241.z;
                                                                                     } else {
-                                                                                        phi_2452_ = _e2246.z;
+                                                                                        phi_2452_ = _e2243.z;
                                                                                     }
-                                                                                    let _e2267 = phi_2452_;
-                                                                                    let _e2269 = triangles.member[(0u + _e1956)].v2_;
-                                                                                    if (_e2253 < _e2269.x) {
-                                                                                        phi_2461_ = _e2253;
+                                                                                    let _e2264 = phi_2452_;
+                                                                                    let _e2266 = triangles.member[(0u + _e1953)].v2_;
+                                                                                    if (_e2250 < _e2266.x) {
+                                                                                        phi_2461_ = _e2250;
                                                                                     } else {
-                                                                                        phi_2461_ = _e2269.x;
+                                                                                        phi_2461_ = _e2266.x;
                                                                                     }
-                                                                                    let _e2274 = phi_2461_;
-                                                                                    if (_e2260 < _e2269.y) {
-                                                                                        phi_2468_ = _e2260;
+                                                                                    let _e2271 = phi_2461_;
+                                                                                    if (_e2257 < _e2266.y) {
+                                                                                        phi_2468_ = _e2257;
                                                                                     } else {
-                                                                                        phi_2468_ = _e2269.y;
+                                                                                        phi_2468_ = _e2266.y;
                                                                                     }
-                                                                                    let _e2279 = phi_2468_;
-                                                                                    if (_e2267 < _e2269.z) {
-                                                                                        phi_2475_ = _e2267;
+                                                                                    let _e2276 = phi_2468_;
+                                                                                    if (_e2264 < _e2266.z) {
+                                                                                        phi_2475_ = _e2264;
                                                                                     } else {
-                                                                                        phi_2475_ = _e2269.z;
+                                                                                        phi_2475_ = _e2266.z;
                                                                                     }
-                                                                                    let _e2284 = phi_2475_;
-                                                                                    let _e2286 = triangles.member[(0u + _e1956)].v0_;
-                                                                                    let _e2288 = triangles.member[(0u + _e1956)].v1_;
-                                                                                    if (_e2286.x > _e2288.x) {
-                                                                                        phi_2488_ = _e2286.x;
+                                                                                    let _e2281 = phi_2475_;
+                                                                                    let _e2283 = triangles.member[(0u + _e1953)].v0_;
+                                                                                    let _e2285 = triangles.member[(0u + _e1953)].v1_;
+                                                                                    if (_e2283.x > _e2285.x) {
+                                                                                        phi_2488_ = _e2283.x;
                                                                                     } else {
-                                                                                        phi_2488_ = _e2288.x;
+                                                                                        phi_2488_ = _e2285.x;
                                                                                     }
-                                                                                    let _e2295 = phi_2488_;
-                                                                                    if (_e2286.y > _e2288.y) {
-                                                                                        phi_2497_ = _e2286.y;
+                                                                                    let _e2292 = phi_2488_;
+                                                                                    if (_e2283.y > _e2285.y) {
+                                                                                        phi_2497_ = _e2283.y;
                                                                                     } else {
-                                                                                        phi_2497_ = _e2288.y;
+                                                                                        phi_2497_ = _e2285.y;
                                                                                     }
-                                                                                    let _e2302 = phi_2497_;
-                                                                                    if (_e2286.z > _e2288.z) {
-                                                                                        phi_2506_ = _e2286.z;
+                                                                                    let _e2299 = phi_2497_;
+                                                                                    if (_e2283.z > _e2285.z) {
+                                                                                        phi_2506_ = _e2283.z;
                                                                                     } else {
-                                                                                        phi_2506_ = _e2288.z;
+                                                                                        phi_2506_ = _e2285.z;
                                                                                     }
-                                                                                    let _e2309 = phi_2506_;
-                                                                                    let _e2311 = triangles.member[(0u + _e1956)].v2_;
-                                                                                    if (_e2295 > _e2311.x) {
-                                                                                        phi_2515_ = _e2295;
+                                                                                    let _e2306 = phi_2506_;
+                                                                                    let _e2308 = triangles.member[(0u + _e1953)].v2_;
+                                                                                    if (_e2292 > _e2308.x) {
+                                                                                        phi_2515_ = _e2292;
                                                                                     } else {
-                                                                                        phi_2515_ = _e2311.x;
+                                                                                        phi_2515_ = _e2308.x;
                                                                                     }
-                                                                                    let _e2316 = phi_2515_;
-                                                                                    if (_e2302 > _e2311.y) {
-                                                                                        phi_2522_ = _e2302;
+                                                                                    let _e2313 = phi_2515_;
+                                                                                    if (_e2299 > _e2308.y) {
+                                                                                        phi_2522_ = _e2299;
                                                                                     } else {
-                                                                                        phi_2522_ = _e2311.y;
+                                                                                        phi_2522_ = _e2308.y;
                                                                                     }
-                                                                                    let _e2321 = phi_2522_;
-                                                                                    if (_e2309 > _e2311.z) {
-                                                                                        phi_2529_ = _e2309;
+                                                                                    let _e2318 = phi_2522_;
+                                                                                    if (_e2306 > _e2308.z) {
+                                                                                        phi_2529_ = _e2306;
                                                                                     } else {
-                                                                                        phi_2529_ = _e2311.z;
+                                                                                        phi_2529_ = _e2308.z;
                                                                                     }
-                                                                                    let _e2326 = phi_2529_;
-                                                                                    let _e2330 = ((_e2274 - _e1055) * _e1270);
-                                                                                    let _e2331 = ((_e2279 - _e1068) * _e1280);
-                                                                                    let _e2332 = ((_e2284 - _e1081) * _e1290);
-                                                                                    let _e2336 = ((_e2316 - _e1055) * _e1270);
-                                                                                    let _e2337 = ((_e2321 - _e1068) * _e1280);
-                                                                                    let _e2338 = ((_e2326 - _e1081) * _e1290);
-                                                                                    if (_e2330 < _e2336) {
-                                                                                        phi_2546_ = _e2330;
+                                                                                    let _e2323 = phi_2529_;
+                                                                                    let _e2327 = ((_e2271 - _e1052) * _e1267);
+                                                                                    let _e2328 = ((_e2276 - _e1065) * _e1277);
+                                                                                    let _e2329 = ((_e2281 - _e1078) * _e1287);
+                                                                                    let _e2333 = ((_e2313 - _e1052) * _e1267);
+                                                                                    let _e2334 = ((_e2318 - _e1065) * _e1277);
+                                                                                    let _e2335 = ((_e2323 - _e1078) * _e1287);
+                                                                                    if (_e2327 < _e2333) {
+                                                                                        phi_2546_ = _e2327;
                                                                                     } else {
-                                                                                        phi_2546_ = _e2336;
+                                                                                        phi_2546_ = _e2333;
                                                                                     }
-                                                                                    let _e2341 = phi_2546_;
-                                                                                    if (_e2331 < _e2337) {
-                                                                                        phi_2551_ = _e2331;
+                                                                                    let _e2338 = phi_2546_;
+                                                                                    if (_e2328 < _e2334) {
+                                                                                        phi_2551_ = _e2328;
                                                                                     } else {
-                                                                                        phi_2551_ = _e2337;
+                                                                                        phi_2551_ = _e2334;
                                                                                     }
-                                                                                    let _e2344 = phi_2551_;
-                                                                                    if (_e2332 < _e2338) {
-                                                                                        phi_2556_ = _e2332;
+                                                                                    let _e2341 = phi_2551_;
+                                                                                    if (_e2329 < _e2335) {
+                                                                                        phi_2556_ = _e2329;
                                                                                     } else {
-                                                                                        phi_2556_ = _e2338;
+                                                                                        phi_2556_ = _e2335;
                                                                                     }
-                                                                                    let _e2347 = phi_2556_;
-                                                                                    if (_e2330 > _e2336) {
-                                                                                        phi_2564_ = _e2330;
+                                                                                    let _e2344 = phi_2556_;
+                                                                                    if (_e2327 > _e2333) {
+                                                                                        phi_2564_ = _e2327;
                                                                                     } else {
-                                                                                        phi_2564_ = _e2336;
+                                                                                        phi_2564_ = _e2333;
                                                                                     }
-                                                                                    let _e2353 = phi_2564_;
-                                                                                    if (_e2331 > _e2337) {
-                                                                                        phi_2569_ = _e2331;
+                                                                                    let _e2350 = phi_2564_;
+                                                                                    if (_e2328 > _e2334) {
+                                                                                        phi_2569_ = _e2328;
                                                                                     } else {
-                                                                                        phi_2569_ = _e2337;
+                                                                                        phi_2569_ = _e2334;
                                                                                     }
-                                                                                    let _e2356 = phi_2569_;
-                                                                                    if (_e2332 > _e2338) {
-                                                                                        phi_2574_ = _e2332;
+                                                                                    let _e2353 = phi_2569_;
+                                                                                    if (_e2329 > _e2335) {
+                                                                                        phi_2574_ = _e2329;
                                                                                     } else {
-                                                                                        phi_2574_ = _e2338;
+                                                                                        phi_2574_ = _e2335;
                                                                                     }
-                                                                                    let _e2359 = phi_2574_;
-                                                                                    let _e2363 = core_intrinsics_maximum_number_nsz_f32_((_e2341 - _e1325), (_e2344 - _e1326));
-                                                                                    let _e2364 = core_intrinsics_maximum_number_nsz_f32_(_e2363, (_e2347 - _e1327));
-                                                                                    let _e2365 = core_intrinsics_minimum_number_nsz_f32_((_e2353 + _e1325), (_e2356 + _e1326));
-                                                                                    let _e2366 = core_intrinsics_minimum_number_nsz_f32_(_e2365, (_e2359 + _e1327));
-                                                                                    if (_e2364 > _e1030) {
-                                                                                        phi_2586_ = _e2364;
+                                                                                    let _e2356 = phi_2574_;
+                                                                                    let _e2360 = core_intrinsics_maximum_number_nsz_f32_((_e2338 - _e1322), (_e2341 - _e1323));
+                                                                                    let _e2361 = core_intrinsics_maximum_number_nsz_f32_(_e2360, (_e2344 - _e1324));
+                                                                                    let _e2362 = core_intrinsics_minimum_number_nsz_f32_((_e2350 + _e1322), (_e2353 + _e1323));
+                                                                                    let _e2363 = core_intrinsics_minimum_number_nsz_f32_(_e2362, (_e2356 + _e1324));
+                                                                                    if (_e2361 > _e1027) {
+                                                                                        phi_2586_ = _e2361;
                                                                                     } else {
-                                                                                        phi_2586_ = _e1030;
+                                                                                        phi_2586_ = _e1027;
                                                                                     }
-                                                                                    let _e2369 = phi_2586_;
-                                                                                    if (_e2366 < _e1032) {
-                                                                                        phi_2591_ = _e2366;
+                                                                                    let _e2366 = phi_2586_;
+                                                                                    if (_e2363 < _e1029) {
+                                                                                        phi_2591_ = _e2363;
                                                                                     } else {
-                                                                                        phi_2591_ = _e1032;
+                                                                                        phi_2591_ = _e1029;
                                                                                     }
-                                                                                    let _e2372 = phi_2591_;
-                                                                                    if (_e2240 < _e2369) {
-                                                                                        phi_2596_ = _e2369;
+                                                                                    let _e2369 = phi_2591_;
+                                                                                    if (_e2237 < _e2366) {
+                                                                                        phi_2596_ = _e2366;
                                                                                     } else {
-                                                                                        phi_2596_ = _e2240;
+                                                                                        phi_2596_ = _e2237;
                                                                                     }
-                                                                                    let _e2375 = phi_2596_;
-                                                                                    if (_e2375 > _e2372) {
+                                                                                    let _e2372 = phi_2596_;
+                                                                                    if (_e2372 > _e2369) {
+                                                                                        phi_2601_ = _e2369;
+                                                                                    } else {
                                                                                         phi_2601_ = _e2372;
-                                                                                    } else {
-                                                                                        phi_2601_ = _e2375;
                                                                                     }
-                                                                                    let _e2378 = phi_2601_;
-                                                                                    phi_2606_ = lt_bvh_triangle_Intersection(_e2378, (_e2081 / _e2140), (_e2102 / _e2140), (_e2369 <= _e2372));
+                                                                                    let _e2375 = phi_2601_;
+                                                                                    phi_2606_ = lt_bvh_triangle_Intersection(_e2375, (_e2078 / _e2137), (_e2099 / _e2137), (_e2366 <= _e2369));
                                                                                     phi_2607_ = false;
                                                                                 } else {
                                                                                     phi_2606_ = lt_bvh_triangle_Intersection();
                                                                                     phi_2607_ = true;
                                                                                 }
-                                                                                let _e2384 = phi_2606_;
-                                                                                let _e2386 = phi_2607_;
-                                                                                phi_2608_ = _e2384;
-                                                                                phi_2609_ = _e2386;
+                                                                                let _e2381 = phi_2606_;
+                                                                                let _e2383 = phi_2607_;
+                                                                                phi_2608_ = _e2381;
+                                                                                phi_2609_ = _e2383;
                                                                             } else {
                                                                                 phi_2608_ = lt_bvh_triangle_Intersection();
                                                                                 phi_2609_ = true;
                                                                             }
-                                                                            let _e2388 = phi_2608_;
-                                                                            let _e2390 = phi_2609_;
-                                                                            if _e2390 {
+                                                                            let _e2385 = phi_2608_;
+                                                                            let _e2387 = phi_2609_;
+                                                                            if _e2387 {
                                                                             }
-                                                                            phi_2613_ = _e2388;
-                                                                            phi_2614_ = _e2390;
+                                                                            phi_2613_ = _e2385;
+                                                                            phi_2614_ = _e2387;
                                                                         }
-                                                                        let _e2392 = phi_2613_;
-                                                                        let _e2394 = phi_2614_;
-                                                                        phi_2615_ = _e2392;
-                                                                        phi_2616_ = _e2143;
-                                                                        phi_2617_ = _e2394;
+                                                                        let _e2389 = phi_2613_;
+                                                                        let _e2391 = phi_2614_;
+                                                                        phi_2615_ = _e2389;
+                                                                        phi_2616_ = _e2140;
+                                                                        phi_2617_ = _e2391;
                                                                     } else {
                                                                         phi_2615_ = lt_bvh_triangle_Intersection();
                                                                         phi_2616_ = true;
                                                                         phi_2617_ = false;
                                                                     }
-                                                                    let _e2396 = phi_2615_;
-                                                                    let _e2398 = phi_2616_;
-                                                                    let _e2400 = phi_2617_;
-                                                                    if _e2398 {
+                                                                    let _e2393 = phi_2615_;
+                                                                    let _e2395 = phi_2616_;
+                                                                    let _e2397 = phi_2617_;
+                                                                    if _e2395 {
                                                                         phi_2621_ = true;
                                                                     } else {
-                                                                        phi_2621_ = _e2400;
+                                                                        phi_2621_ = _e2397;
                                                                     }
-                                                                    let _e2402 = phi_2621_;
-                                                                    if _e2402 {
+                                                                    let _e2399 = phi_2621_;
+                                                                    if _e2399 {
                                                                         phi_2625_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2625_ = _e2396;
+                                                                        phi_2625_ = _e2393;
                                                                     }
-                                                                    let _e2404 = phi_2625_;
-                                                                    if _e2404.is_hit {
-                                                                        if (_e2404.t > _e145.tmin) {
-                                                                            if (_e2404.t < _e1945.t) {
+                                                                    let _e2401 = phi_2625_;
+                                                                    if _e2401.is_hit {
+                                                                        if (_e2401.t > _e145.tmin) {
+                                                                            if (_e2401.t < _e1942.t) {
                                                                                 phi_2673_ = true;
                                                                             } else {
-                                                                                if (_e2404.t == _e1945.t) {
-                                                                                    if (_e1945.triangle != 4294967295u) {
-                                                                                        if (_e1956 < _e1945.triangle) {
+                                                                                if (_e2401.t == _e1942.t) {
+                                                                                    if (_e1942.triangle != 4294967295u) {
+                                                                                        if (_e1953 < _e1942.triangle) {
                                                                                             phi_2664_ = true;
                                                                                         } else {
-                                                                                            if (_e1956 == _e1945.triangle) {
-                                                                                                phi_2663_ = (_e971 < _e1945.instance);
+                                                                                            if (_e1953 == _e1942.triangle) {
+                                                                                                phi_2663_ = (_e968 < _e1942.instance);
                                                                                             } else {
                                                                                                 phi_2663_ = false;
                                                                                             }
-                                                                                            let _e2422 = phi_2663_;
-                                                                                            phi_2664_ = _e2422;
+                                                                                            let _e2419 = phi_2663_;
+                                                                                            phi_2664_ = _e2419;
                                                                                         }
-                                                                                        let _e2424 = phi_2664_;
-                                                                                        phi_2665_ = _e2424;
+                                                                                        let _e2421 = phi_2664_;
+                                                                                        phi_2665_ = _e2421;
                                                                                         phi_2666_ = false;
                                                                                     } else {
                                                                                         phi_2665_ = bool();
                                                                                         phi_2666_ = true;
                                                                                     }
-                                                                                    let _e2426 = phi_2665_;
-                                                                                    let _e2428 = phi_2666_;
-                                                                                    phi_2667_ = _e2426;
-                                                                                    phi_2668_ = _e2428;
+                                                                                    let _e2423 = phi_2665_;
+                                                                                    let _e2425 = phi_2666_;
+                                                                                    phi_2667_ = _e2423;
+                                                                                    phi_2668_ = _e2425;
                                                                                 } else {
                                                                                     phi_2667_ = bool();
                                                                                     phi_2668_ = true;
                                                                                 }
-                                                                                let _e2430 = phi_2667_;
-                                                                                let _e2432 = phi_2668_;
-                                                                                if _e2432 {
+                                                                                let _e2427 = phi_2667_;
+                                                                                let _e2429 = phi_2668_;
+                                                                                if _e2429 {
                                                                                     phi_2672_ = false;
                                                                                 } else {
-                                                                                    phi_2672_ = _e2430;
+                                                                                    phi_2672_ = _e2427;
                                                                                 }
-                                                                                let _e2434 = phi_2672_;
-                                                                                phi_2673_ = _e2434;
+                                                                                let _e2431 = phi_2672_;
+                                                                                phi_2673_ = _e2431;
                                                                             }
-                                                                            let _e2436 = phi_2673_;
-                                                                            if _e2436 {
-                                                                                let _e2438 = triangles.member[(0u + _e1956)].i0_;
-                                                                                if ((_e2438 & 2147483648u) == 0u) {
+                                                                            let _e2433 = phi_2673_;
+                                                                            if _e2433 {
+                                                                                let _e2435 = triangles.member[(0u + _e1953)].i0_;
+                                                                                if ((_e2435 & 2147483648u) == 0u) {
                                                                                     phi_2687_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
                                                                                     phi_2687_ = true;
                                                                                 }
-                                                                                let _e2442 = phi_2687_;
-                                                                                if _e2442 {
-                                                                                    phi_2695_ = lt_bvh_Hit(_e2404.t, _e2404.u, _e2404.v, _e1956, _e971);
+                                                                                let _e2439 = phi_2687_;
+                                                                                if _e2439 {
+                                                                                    phi_2695_ = lt_bvh_Hit(_e2401.t, _e2401.u, _e2401.v, _e1953, _e968);
                                                                                 } else {
-                                                                                    phi_2695_ = _e1945;
+                                                                                    phi_2695_ = _e1942;
                                                                                 }
-                                                                                let _e2448 = phi_2695_;
-                                                                                phi_2696_ = _e2448;
+                                                                                let _e2445 = phi_2695_;
+                                                                                phi_2696_ = _e2445;
                                                                             } else {
-                                                                                phi_2696_ = _e1945;
+                                                                                phi_2696_ = _e1942;
                                                                             }
-                                                                            let _e2450 = phi_2696_;
-                                                                            phi_2697_ = _e2450;
+                                                                            let _e2447 = phi_2696_;
+                                                                            phi_2697_ = _e2447;
                                                                         } else {
-                                                                            phi_2697_ = _e1945;
+                                                                            phi_2697_ = _e1942;
                                                                         }
-                                                                        let _e2452 = phi_2697_;
-                                                                        phi_2698_ = _e2452;
+                                                                        let _e2449 = phi_2697_;
+                                                                        phi_2698_ = _e2449;
                                                                     } else {
-                                                                        phi_2698_ = _e1945;
+                                                                        phi_2698_ = _e1942;
                                                                     }
-                                                                    let _e2454 = phi_2698_;
-                                                                    phi_2055_ = _e2454;
-                                                                    phi_2058_ = (_e1947 & (_e1947 - 1u));
+                                                                    let _e2451 = phi_2698_;
+                                                                    phi_2055_ = _e2451;
+                                                                    phi_2058_ = (_e1944 & (_e1944 - 1u));
                                                                     phi_2699_ = true;
                                                                 }
-                                                                let _e2456 = phi_2055_;
-                                                                let _e2458 = phi_2058_;
-                                                                let _e2460 = phi_2699_;
+                                                                let _e2453 = phi_2055_;
+                                                                let _e2455 = phi_2058_;
+                                                                let _e2457 = phi_2699_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2054_ = _e2456;
-                                                                    phi_2057_ = _e2458;
-                                                                    break if !(_e2460);
+                                                                    phi_2054_ = _e2453;
+                                                                    phi_2057_ = _e2455;
+                                                                    break if !(_e2457);
                                                                 }
                                                             }
-                                                            let _e2463 = local.group_mask;
-                                                            if ((_e2463 & 4278190080u) == 0u) {
-                                                                let _e2467 = local.len;
-                                                                if (_e2467 == 0u) {
+                                                            let _e2460 = local.group_mask;
+                                                            if ((_e2460 & 4278190080u) == 0u) {
+                                                                let _e2464 = local.len;
+                                                                if (_e2464 == 0u) {
                                                                     phi_2738_ = false;
                                                                 } else {
+                                                                    let _e2468 = local.len;
+                                                                    local.len = (_e2468 - 1u);
                                                                     let _e2471 = local.len;
-                                                                    local.len = (_e2471 - 1u);
-                                                                    let _e2474 = local.len;
-                                                                    if (_e2474 < 32u) {
+                                                                    if (_e2471 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2479 = local.first[(0u + _e2474)];
-                                                                    local.group = _e2479;
-                                                                    let _e2482 = local.len;
-                                                                    if (_e2482 < 32u) {
+                                                                    let _e2476 = local.first[(0u + _e2471)];
+                                                                    local.group = _e2476;
+                                                                    let _e2479 = local.len;
+                                                                    if (_e2479 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2487 = local.mask[(0u + _e2482)];
-                                                                    local.group_mask = _e2487;
+                                                                    let _e2484 = local.mask[(0u + _e2479)];
+                                                                    local.group_mask = _e2484;
                                                                     phi_2738_ = true;
                                                                 }
-                                                                let _e2490 = phi_2738_;
-                                                                phi_2739_ = _e2490;
+                                                                let _e2487 = phi_2738_;
+                                                                phi_2739_ = _e2487;
                                                             } else {
                                                                 phi_2739_ = true;
                                                             }
-                                                            let _e2492 = phi_2739_;
-                                                            if _e2492 {
-                                                                let _e2494 = local.group_mask;
-                                                                let _e2500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2494)), 32u, (_e2494 == 0u)));
-                                                                let _e2504 = local.group_mask;
-                                                                let _e2518 = local.group_mask;
-                                                                local.group_mask = (_e2518 & ~((1u << bitcast<u32>((_e2500 & 31u)))));
-                                                                let _e2521 = local.group;
-                                                                phi_2770_ = (_e2521 + countOneBits(((_e2504 & ~((4294967295u << bitcast<u32>((((_e2500 - 24u) ^ _e1368) & 31u))))) & 255u)));
+                                                            let _e2489 = phi_2739_;
+                                                            if _e2489 {
+                                                                let _e2491 = local.group_mask;
+                                                                let _e2497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2491)), 32u, (_e2491 == 0u)));
+                                                                let _e2501 = local.group_mask;
+                                                                let _e2515 = local.group_mask;
+                                                                local.group_mask = (_e2515 & ~((1u << bitcast<u32>((_e2497 & 31u)))));
+                                                                let _e2518 = local.group;
+                                                                phi_2770_ = (_e2518 + countOneBits(((_e2501 & ~((4294967295u << bitcast<u32>((((_e2497 - 24u) ^ _e1365) & 31u))))) & 255u)));
                                                             } else {
                                                                 phi_2770_ = 4294967295u;
                                                             }
-                                                            let _e2524 = phi_2770_;
-                                                            let _e3510 = local_8;
-                                                            phi_1722_ = _e3510;
-                                                            phi_1725_ = _e2524;
+                                                            let _e2521 = phi_2770_;
+                                                            let _e3507 = local_8;
+                                                            phi_1722_ = _e3507;
+                                                            phi_1725_ = _e2521;
                                                         } else {
                                                             phi_1722_ = lt_bvh_Hit();
                                                             phi_1725_ = u32();
                                                         }
-                                                        let _e2526 = phi_1722_;
-                                                        let _e2528 = phi_1725_;
+                                                        let _e2523 = phi_1722_;
+                                                        let _e2525 = phi_1725_;
                                                         continue;
                                                         continuing {
-                                                            phi_1721_ = _e2526;
-                                                            phi_1724_ = _e2528;
-                                                            break if !(_e1509);
+                                                            phi_1721_ = _e2523;
+                                                            phi_1724_ = _e2525;
+                                                            break if !(_e1506);
                                                         }
                                                     }
-                                                    let _e3514 = local_9;
-                                                    phi_2771_ = _e3514;
+                                                    let _e3511 = local_9;
+                                                    phi_2771_ = _e3511;
                                                 }
-                                                let _e2531 = phi_2771_;
-                                                phi_2772_ = _e2531;
-                                                phi_2773_ = _e1194;
+                                                let _e2528 = phi_2771_;
+                                                phi_2772_ = _e2528;
+                                                phi_2773_ = _e1191;
                                             } else {
                                                 phi_2772_ = lt_bvh_Hit();
                                                 phi_2773_ = true;
                                             }
-                                            let _e2533 = phi_2772_;
-                                            let _e2535 = phi_2773_;
-                                            if _e2535 {
-                                                phi_2777_ = _e963;
+                                            let _e2530 = phi_2772_;
+                                            let _e2532 = phi_2773_;
+                                            if _e2532 {
+                                                phi_2777_ = _e960;
                                             } else {
-                                                phi_2777_ = _e2533;
+                                                phi_2777_ = _e2530;
                                             }
-                                            let _e2537 = phi_2777_;
-                                            phi_2778_ = _e2537;
+                                            let _e2534 = phi_2777_;
+                                            phi_2778_ = _e2534;
                                         } else {
-                                            phi_2778_ = _e963;
+                                            phi_2778_ = _e960;
                                         }
-                                        let _e2539 = phi_2778_;
-                                        phi_2779_ = _e2539;
+                                        let _e2536 = phi_2778_;
+                                        phi_2779_ = _e2536;
                                     } else {
-                                        phi_2779_ = _e963;
+                                        phi_2779_ = _e960;
                                     }
-                                    let _e2541 = phi_2779_;
-                                    phi_2780_ = _e2541;
+                                    let _e2538 = phi_2779_;
+                                    phi_2780_ = _e2538;
                                 } else {
-                                    phi_2780_ = _e963;
+                                    phi_2780_ = _e960;
                                 }
-                                let _e2543 = phi_2780_;
-                                phi_1096_ = (_e961 & (_e961 - 1u));
-                                phi_1099_ = _e2543;
+                                let _e2540 = phi_2780_;
+                                phi_1096_ = (_e958 & (_e958 - 1u));
+                                phi_1099_ = _e2540;
                                 phi_2781_ = true;
                             }
-                            let _e2545 = phi_1096_;
-                            let _e2547 = phi_1099_;
-                            let _e2549 = phi_2781_;
+                            let _e2542 = phi_1096_;
+                            let _e2544 = phi_1099_;
+                            let _e2546 = phi_2781_;
                             continue;
                             continuing {
-                                phi_1095_ = _e2545;
-                                phi_1098_ = _e2547;
-                                break if !(_e2549);
+                                phi_1095_ = _e2542;
+                                phi_1098_ = _e2544;
+                                break if !(_e2546);
                             }
                         }
-                        let _e2552 = local_1.group_mask;
-                        if ((_e2552 & 4278190080u) == 0u) {
-                            let _e2556 = local_1.len;
-                            if (_e2556 == 0u) {
+                        let _e2549 = local_1.group_mask;
+                        if ((_e2549 & 4278190080u) == 0u) {
+                            let _e2553 = local_1.len;
+                            if (_e2553 == 0u) {
                                 phi_2820_ = false;
                             } else {
+                                let _e2557 = local_1.len;
+                                local_1.len = (_e2557 - 1u);
                                 let _e2560 = local_1.len;
-                                local_1.len = (_e2560 - 1u);
-                                let _e2563 = local_1.len;
-                                if (_e2563 < 32u) {
+                                if (_e2560 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2568 = local_1.first[(0u + _e2563)];
-                                local_1.group = _e2568;
-                                let _e2571 = local_1.len;
-                                if (_e2571 < 32u) {
+                                let _e2565 = local_1.first[(0u + _e2560)];
+                                local_1.group = _e2565;
+                                let _e2568 = local_1.len;
+                                if (_e2568 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2576 = local_1.mask[(0u + _e2571)];
-                                local_1.group_mask = _e2576;
+                                let _e2573 = local_1.mask[(0u + _e2568)];
+                                local_1.group_mask = _e2573;
                                 phi_2820_ = true;
                             }
-                            let _e2579 = phi_2820_;
-                            phi_2821_ = _e2579;
+                            let _e2576 = phi_2820_;
+                            phi_2821_ = _e2576;
                         } else {
                             phi_2821_ = true;
                         }
-                        let _e2581 = phi_2821_;
-                        if _e2581 {
-                            let _e2583 = local_1.group_mask;
-                            let _e2589 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2583)), 32u, (_e2583 == 0u)));
-                            let _e2593 = local_1.group_mask;
-                            let _e2607 = local_1.group_mask;
-                            local_1.group_mask = (_e2607 & ~((1u << bitcast<u32>((_e2589 & 31u)))));
-                            let _e2610 = local_1.group;
-                            phi_2852_ = (_e2610 + countOneBits(((_e2593 & ~((4294967295u << bitcast<u32>((((_e2589 - 24u) ^ _e380) & 31u))))) & 255u)));
+                        let _e2578 = phi_2821_;
+                        if _e2578 {
+                            let _e2580 = local_1.group_mask;
+                            let _e2586 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2580)), 32u, (_e2580 == 0u)));
+                            let _e2590 = local_1.group_mask;
+                            let _e2604 = local_1.group_mask;
+                            local_1.group_mask = (_e2604 & ~((1u << bitcast<u32>((_e2586 & 31u)))));
+                            let _e2607 = local_1.group;
+                            phi_2852_ = (_e2607 + countOneBits(((_e2590 & ~((4294967295u << bitcast<u32>((((_e2586 - 24u) ^ _e377) & 31u))))) & 255u)));
                         } else {
                             phi_2852_ = 4294967295u;
                         }
-                        let _e2613 = phi_2852_;
-                        phi_759_ = _e2613;
-                        let _e3530 = local_10;
-                        phi_762_ = _e3530;
+                        let _e2610 = phi_2852_;
+                        phi_759_ = _e2610;
+                        let _e3527 = local_10;
+                        phi_762_ = _e3527;
                     } else {
                         phi_759_ = u32();
                         phi_762_ = lt_bvh_Hit();
                     }
-                    let _e2615 = phi_759_;
-                    let _e2617 = phi_762_;
+                    let _e2612 = phi_759_;
+                    let _e2614 = phi_762_;
                     continue;
                     continuing {
-                        phi_758_ = _e2615;
-                        phi_761_ = _e2617;
-                        break if !(_e521);
+                        phi_758_ = _e2612;
+                        phi_761_ = _e2614;
+                        break if !(_e518);
                     }
                 }
-                let _e3533 = local_11;
-                phi_2853_ = _e3533;
+                let _e3530 = local_11;
+                phi_2853_ = _e3530;
             }
-            let _e2620 = phi_2853_;
-            phi_2854_ = _e2620;
+            let _e2617 = phi_2853_;
+            phi_2854_ = _e2617;
             phi_2855_ = _e217;
         } else {
             phi_2854_ = lt_bvh_Hit();
             phi_2855_ = true;
         }
-        let _e2622 = phi_2854_;
-        let _e2624 = phi_2855_;
-        if _e2624 {
+        let _e2619 = phi_2854_;
+        let _e2621 = phi_2855_;
+        if _e2621 {
             phi_2859_ = _e147;
         } else {
-            phi_2859_ = _e2622;
+            phi_2859_ = _e2619;
         }
-        let _e2626 = phi_2859_;
-        if (_e2626.triangle != 4294967295u) {
-            let _e2632 = ((1f - _e2626.u) - _e2626.v);
-            if (_e2626.triangle < _e70) {
+        let _e2623 = phi_2859_;
+        if (_e2623.triangle != 4294967295u) {
+            let _e2629 = ((1f - _e2623.u) - _e2623.v);
+            if (_e2623.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2638 = triangles.member[(0u + _e2626.triangle)];
-            if (_e2626.instance < _e82) {
+            let _e2635 = triangles.member[(0u + _e2623.triangle)];
+            if (_e2623.instance < _e82) {
             } else {
                 return;
             }
-            let _e2649 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
-            let _e2660 = ((((_e2649.x * _e2638.v0_.x) + (_e2649.y * _e2638.v0_.y)) + (_e2649.z * _e2638.v0_.z)) + (_e2649.w * 1f));
-            let _e2662 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
-            let _e2673 = ((((_e2662.x * _e2638.v0_.x) + (_e2662.y * _e2638.v0_.y)) + (_e2662.z * _e2638.v0_.z)) + (_e2662.w * 1f));
-            let _e2675 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
-            let _e2686 = ((((_e2675.x * _e2638.v0_.x) + (_e2675.y * _e2638.v0_.y)) + (_e2675.z * _e2638.v0_.z)) + (_e2675.w * 1f));
-            let _e2693 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
-            let _e2704 = ((((_e2693.x * _e2638.v1_.x) + (_e2693.y * _e2638.v1_.y)) + (_e2693.z * _e2638.v1_.z)) + (_e2693.w * 1f));
-            let _e2706 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
-            let _e2717 = ((((_e2706.x * _e2638.v1_.x) + (_e2706.y * _e2638.v1_.y)) + (_e2706.z * _e2638.v1_.z)) + (_e2706.w * 1f));
-            let _e2719 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
-            let _e2730 = ((((_e2719.x * _e2638.v1_.x) + (_e2719.y * _e2638.v1_.y)) + (_e2719.z * _e2638.v1_.z)) + (_e2719.w * 1f));
-            let _e2737 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
-            let _e2748 = ((((_e2737.x * _e2638.v2_.x) + (_e2737.y * _e2638.v2_.y)) + (_e2737.z * _e2638.v2_.z)) + (_e2737.w * 1f));
-            let _e2750 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
-            let _e2761 = ((((_e2750.x * _e2638.v2_.x) + (_e2750.y * _e2638.v2_.y)) + (_e2750.z * _e2638.v2_.z)) + (_e2750.w * 1f));
-            let _e2763 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
-            let _e2774 = ((((_e2763.x * _e2638.v2_.x) + (_e2763.y * _e2638.v2_.y)) + (_e2763.z * _e2638.v2_.z)) + (_e2763.w * 1f));
-            let _e2787 = (((_e2660 * _e2632) + (_e2704 * _e2626.u)) + (_e2748 * _e2626.v));
-            let _e2788 = (((_e2673 * _e2632) + (_e2717 * _e2626.u)) + (_e2761 * _e2626.v));
-            let _e2789 = (((_e2686 * _e2632) + (_e2730 * _e2626.u)) + (_e2774 * _e2626.v));
-            let _e2791 = abs(_e2660);
-            let _e2792 = abs(_e2673);
-            let _e2793 = abs(_e2686);
-            let _e2794 = abs(_e2704);
-            let _e2795 = abs(_e2717);
-            let _e2796 = abs(_e2730);
-            if (_e2791 > _e2794) {
+            let _e2646 = instances.member[(0u + _e2623.instance)].object_to_world[0u];
+            let _e2657 = ((((_e2646.x * _e2635.v0_.x) + (_e2646.y * _e2635.v0_.y)) + (_e2646.z * _e2635.v0_.z)) + (_e2646.w * 1f));
+            let _e2659 = instances.member[(0u + _e2623.instance)].object_to_world[1u];
+            let _e2670 = ((((_e2659.x * _e2635.v0_.x) + (_e2659.y * _e2635.v0_.y)) + (_e2659.z * _e2635.v0_.z)) + (_e2659.w * 1f));
+            let _e2672 = instances.member[(0u + _e2623.instance)].object_to_world[2u];
+            let _e2683 = ((((_e2672.x * _e2635.v0_.x) + (_e2672.y * _e2635.v0_.y)) + (_e2672.z * _e2635.v0_.z)) + (_e2672.w * 1f));
+            let _e2690 = instances.member[(0u + _e2623.instance)].object_to_world[0u];
+            let _e2701 = ((((_e2690.x * _e2635.v1_.x) + (_e2690.y * _e2635.v1_.y)) + (_e2690.z * _e2635.v1_.z)) + (_e2690.w * 1f));
+            let _e2703 = instances.member[(0u + _e2623.instance)].object_to_world[1u];
+            let _e2714 = ((((_e2703.x * _e2635.v1_.x) + (_e2703.y * _e2635.v1_.y)) + (_e2703.z * _e2635.v1_.z)) + (_e2703.w * 1f));
+            let _e2716 = instances.member[(0u + _e2623.instance)].object_to_world[2u];
+            let _e2727 = ((((_e2716.x * _e2635.v1_.x) + (_e2716.y * _e2635.v1_.y)) + (_e2716.z * _e2635.v1_.z)) + (_e2716.w * 1f));
+            let _e2734 = instances.member[(0u + _e2623.instance)].object_to_world[0u];
+            let _e2745 = ((((_e2734.x * _e2635.v2_.x) + (_e2734.y * _e2635.v2_.y)) + (_e2734.z * _e2635.v2_.z)) + (_e2734.w * 1f));
+            let _e2747 = instances.member[(0u + _e2623.instance)].object_to_world[1u];
+            let _e2758 = ((((_e2747.x * _e2635.v2_.x) + (_e2747.y * _e2635.v2_.y)) + (_e2747.z * _e2635.v2_.z)) + (_e2747.w * 1f));
+            let _e2760 = instances.member[(0u + _e2623.instance)].object_to_world[2u];
+            let _e2771 = ((((_e2760.x * _e2635.v2_.x) + (_e2760.y * _e2635.v2_.y)) + (_e2760.z * _e2635.v2_.z)) + (_e2760.w * 1f));
+            let _e2784 = (((_e2657 * _e2629) + (_e2701 * _e2623.u)) + (_e2745 * _e2623.v));
+            let _e2785 = (((_e2670 * _e2629) + (_e2714 * _e2623.u)) + (_e2758 * _e2623.v));
+            let _e2786 = (((_e2683 * _e2629) + (_e2727 * _e2623.u)) + (_e2771 * _e2623.v));
+            let _e2788 = abs(_e2657);
+            let _e2789 = abs(_e2670);
+            let _e2790 = abs(_e2683);
+            let _e2791 = abs(_e2701);
+            let _e2792 = abs(_e2714);
+            let _e2793 = abs(_e2727);
+            if (_e2788 > _e2791) {
+                phi_3047_ = _e2788;
+            } else {
                 phi_3047_ = _e2791;
-            } else {
-                phi_3047_ = _e2794;
             }
-            let _e2799 = phi_3047_;
-            if (_e2792 > _e2795) {
+            let _e2796 = phi_3047_;
+            if (_e2789 > _e2792) {
+                phi_3052_ = _e2789;
+            } else {
                 phi_3052_ = _e2792;
-            } else {
-                phi_3052_ = _e2795;
             }
-            let _e2802 = phi_3052_;
-            if (_e2793 > _e2796) {
+            let _e2799 = phi_3052_;
+            if (_e2790 > _e2793) {
+                phi_3057_ = _e2790;
+            } else {
                 phi_3057_ = _e2793;
-            } else {
-                phi_3057_ = _e2796;
             }
-            let _e2805 = phi_3057_;
-            let _e2806 = abs(_e2748);
-            let _e2807 = abs(_e2761);
-            let _e2808 = abs(_e2774);
-            if (_e2799 > _e2806) {
-                phi_3065_ = _e2799;
+            let _e2802 = phi_3057_;
+            let _e2803 = abs(_e2745);
+            let _e2804 = abs(_e2758);
+            let _e2805 = abs(_e2771);
+            if (_e2796 > _e2803) {
+                phi_3065_ = _e2796;
             } else {
-                phi_3065_ = _e2806;
+                phi_3065_ = _e2803;
             }
-            let _e2811 = phi_3065_;
-            if (_e2802 > _e2807) {
-                phi_3070_ = _e2802;
+            let _e2808 = phi_3065_;
+            if (_e2799 > _e2804) {
+                phi_3070_ = _e2799;
             } else {
-                phi_3070_ = _e2807;
+                phi_3070_ = _e2804;
             }
-            let _e2814 = phi_3070_;
-            if (_e2805 > _e2808) {
+            let _e2811 = phi_3070_;
+            if (_e2802 > _e2805) {
+                phi_3075_ = _e2802;
+            } else {
                 phi_3075_ = _e2805;
-            } else {
-                phi_3075_ = _e2808;
             }
-            let _e2817 = phi_3075_;
-            let _e2818 = (_e2704 - _e2660);
-            let _e2819 = (_e2717 - _e2673);
-            let _e2820 = (_e2730 - _e2686);
-            let _e2821 = (_e2748 - _e2660);
-            let _e2822 = (_e2761 - _e2673);
-            let _e2823 = (_e2774 - _e2686);
-            let _e2827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2819), abs(_e2820));
-            let _e2828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2818), _e2827);
-            let _e2829 = (_e2818 / _e2828);
-            let _e2830 = (_e2819 / _e2828);
-            let _e2831 = (_e2820 / _e2828);
-            let _e2835 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2822), abs(_e2823));
-            let _e2836 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2821), _e2835);
-            let _e2837 = (_e2821 / _e2836);
-            let _e2838 = (_e2822 / _e2836);
-            let _e2839 = (_e2823 / _e2836);
-            let _e2842 = ((_e2830 * _e2839) - (_e2838 * _e2831));
-            let _e2845 = ((_e2831 * _e2837) - (_e2839 * _e2829));
-            let _e2848 = ((_e2829 * _e2838) - (_e2837 * _e2830));
-            let _e2850 = p.member.eye;
-            let _e2863 = (1f / sqrt((((_e2842 * _e2842) + (_e2845 * _e2845)) + (_e2848 * _e2848))));
-            let _e2864 = (_e2842 * _e2863);
-            let _e2865 = (_e2845 * _e2863);
-            let _e2866 = (_e2848 * _e2863);
-            if ((((_e2864 * (_e2850.x - _e2787)) + (_e2865 * (_e2850.y - _e2788))) + (_e2866 * (_e2850.z - _e2789))) < 0f) {
-                phi_3139_ = vec3<f32>(-(_e2864), -(_e2865), -(_e2866));
+            let _e2814 = phi_3075_;
+            let _e2815 = (_e2701 - _e2657);
+            let _e2816 = (_e2714 - _e2670);
+            let _e2817 = (_e2727 - _e2683);
+            let _e2818 = (_e2745 - _e2657);
+            let _e2819 = (_e2758 - _e2670);
+            let _e2820 = (_e2771 - _e2683);
+            let _e2824 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2816), abs(_e2817));
+            let _e2825 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2815), _e2824);
+            let _e2826 = (_e2815 / _e2825);
+            let _e2827 = (_e2816 / _e2825);
+            let _e2828 = (_e2817 / _e2825);
+            let _e2832 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2819), abs(_e2820));
+            let _e2833 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2818), _e2832);
+            let _e2834 = (_e2818 / _e2833);
+            let _e2835 = (_e2819 / _e2833);
+            let _e2836 = (_e2820 / _e2833);
+            let _e2839 = ((_e2827 * _e2836) - (_e2835 * _e2828));
+            let _e2842 = ((_e2828 * _e2834) - (_e2836 * _e2826));
+            let _e2845 = ((_e2826 * _e2835) - (_e2834 * _e2827));
+            let _e2847 = p.member.eye;
+            let _e2860 = (1f / sqrt((((_e2839 * _e2839) + (_e2842 * _e2842)) + (_e2845 * _e2845))));
+            let _e2861 = (_e2839 * _e2860);
+            let _e2862 = (_e2842 * _e2860);
+            let _e2863 = (_e2845 * _e2860);
+            if ((((_e2861 * (_e2847.x - _e2784)) + (_e2862 * (_e2847.y - _e2785))) + (_e2863 * (_e2847.z - _e2786))) < 0f) {
+                phi_3139_ = vec3<f32>(-(_e2861), -(_e2862), -(_e2863));
             } else {
-                phi_3139_ = vec3<f32>(_e2864, _e2865, _e2866);
+                phi_3139_ = vec3<f32>(_e2861, _e2862, _e2863);
             }
-            let _e2879 = phi_3139_;
-            if (_e2626.triangle < _e70) {
+            let _e2876 = phi_3139_;
+            if (_e2623.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2884 = triangles.member[(0u + _e2626.triangle)];
-            let _e2886 = (_e2884.i0_ & 2147483647u);
-            if (_e2886 < _e73) {
+            let _e2881 = triangles.member[(0u + _e2623.triangle)];
+            let _e2883 = (_e2881.i0_ & 2147483647u);
+            if (_e2883 < _e73) {
             } else {
                 return;
             }
-            let _e2892 = vertices.member[(0u + _e2886)];
-            if (_e2884.i1_ < _e73) {
+            let _e2889 = vertices.member[(0u + _e2883)];
+            if (_e2881.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e2896 = vertices.member[(0u + _e2884.i1_)];
-            if (_e2884.i2_ < _e73) {
+            let _e2893 = vertices.member[(0u + _e2881.i1_)];
+            if (_e2881.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e2900 = vertices.member[(0u + _e2884.i2_)];
-            let _e2901 = array<abi_Vertex, 3>(_e2892, _e2896, _e2900);
-            if (_e2901[0].material < arrayLength((&materials.member))) {
+            let _e2897 = vertices.member[(0u + _e2881.i2_)];
+            let _e2898 = array<abi_Vertex, 3>(_e2889, _e2893, _e2897);
+            if (_e2898[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2907 = materials.member[(0u + _e2901[0].material)];
-            let _e2924 = (1f / 255f);
-            let _e2943 = (1f / 255f);
-            let _e2965 = (1f / 255f);
-            let _e2978 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2632, _e2626.u, _e2626.v));
-            let _e2980 = ((_e2907.base_color.x * ((((f32((_e2901[0].color & 255u)) * _e2924) * _e2632) + ((f32((_e2901[1].color & 255u)) * _e2943) * _e2626.u)) + ((f32((_e2901[2].color & 255u)) * _e2965) * _e2626.v))) * _e2978.x);
-            let _e2982 = ((_e2907.base_color.y * ((((f32(((_e2901[0].color >> bitcast<u32>(8i)) & 255u)) * _e2924) * _e2632) + ((f32(((_e2901[1].color >> bitcast<u32>(8i)) & 255u)) * _e2943) * _e2626.u)) + ((f32(((_e2901[2].color >> bitcast<u32>(8i)) & 255u)) * _e2965) * _e2626.v))) * _e2978.y);
-            let _e2984 = ((_e2907.base_color.z * ((((f32(((_e2901[0].color >> bitcast<u32>(16i)) & 255u)) * _e2924) * _e2632) + ((f32(((_e2901[1].color >> bitcast<u32>(16i)) & 255u)) * _e2943) * _e2626.u)) + ((f32(((_e2901[2].color >> bitcast<u32>(16i)) & 255u)) * _e2965) * _e2626.v))) * _e2978.z);
-            let _e2985 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2814, _e2817);
-            let _e2986 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2811, _e2985);
-            if ((_e2907.flags & 2u) == 0u) {
+            let _e2904 = materials.member[(0u + _e2898[0].material)];
+            let _e2921 = (1f / 255f);
+            let _e2940 = (1f / 255f);
+            let _e2962 = (1f / 255f);
+            let _e2975 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2629, _e2623.u, _e2623.v));
+            let _e2977 = ((_e2904.base_color.x * ((((f32((_e2898[0].color & 255u)) * _e2921) * _e2629) + ((f32((_e2898[1].color & 255u)) * _e2940) * _e2623.u)) + ((f32((_e2898[2].color & 255u)) * _e2962) * _e2623.v))) * _e2975.x);
+            let _e2979 = ((_e2904.base_color.y * ((((f32(((_e2898[0].color >> bitcast<u32>(8i)) & 255u)) * _e2921) * _e2629) + ((f32(((_e2898[1].color >> bitcast<u32>(8i)) & 255u)) * _e2940) * _e2623.u)) + ((f32(((_e2898[2].color >> bitcast<u32>(8i)) & 255u)) * _e2962) * _e2623.v))) * _e2975.y);
+            let _e2981 = ((_e2904.base_color.z * ((((f32(((_e2898[0].color >> bitcast<u32>(16i)) & 255u)) * _e2921) * _e2629) + ((f32(((_e2898[1].color >> bitcast<u32>(16i)) & 255u)) * _e2940) * _e2623.u)) + ((f32(((_e2898[2].color >> bitcast<u32>(16i)) & 255u)) * _e2962) * _e2623.v))) * _e2975.z);
+            let _e2982 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2811, _e2814);
+            let _e2983 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2808, _e2982);
+            if ((_e2904.flags & 2u) == 0u) {
                 phi_3260_ = 0u;
             } else {
                 phi_3260_ = 1u;
             }
-            let _e2991 = phi_3260_;
-            if (_e2901[0].normal == 2147516416u) {
-                phi_3490_ = _e2879;
+            let _e2988 = phi_3260_;
+            if (_e2898[0].normal == 2147516416u) {
+                phi_3490_ = _e2876;
             } else {
-                let _e3004 = (f32((bitcast<i32>((_e2901[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3010 = (f32((bitcast<i32>(_e2901[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3014 = ((1f - abs(_e3004)) - abs(_e3010));
-                if (_e3014 < 0f) {
-                    phi_3287_ = -(_e3014);
+                let _e3001 = (f32((bitcast<i32>((_e2898[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3007 = (f32((bitcast<i32>(_e2898[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3011 = ((1f - abs(_e3001)) - abs(_e3007));
+                if (_e3011 < 0f) {
+                    phi_3287_ = -(_e3011);
                 } else {
                     phi_3287_ = 0f;
                 }
-                let _e3018 = phi_3287_;
-                if (_e3004 < 0f) {
-                    phi_3294_ = (_e3004 + _e3018);
+                let _e3015 = phi_3287_;
+                if (_e3001 < 0f) {
+                    phi_3294_ = (_e3001 + _e3015);
                 } else {
-                    phi_3294_ = (_e3004 - _e3018);
+                    phi_3294_ = (_e3001 - _e3015);
                 }
-                let _e3023 = phi_3294_;
-                if (_e3010 < 0f) {
-                    phi_3301_ = (_e3010 + _e3018);
+                let _e3020 = phi_3294_;
+                if (_e3007 < 0f) {
+                    phi_3301_ = (_e3007 + _e3015);
                 } else {
-                    phi_3301_ = (_e3010 - _e3018);
+                    phi_3301_ = (_e3007 - _e3015);
                 }
-                let _e3028 = phi_3301_;
-                let _e3035 = (1f / sqrt((((_e3023 * _e3023) + (_e3028 * _e3028)) + (_e3014 * _e3014))));
-                let _e3051 = (f32((bitcast<i32>((_e2901[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3057 = (f32((bitcast<i32>(_e2901[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3061 = ((1f - abs(_e3051)) - abs(_e3057));
-                if (_e3061 < 0f) {
-                    phi_3336_ = -(_e3061);
+                let _e3025 = phi_3301_;
+                let _e3032 = (1f / sqrt((((_e3020 * _e3020) + (_e3025 * _e3025)) + (_e3011 * _e3011))));
+                let _e3048 = (f32((bitcast<i32>((_e2898[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3054 = (f32((bitcast<i32>(_e2898[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3058 = ((1f - abs(_e3048)) - abs(_e3054));
+                if (_e3058 < 0f) {
+                    phi_3336_ = -(_e3058);
                 } else {
                     phi_3336_ = 0f;
                 }
-                let _e3065 = phi_3336_;
-                if (_e3051 < 0f) {
-                    phi_3343_ = (_e3051 + _e3065);
+                let _e3062 = phi_3336_;
+                if (_e3048 < 0f) {
+                    phi_3343_ = (_e3048 + _e3062);
                 } else {
-                    phi_3343_ = (_e3051 - _e3065);
+                    phi_3343_ = (_e3048 - _e3062);
                 }
-                let _e3070 = phi_3343_;
-                if (_e3057 < 0f) {
-                    phi_3350_ = (_e3057 + _e3065);
+                let _e3067 = phi_3343_;
+                if (_e3054 < 0f) {
+                    phi_3350_ = (_e3054 + _e3062);
                 } else {
-                    phi_3350_ = (_e3057 - _e3065);
+                    phi_3350_ = (_e3054 - _e3062);
                 }
-                let _e3075 = phi_3350_;
-                let _e3082 = (1f / sqrt((((_e3070 * _e3070) + (_e3075 * _e3075)) + (_e3061 * _e3061))));
-                let _e3101 = (f32((bitcast<i32>((_e2901[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3107 = (f32((bitcast<i32>(_e2901[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3111 = ((1f - abs(_e3101)) - abs(_e3107));
-                if (_e3111 < 0f) {
-                    phi_3388_ = -(_e3111);
+                let _e3072 = phi_3350_;
+                let _e3079 = (1f / sqrt((((_e3067 * _e3067) + (_e3072 * _e3072)) + (_e3058 * _e3058))));
+                let _e3098 = (f32((bitcast<i32>((_e2898[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3104 = (f32((bitcast<i32>(_e2898[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3108 = ((1f - abs(_e3098)) - abs(_e3104));
+                if (_e3108 < 0f) {
+                    phi_3388_ = -(_e3108);
                 } else {
                     phi_3388_ = 0f;
                 }
-                let _e3115 = phi_3388_;
-                if (_e3101 < 0f) {
-                    phi_3395_ = (_e3101 + _e3115);
+                let _e3112 = phi_3388_;
+                if (_e3098 < 0f) {
+                    phi_3395_ = (_e3098 + _e3112);
                 } else {
-                    phi_3395_ = (_e3101 - _e3115);
+                    phi_3395_ = (_e3098 - _e3112);
                 }
-                let _e3120 = phi_3395_;
-                if (_e3107 < 0f) {
-                    phi_3402_ = (_e3107 + _e3115);
+                let _e3117 = phi_3395_;
+                if (_e3104 < 0f) {
+                    phi_3402_ = (_e3104 + _e3112);
                 } else {
-                    phi_3402_ = (_e3107 - _e3115);
+                    phi_3402_ = (_e3104 - _e3112);
                 }
-                let _e3125 = phi_3402_;
-                let _e3132 = (1f / sqrt((((_e3120 * _e3120) + (_e3125 * _e3125)) + (_e3111 * _e3111))));
-                let _e3139 = ((((_e3023 * _e3035) * _e2632) + ((_e3070 * _e3082) * _e2626.u)) + ((_e3120 * _e3132) * _e2626.v));
-                let _e3140 = ((((_e3028 * _e3035) * _e2632) + ((_e3075 * _e3082) * _e2626.u)) + ((_e3125 * _e3132) * _e2626.v));
-                let _e3141 = ((((_e3014 * _e3035) * _e2632) + ((_e3061 * _e3082) * _e2626.u)) + ((_e3111 * _e3132) * _e2626.v));
-                if (_e2626.instance < _e82) {
+                let _e3122 = phi_3402_;
+                let _e3129 = (1f / sqrt((((_e3117 * _e3117) + (_e3122 * _e3122)) + (_e3108 * _e3108))));
+                let _e3136 = ((((_e3020 * _e3032) * _e2629) + ((_e3067 * _e3079) * _e2623.u)) + ((_e3117 * _e3129) * _e2623.v));
+                let _e3137 = ((((_e3025 * _e3032) * _e2629) + ((_e3072 * _e3079) * _e2623.u)) + ((_e3122 * _e3129) * _e2623.v));
+                let _e3138 = ((((_e3011 * _e3032) * _e2629) + ((_e3058 * _e3079) * _e2623.u)) + ((_e3108 * _e3129) * _e2623.v));
+                if (_e2623.instance < _e82) {
                 } else {
                     return;
                 }
-                let _e3148 = instances.member[(0u + _e2626.instance)].world_to_object[0u];
-                let _e3157 = instances.member[(0u + _e2626.instance)].world_to_object[1u];
-                let _e3169 = instances.member[(0u + _e2626.instance)].world_to_object[2u];
-                let _e3176 = (((_e3148.x * _e3139) + (_e3157.x * _e3140)) + (_e3169.x * _e3141));
-                let _e3177 = (((_e3148.y * _e3139) + (_e3157.y * _e3140)) + (_e3169.y * _e3141));
-                let _e3178 = (((_e3148.z * _e3139) + (_e3157.z * _e3140)) + (_e3169.z * _e3141));
-                let _e3184 = sqrt((((_e3176 * _e3176) + (_e3177 * _e3177)) + (_e3178 * _e3178)));
-                if (_e3184 > 0f) {
-                    let _e3186 = (_e3176 / _e3184);
-                    let _e3187 = (_e3177 / _e3184);
-                    let _e3188 = (_e3178 / _e3184);
-                    if ((((_e3186 * _e2879.x) + (_e3187 * _e2879.y)) + (_e3188 * _e2879.z)) < 0f) {
-                        phi_3488_ = vec3<f32>(-(_e3186), -(_e3187), -(_e3188));
+                let _e3145 = instances.member[(0u + _e2623.instance)].world_to_object[0u];
+                let _e3154 = instances.member[(0u + _e2623.instance)].world_to_object[1u];
+                let _e3166 = instances.member[(0u + _e2623.instance)].world_to_object[2u];
+                let _e3173 = (((_e3145.x * _e3136) + (_e3154.x * _e3137)) + (_e3166.x * _e3138));
+                let _e3174 = (((_e3145.y * _e3136) + (_e3154.y * _e3137)) + (_e3166.y * _e3138));
+                let _e3175 = (((_e3145.z * _e3136) + (_e3154.z * _e3137)) + (_e3166.z * _e3138));
+                let _e3181 = sqrt((((_e3173 * _e3173) + (_e3174 * _e3174)) + (_e3175 * _e3175)));
+                if (_e3181 > 0f) {
+                    let _e3183 = (_e3173 / _e3181);
+                    let _e3184 = (_e3174 / _e3181);
+                    let _e3185 = (_e3175 / _e3181);
+                    if ((((_e3183 * _e2876.x) + (_e3184 * _e2876.y)) + (_e3185 * _e2876.z)) < 0f) {
+                        phi_3488_ = vec3<f32>(-(_e3183), -(_e3184), -(_e3185));
                     } else {
-                        phi_3488_ = vec3<f32>(_e3186, _e3187, _e3188);
+                        phi_3488_ = vec3<f32>(_e3183, _e3184, _e3185);
                     }
-                    let _e3204 = phi_3488_;
-                    phi_3489_ = _e3204;
+                    let _e3201 = phi_3488_;
+                    phi_3489_ = _e3201;
                 } else {
-                    phi_3489_ = _e2879;
+                    phi_3489_ = _e2876;
                 }
-                let _e3206 = phi_3489_;
-                phi_3490_ = _e3206;
+                let _e3203 = phi_3489_;
+                phi_3490_ = _e3203;
             }
-            let _e3208 = phi_3490_;
-            if (_e2980 > 0f) {
-                if (_e2980 < 1f) {
-                    phi_3499_ = _e2980;
+            let _e3205 = phi_3490_;
+            if (_e2977 > 0f) {
+                if (_e2977 < 1f) {
+                    phi_3499_ = _e2977;
                 } else {
                     phi_3499_ = 1f;
                 }
-                let _e3212 = phi_3499_;
-                phi_3500_ = _e3212;
+                let _e3209 = phi_3499_;
+                phi_3500_ = _e3209;
             } else {
                 phi_3500_ = 0f;
             }
-            let _e3214 = phi_3500_;
-            if (_e2982 > 0f) {
-                if (_e2982 < 1f) {
-                    phi_3510_ = _e2982;
+            let _e3211 = phi_3500_;
+            if (_e2979 > 0f) {
+                if (_e2979 < 1f) {
+                    phi_3510_ = _e2979;
                 } else {
                     phi_3510_ = 1f;
                 }
-                let _e3219 = phi_3510_;
-                phi_3511_ = _e3219;
+                let _e3216 = phi_3510_;
+                phi_3511_ = _e3216;
             } else {
                 phi_3511_ = 0f;
             }
-            let _e3221 = phi_3511_;
-            if (_e2984 > 0f) {
-                if (_e2984 < 1f) {
-                    phi_3521_ = _e2984;
+            let _e3218 = phi_3511_;
+            if (_e2981 > 0f) {
+                if (_e2981 < 1f) {
+                    phi_3521_ = _e2981;
                 } else {
                     phi_3521_ = 1f;
                 }
-                let _e3226 = phi_3521_;
-                phi_3522_ = _e3226;
+                let _e3223 = phi_3521_;
+                phi_3522_ = _e3223;
             } else {
                 phi_3522_ = 0f;
             }
-            let _e3228 = phi_3522_;
-            let _e3231 = ((sqrt(_e3214) * 255f) + 0.5f);
-            let _e3240 = ((sqrt(_e3221) * 255f) + 0.5f);
-            let _e3252 = ((sqrt(_e3228) * 255f) + 0.5f);
-            phi_3557_ = abi_Sample(vec3<f32>(_e2787, _e2788, _e2789), _e2986, _e2879, _e2991, _e3208, ((select(select(u32(_e3231), 0u, (_e3231 < bitcast<f32>(0u))), 4294967295u, (_e3231 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3240), 0u, (_e3240 < bitcast<f32>(0u))), 4294967295u, (_e3240 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3252), 0u, (_e3252 < bitcast<f32>(0u))), 4294967295u, (_e3252 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3225 = phi_3522_;
+            let _e3228 = ((sqrt(_e3211) * 255f) + 0.5f);
+            let _e3237 = ((sqrt(_e3218) * 255f) + 0.5f);
+            let _e3249 = ((sqrt(_e3225) * 255f) + 0.5f);
+            phi_3557_ = abi_Sample(vec3<f32>(_e2784, _e2785, _e2786), _e2983, _e2876, _e2988, _e3205, ((select(select(u32(_e3228), 0u, (_e3228 < bitcast<f32>(0u))), 4294967295u, (_e3228 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3237), 0u, (_e3237 < bitcast<f32>(0u))), 4294967295u, (_e3237 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3249), 0u, (_e3249 < bitcast<f32>(0u))), 4294967295u, (_e3249 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_3557_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3266 = phi_3557_;
+        let _e3263 = phi_3557_;
         if (_e88.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e88.shift)] = _e3266;
+        samples.member[(0u + _e88.shift)] = _e3263;
     }
     return;
 }

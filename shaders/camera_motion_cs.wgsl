@@ -606,1334 +606,1334 @@ fn function_() {
                 } else {
                     phi_498_ = abs(_e146.direction.x);
                 }
-                let _e295 = phi_498_;
+                let _e294 = phi_498_;
                 if (_e146.direction.x < 0f) {
-                    phi_505_ = (-1f / _e295);
+                    phi_505_ = (-1f / _e294);
                 } else {
-                    phi_505_ = (1f / _e295);
+                    phi_505_ = (1f / _e294);
                 }
-                let _e300 = phi_505_;
+                let _e299 = phi_505_;
                 if (abs(_e146.direction.y) < _e288) {
                     phi_513_ = _e288;
                 } else {
                     phi_513_ = abs(_e146.direction.y);
                 }
-                let _e307 = phi_513_;
+                let _e305 = phi_513_;
                 if (_e146.direction.y < 0f) {
-                    phi_520_ = (-1f / _e307);
+                    phi_520_ = (-1f / _e305);
                 } else {
-                    phi_520_ = (1f / _e307);
+                    phi_520_ = (1f / _e305);
                 }
-                let _e312 = phi_520_;
+                let _e310 = phi_520_;
                 if (abs(_e146.direction.z) < _e288) {
                     phi_528_ = _e288;
                 } else {
                     phi_528_ = abs(_e146.direction.z);
                 }
-                let _e319 = phi_528_;
+                let _e316 = phi_528_;
                 if (_e146.direction.z < 0f) {
-                    phi_535_ = (-1f / _e319);
+                    phi_535_ = (-1f / _e316);
                 } else {
-                    phi_535_ = (1f / _e319);
+                    phi_535_ = (1f / _e316);
                 }
-                let _e324 = phi_535_;
-                let _e332 = abs((bitcast<f32>(_e224) - _e146.origin.x));
-                let _e333 = abs((bitcast<f32>(_e228) - _e146.origin.y));
-                let _e334 = abs((bitcast<f32>(_e232) - _e146.origin.z));
-                let _e342 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e248 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.x));
-                let _e343 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e248 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.y));
-                let _e344 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e248 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.z));
-                if (_e332 > _e342) {
-                    phi_560_ = _e332;
+                let _e321 = phi_535_;
+                let _e329 = abs((bitcast<f32>(_e224) - _e146.origin.x));
+                let _e330 = abs((bitcast<f32>(_e228) - _e146.origin.y));
+                let _e331 = abs((bitcast<f32>(_e232) - _e146.origin.z));
+                let _e339 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e248 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.x));
+                let _e340 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e248 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.y));
+                let _e341 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e248 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e146.origin.z));
+                if (_e329 > _e339) {
+                    phi_560_ = _e329;
                 } else {
-                    phi_560_ = _e342;
+                    phi_560_ = _e339;
                 }
-                let _e347 = phi_560_;
-                if (_e333 > _e343) {
-                    phi_565_ = _e333;
+                let _e344 = phi_560_;
+                if (_e330 > _e340) {
+                    phi_565_ = _e330;
                 } else {
-                    phi_565_ = _e343;
+                    phi_565_ = _e340;
                 }
-                let _e350 = phi_565_;
-                if (_e334 > _e344) {
-                    phi_570_ = _e334;
+                let _e347 = phi_565_;
+                if (_e331 > _e341) {
+                    phi_570_ = _e331;
                 } else {
-                    phi_570_ = _e344;
+                    phi_570_ = _e341;
                 }
-                let _e353 = phi_570_;
-                let _e354 = core_intrinsics_maximum_number_nsz_f32_(_e347, _e350);
-                let _e355 = core_intrinsics_maximum_number_nsz_f32_(_e354, _e353);
-                let _e360 = (_e355 * 0.0000019073486f);
-                let _e361 = (abs(_e300) * _e360);
-                let _e362 = (abs(_e312) * _e360);
-                let _e363 = (abs(_e324) * _e360);
-                let _e367 = (_e355 * 0.0000009536743f);
-                let _e368 = (abs(_e300) * _e367);
-                let _e369 = (abs(_e312) * _e367);
-                let _e370 = (abs(_e324) * _e367);
-                let _e373 = abs(_e146.direction.x);
-                let _e375 = abs(_e146.direction.y);
-                let _e377 = abs(_e146.direction.z);
-                if (_e373 >= _e375) {
-                    if (_e373 >= _e377) {
+                let _e350 = phi_570_;
+                let _e351 = core_intrinsics_maximum_number_nsz_f32_(_e344, _e347);
+                let _e352 = core_intrinsics_maximum_number_nsz_f32_(_e351, _e350);
+                let _e357 = (_e352 * 0.0000019073486f);
+                let _e358 = (abs(_e299) * _e357);
+                let _e359 = (abs(_e310) * _e357);
+                let _e360 = (abs(_e321) * _e357);
+                let _e364 = (_e352 * 0.0000009536743f);
+                let _e365 = (abs(_e299) * _e364);
+                let _e366 = (abs(_e310) * _e364);
+                let _e367 = (abs(_e321) * _e364);
+                let _e370 = abs(_e146.direction.x);
+                let _e372 = abs(_e146.direction.y);
+                let _e374 = abs(_e146.direction.z);
+                if (_e370 >= _e372) {
+                    if (_e370 >= _e374) {
                         phi_603_ = false;
                     } else {
                         phi_603_ = true;
                     }
-                    let _e381 = phi_603_;
-                    phi_604_ = _e381;
+                    let _e378 = phi_603_;
+                    phi_604_ = _e378;
                 } else {
                     phi_604_ = true;
                 }
-                let _e383 = phi_604_;
-                if _e383 {
-                    if (_e375 >= _e377) {
+                let _e380 = phi_604_;
+                if _e380 {
+                    if (_e372 >= _e374) {
                         phi_612_ = 1u;
                     } else {
                         phi_612_ = 2u;
                     }
-                    let _e386 = phi_612_;
-                    phi_613_ = _e386;
+                    let _e383 = phi_612_;
+                    phi_613_ = _e383;
                 } else {
                     phi_613_ = 0u;
                 }
-                let _e388 = phi_613_;
-                if (_e388 == 0u) {
+                let _e385 = phi_613_;
+                if (_e385 == 0u) {
                     phi_632_ = vec3<f32>(_e146.direction.y, _e146.direction.z, _e146.direction.x);
                 } else {
-                    if (_e388 == 1u) {
+                    if (_e385 == 1u) {
                         phi_631_ = vec3<f32>(_e146.direction.z, _e146.direction.x, _e146.direction.y);
                     } else {
                         phi_631_ = _e146.direction;
                     }
-                    let _e401 = phi_631_;
-                    phi_632_ = _e401;
+                    let _e398 = phi_631_;
+                    phi_632_ = _e398;
                 }
-                let _e403 = phi_632_;
-                let _e407 = (_e403.x / _e403.z);
-                let _e410 = (_e403.y / _e403.z);
-                if (_e300 < 0f) {
+                let _e400 = phi_632_;
+                let _e404 = (_e400.x / _e400.z);
+                let _e407 = (_e400.y / _e400.z);
+                if (_e299 < 0f) {
                     phi_646_ = 0u;
                 } else {
                     phi_646_ = 1u;
                 }
-                let _e415 = phi_646_;
-                if (_e312 < 0f) {
+                let _e412 = phi_646_;
+                if (_e310 < 0f) {
                     phi_651_ = 0u;
                 } else {
                     phi_651_ = 2u;
                 }
-                let _e418 = phi_651_;
-                if (_e324 < 0f) {
+                let _e415 = phi_651_;
+                if (_e321 < 0f) {
                     phi_656_ = 0u;
                 } else {
                     phi_656_ = 4u;
                 }
-                let _e421 = phi_656_;
-                let _e423 = ((_e415 | _e418) | _e421);
-                let _e424 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e424.first[0], _e424.first[1], _e424.first[2], _e424.first[3], _e424.first[4], _e424.first[5], _e424.first[6], _e424.first[7], _e424.first[8], _e424.first[9], _e424.first[10], _e424.first[11], _e424.first[12], _e424.first[13], _e424.first[14], _e424.first[15], _e424.first[16], _e424.first[17], _e424.first[18], _e424.first[19], _e424.first[20], _e424.first[21], _e424.first[22], _e424.first[23], _e424.first[24], _e424.first[25], _e424.first[26], _e424.first[27], _e424.first[28], _e424.first[29], _e424.first[30], _e424.first[31]), array<u32, 32>(_e424.mask[0], _e424.mask[1], _e424.mask[2], _e424.mask[3], _e424.mask[4], _e424.mask[5], _e424.mask[6], _e424.mask[7], _e424.mask[8], _e424.mask[9], _e424.mask[10], _e424.mask[11], _e424.mask[12], _e424.mask[13], _e424.mask[14], _e424.mask[15], _e424.mask[16], _e424.mask[17], _e424.mask[18], _e424.mask[19], _e424.mask[20], _e424.mask[21], _e424.mask[22], _e424.mask[23], _e424.mask[24], _e424.mask[25], _e424.mask[26], _e424.mask[27], _e424.mask[28], _e424.mask[29], _e424.mask[30], _e424.mask[31]), _e424.len, _e424.group, _e424.group_mask);
-                let _e498 = local.group_mask;
-                if ((_e498 & 4278190080u) == 0u) {
-                    let _e502 = local.len;
-                    if (_e502 == 0u) {
+                let _e418 = phi_656_;
+                let _e420 = ((_e412 | _e415) | _e418);
+                let _e421 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e421.first[0], _e421.first[1], _e421.first[2], _e421.first[3], _e421.first[4], _e421.first[5], _e421.first[6], _e421.first[7], _e421.first[8], _e421.first[9], _e421.first[10], _e421.first[11], _e421.first[12], _e421.first[13], _e421.first[14], _e421.first[15], _e421.first[16], _e421.first[17], _e421.first[18], _e421.first[19], _e421.first[20], _e421.first[21], _e421.first[22], _e421.first[23], _e421.first[24], _e421.first[25], _e421.first[26], _e421.first[27], _e421.first[28], _e421.first[29], _e421.first[30], _e421.first[31]), array<u32, 32>(_e421.mask[0], _e421.mask[1], _e421.mask[2], _e421.mask[3], _e421.mask[4], _e421.mask[5], _e421.mask[6], _e421.mask[7], _e421.mask[8], _e421.mask[9], _e421.mask[10], _e421.mask[11], _e421.mask[12], _e421.mask[13], _e421.mask[14], _e421.mask[15], _e421.mask[16], _e421.mask[17], _e421.mask[18], _e421.mask[19], _e421.mask[20], _e421.mask[21], _e421.mask[22], _e421.mask[23], _e421.mask[24], _e421.mask[25], _e421.mask[26], _e421.mask[27], _e421.mask[28], _e421.mask[29], _e421.mask[30], _e421.mask[31]), _e421.len, _e421.group, _e421.group_mask);
+                let _e495 = local.group_mask;
+                if ((_e495 & 4278190080u) == 0u) {
+                    let _e499 = local.len;
+                    if (_e499 == 0u) {
                         phi_770_ = false;
                     } else {
+                        let _e503 = local.len;
+                        local.len = (_e503 - 1u);
                         let _e506 = local.len;
-                        local.len = (_e506 - 1u);
-                        let _e509 = local.len;
-                        if (_e509 < 32u) {
+                        if (_e506 < 32u) {
                         } else {
                             return;
                         }
-                        let _e514 = local.first[(0u + _e509)];
-                        local.group = _e514;
-                        let _e517 = local.len;
-                        if (_e517 < 32u) {
+                        let _e511 = local.first[(0u + _e506)];
+                        local.group = _e511;
+                        let _e514 = local.len;
+                        if (_e514 < 32u) {
                         } else {
                             return;
                         }
-                        let _e522 = local.mask[(0u + _e517)];
-                        local.group_mask = _e522;
+                        let _e519 = local.mask[(0u + _e514)];
+                        local.group_mask = _e519;
                         phi_770_ = true;
                     }
-                    let _e525 = phi_770_;
-                    phi_771_ = _e525;
+                    let _e522 = phi_770_;
+                    phi_771_ = _e522;
                 } else {
                     phi_771_ = true;
                 }
-                let _e527 = phi_771_;
-                if _e527 {
-                    let _e529 = local.group_mask;
-                    let _e535 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e529)), 32u, (_e529 == 0u)));
-                    let _e539 = local.group_mask;
-                    let _e553 = local.group_mask;
-                    local.group_mask = (_e553 & ~((1u << bitcast<u32>((_e535 & 31u)))));
-                    let _e556 = local.group;
-                    phi_802_ = (_e556 + countOneBits(((_e539 & ~((4294967295u << bitcast<u32>((((_e535 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e524 = phi_771_;
+                if _e524 {
+                    let _e526 = local.group_mask;
+                    let _e532 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e526)), 32u, (_e526 == 0u)));
+                    let _e536 = local.group_mask;
+                    let _e550 = local.group_mask;
+                    local.group_mask = (_e550 & ~((1u << bitcast<u32>((_e532 & 31u)))));
+                    let _e553 = local.group;
+                    phi_802_ = (_e553 + countOneBits(((_e536 & ~((4294967295u << bitcast<u32>((((_e532 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
                     phi_802_ = 4294967295u;
                 }
-                let _e559 = phi_802_;
+                let _e556 = phi_802_;
                 phi_804_ = _e148;
-                phi_807_ = _e559;
+                phi_807_ = _e556;
                 loop {
-                    let _e561 = phi_804_;
-                    let _e563 = phi_807_;
-                    local_5 = _e561;
-                    let _e564 = (_e563 != 4294967295u);
-                    if _e564 {
-                        if (_e563 < _e67) {
+                    let _e558 = phi_804_;
+                    let _e560 = phi_807_;
+                    local_5 = _e558;
+                    let _e561 = (_e560 != 4294967295u);
+                    if _e561 {
+                        if (_e560 < _e67) {
                         } else {
                             return;
                         }
-                        let _e572 = nodes.member[(0u + _e563)].frame[3u];
-                        let _e597 = (bitcast<f32>((((_e572 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e300);
-                        let _e598 = (bitcast<f32>((((_e572 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e312);
-                        let _e599 = (bitcast<f32>((((_e572 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e324);
-                        let _e602 = nodes.member[(0u + _e563)].frame[0u];
-                        let _e606 = nodes.member[(0u + _e563)].frame[1u];
-                        let _e610 = nodes.member[(0u + _e563)].frame[2u];
-                        let _e618 = ((bitcast<f32>(_e602) - _e146.origin.x) * _e300);
-                        let _e619 = ((bitcast<f32>(_e606) - _e146.origin.y) * _e312);
-                        let _e620 = ((bitcast<f32>(_e610) - _e146.origin.z) * _e324);
-                        let _e628 = nodes.member[(0u + _e563)].x;
-                        if (_e300 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e639.unnamed.word, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e628.x, _e645.unnamed_1.shift));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_mask_LightPlace(_e651.unnamed_1.word, _e628.y));
+                        let _e569 = nodes.member[(0u + _e560)].frame[3u];
+                        let _e594 = (bitcast<f32>((((_e569 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
+                        let _e595 = (bitcast<f32>((((_e569 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
+                        let _e596 = (bitcast<f32>((((_e569 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e321);
+                        let _e599 = nodes.member[(0u + _e560)].frame[0u];
+                        let _e603 = nodes.member[(0u + _e560)].frame[1u];
+                        let _e607 = nodes.member[(0u + _e560)].frame[2u];
+                        let _e615 = ((bitcast<f32>(_e599) - _e146.origin.x) * _e299);
+                        let _e616 = ((bitcast<f32>(_e603) - _e146.origin.y) * _e310);
+                        let _e617 = ((bitcast<f32>(_e607) - _e146.origin.z) * _e321);
+                        let _e625 = nodes.member[(0u + _e560)].x;
+                        if (_e299 < 0f) {
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.unnamed.word, _e625.w), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_mask_LightPlace(_e625.x, _e642.unnamed_1.shift));
+                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_mask_LightPlace(_e648.unnamed_1.word, _e625.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.unnamed.word, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_mask_LightPlace(_e628.z, _e673.unnamed_1.shift));
-                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_mask_LightPlace(_e679.unnamed_1.word, _e628.w));
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e664.unnamed.word, _e625.y), _e664.unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_mask_LightPlace(_e625.z, _e670.unnamed_1.shift));
+                            phi_892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_mask_LightPlace(_e676.unnamed_1.word, _e625.w));
                         }
-                        let _e687 = phi_892_;
-                        let _e697 = nodes.member[(0u + _e563)].y;
-                        if (_e312 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e708.unnamed.word, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e697.x, _e714.unnamed_1.shift));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_mask_LightPlace(_e720.unnamed_1.word, _e697.y));
+                        let _e684 = phi_892_;
+                        let _e694 = nodes.member[(0u + _e560)].y;
+                        if (_e310 < 0f) {
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.unnamed.word, _e694.w), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_mask_LightPlace(_e694.x, _e711.unnamed_1.shift));
+                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_mask_LightPlace(_e717.unnamed_1.word, _e694.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e736.unnamed.word, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_mask_LightPlace(_e697.z, _e742.unnamed_1.shift));
-                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_mask_LightPlace(_e748.unnamed_1.word, _e697.w));
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e733.unnamed.word, _e694.y), _e733.unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_mask_LightPlace(_e694.z, _e739.unnamed_1.shift));
+                            phi_919_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_mask_LightPlace(_e745.unnamed_1.word, _e694.w));
                         }
-                        let _e756 = phi_919_;
-                        let _e766 = nodes.member[(0u + _e563)].z;
-                        if (_e324 < 0f) {
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e777.unnamed.word, _e766.w), _e777.unnamed_1);
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e766.x, _e783.unnamed_1.shift));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e789.unnamed, lt_mask_LightPlace(_e789.unnamed_1.word, _e766.y));
+                        let _e753 = phi_919_;
+                        let _e763 = nodes.member[(0u + _e560)].z;
+                        if (_e321 < 0f) {
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e763.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.unnamed.word, _e763.w), _e774.unnamed_1);
+                            let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_mask_LightPlace(_e763.x, _e780.unnamed_1.shift));
+                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_mask_LightPlace(_e786.unnamed_1.word, _e763.y));
                         } else {
-                            let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e811 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e805.unnamed.word, _e766.y), _e805.unnamed_1);
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e811.unnamed, lt_mask_LightPlace(_e766.z, _e811.unnamed_1.shift));
-                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e817.unnamed, lt_mask_LightPlace(_e817.unnamed_1.word, _e766.w));
+                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e763.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e802.unnamed.word, _e763.y), _e802.unnamed_1);
+                            let _e814 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_mask_LightPlace(_e763.z, _e808.unnamed_1.shift));
+                            phi_946_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e814.unnamed, lt_mask_LightPlace(_e814.unnamed_1.word, _e763.w));
                         }
-                        let _e825 = phi_946_;
+                        let _e822 = phi_946_;
                         phi_952_ = 0u;
                         phi_955_ = 0u;
                         loop {
-                            let _e835 = phi_952_;
-                            let _e837 = phi_955_;
-                            local_1 = _e837;
-                            local_2 = _e837;
-                            local_3 = _e837;
-                            let _e838 = (_e835 < 8u);
-                            if _e838 {
-                                let _e840 = (_e835 >> bitcast<u32>(2i));
-                                let _e841 = (_e835 & 3u);
-                                if (_e840 == 0u) {
-                                    phi_969_ = _e687.unnamed.word;
+                            let _e832 = phi_952_;
+                            let _e834 = phi_955_;
+                            local_1 = _e834;
+                            local_2 = _e834;
+                            local_3 = _e834;
+                            let _e835 = (_e832 < 8u);
+                            if _e835 {
+                                let _e837 = (_e832 >> bitcast<u32>(2i));
+                                let _e838 = (_e832 & 3u);
+                                if (_e837 == 0u) {
+                                    phi_969_ = _e684.unnamed.word;
                                 } else {
-                                    phi_969_ = _e687.unnamed.shift;
+                                    phi_969_ = _e684.unnamed.shift;
                                 }
-                                let _e844 = phi_969_;
-                                if (_e840 == 0u) {
-                                    phi_979_ = _e756.unnamed.word;
+                                let _e841 = phi_969_;
+                                if (_e837 == 0u) {
+                                    phi_979_ = _e753.unnamed.word;
                                 } else {
-                                    phi_979_ = _e756.unnamed.shift;
+                                    phi_979_ = _e753.unnamed.shift;
                                 }
-                                let _e853 = phi_979_;
-                                if (_e840 == 0u) {
-                                    phi_989_ = _e825.unnamed.word;
+                                let _e850 = phi_979_;
+                                if (_e837 == 0u) {
+                                    phi_989_ = _e822.unnamed.word;
                                 } else {
-                                    phi_989_ = _e825.unnamed.shift;
+                                    phi_989_ = _e822.unnamed.shift;
                                 }
-                                let _e862 = phi_989_;
-                                let _e875 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e844 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 - _e361)), ((f32(((_e853 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 - _e362)));
-                                let _e876 = core_intrinsics_maximum_number_nsz_f32_(_e875, ((f32(((_e862 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 - _e363)));
-                                if (_e840 == 0u) {
-                                    phi_1007_ = _e687.unnamed_1.word;
+                                let _e859 = phi_989_;
+                                let _e872 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e841 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e594) + (_e615 - _e358)), ((f32(((_e850 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e595) + (_e616 - _e359)));
+                                let _e873 = core_intrinsics_maximum_number_nsz_f32_(_e872, ((f32(((_e859 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e596) + (_e617 - _e360)));
+                                if (_e837 == 0u) {
+                                    phi_1007_ = _e684.unnamed_1.word;
                                 } else {
-                                    phi_1007_ = _e687.unnamed_1.shift;
+                                    phi_1007_ = _e684.unnamed_1.shift;
                                 }
-                                let _e879 = phi_1007_;
-                                if (_e840 == 0u) {
-                                    phi_1017_ = _e756.unnamed_1.word;
+                                let _e876 = phi_1007_;
+                                if (_e837 == 0u) {
+                                    phi_1017_ = _e753.unnamed_1.word;
                                 } else {
-                                    phi_1017_ = _e756.unnamed_1.shift;
+                                    phi_1017_ = _e753.unnamed_1.shift;
                                 }
-                                let _e888 = phi_1017_;
-                                if (_e840 == 0u) {
-                                    phi_1027_ = _e825.unnamed_1.word;
+                                let _e885 = phi_1017_;
+                                if (_e837 == 0u) {
+                                    phi_1027_ = _e822.unnamed_1.word;
                                 } else {
-                                    phi_1027_ = _e825.unnamed_1.shift;
+                                    phi_1027_ = _e822.unnamed_1.shift;
                                 }
-                                let _e897 = phi_1027_;
-                                let _e910 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e597) + (_e618 + _e361)), ((f32(((_e888 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e598) + (_e619 + _e362)));
-                                let _e911 = core_intrinsics_minimum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u)) * _e599) + (_e620 + _e363)));
-                                if (_e876 <= _e911) {
-                                    if (_e876 <= _e561.t) {
-                                        if (_e911 >= _e146.tmin) {
-                                            if (_e840 == 0u) {
-                                                let _e918 = nodes.member[(0u + _e563)].links[2u];
+                                let _e894 = phi_1027_;
+                                let _e907 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e876 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e594) + (_e615 + _e358)), ((f32(((_e885 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e595) + (_e616 + _e359)));
+                                let _e908 = core_intrinsics_minimum_number_nsz_f32_(_e907, ((f32(((_e894 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u)) * _e596) + (_e617 + _e360)));
+                                if (_e873 <= _e908) {
+                                    if (_e873 <= _e558.t) {
+                                        if (_e908 >= _e146.tmin) {
+                                            if (_e837 == 0u) {
+                                                let _e915 = nodes.member[(0u + _e560)].links[2u];
+                                                phi_1063_ = _e915;
+                                            } else {
+                                                let _e918 = nodes.member[(0u + _e560)].links[3u];
                                                 phi_1063_ = _e918;
-                                            } else {
-                                                let _e921 = nodes.member[(0u + _e563)].links[3u];
-                                                phi_1063_ = _e921;
                                             }
-                                            let _e923 = phi_1063_;
-                                            let _e928 = ((_e923 >> bitcast<u32>(((_e841 * 8u) & 31u))) & 255u);
-                                            let _e929 = (_e928 & 31u);
-                                            if (_e929 >= 24u) {
-                                                phi_1076_ = (24u + ((_e929 - 24u) ^ _e423));
+                                            let _e920 = phi_1063_;
+                                            let _e925 = ((_e920 >> bitcast<u32>(((_e838 * 8u) & 31u))) & 255u);
+                                            let _e926 = (_e925 & 31u);
+                                            if (_e926 >= 24u) {
+                                                phi_1076_ = (24u + ((_e926 - 24u) ^ _e420));
                                             } else {
-                                                phi_1076_ = _e929;
+                                                phi_1076_ = _e926;
                                             }
-                                            let _e935 = phi_1076_;
-                                            phi_1081_ = (_e837 | ((_e928 >> bitcast<u32>(5i)) << bitcast<u32>((_e935 & 31u))));
+                                            let _e932 = phi_1076_;
+                                            phi_1081_ = (_e834 | ((_e925 >> bitcast<u32>(5i)) << bitcast<u32>((_e932 & 31u))));
                                         } else {
-                                            phi_1081_ = _e837;
+                                            phi_1081_ = _e834;
                                         }
-                                        let _e943 = phi_1081_;
-                                        phi_1082_ = _e943;
+                                        let _e940 = phi_1081_;
+                                        phi_1082_ = _e940;
                                     } else {
-                                        phi_1082_ = _e837;
+                                        phi_1082_ = _e834;
                                     }
-                                    let _e945 = phi_1082_;
-                                    phi_1083_ = _e945;
+                                    let _e942 = phi_1082_;
+                                    phi_1083_ = _e942;
                                 } else {
-                                    phi_1083_ = _e837;
+                                    phi_1083_ = _e834;
                                 }
-                                let _e947 = phi_1083_;
-                                phi_953_ = (_e835 + 1u);
-                                phi_956_ = _e947;
+                                let _e944 = phi_1083_;
+                                phi_953_ = (_e832 + 1u);
+                                phi_956_ = _e944;
                             } else {
                                 phi_953_ = u32();
                                 phi_956_ = u32();
                             }
-                            let _e950 = phi_953_;
-                            let _e952 = phi_956_;
+                            let _e947 = phi_953_;
+                            let _e949 = phi_956_;
                             continue;
                             continuing {
-                                phi_952_ = _e950;
-                                phi_955_ = _e952;
-                                break if !(_e838);
+                                phi_952_ = _e947;
+                                phi_955_ = _e949;
+                                break if !(_e835);
                             }
                         }
-                        let _e956 = nodes.member[(0u + _e563)].links[0u];
-                        let _e960 = nodes.member[(0u + _e563)].frame[3u];
-                        let _e964 = local_1;
-                        if ((_e964 & 4278190080u) == 0u) {
+                        let _e953 = nodes.member[(0u + _e560)].links[0u];
+                        let _e957 = nodes.member[(0u + _e560)].frame[3u];
+                        let _e961 = local_1;
+                        if ((_e961 & 4278190080u) == 0u) {
                         } else {
-                            let _e968 = local.group_mask;
-                            if ((_e968 & 4278190080u) == 0u) {
+                            let _e965 = local.group_mask;
+                            if ((_e965 & 4278190080u) == 0u) {
                             } else {
-                                let _e972 = local.len;
-                                if (_e972 < 32u) {
-                                    let _e975 = local.group;
-                                    let _e977 = local.len;
-                                    if (_e977 < 32u) {
+                                let _e969 = local.len;
+                                if (_e969 < 32u) {
+                                    let _e972 = local.group;
+                                    let _e974 = local.len;
+                                    if (_e974 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e977)] = _e975;
-                                    let _e983 = local.group_mask;
-                                    let _e985 = local.len;
-                                    if (_e985 < 32u) {
+                                    local.first[(0u + _e974)] = _e972;
+                                    let _e980 = local.group_mask;
+                                    let _e982 = local.len;
+                                    if (_e982 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e985)] = _e983;
-                                    let _e992 = local.len;
-                                    local.len = (_e992 + 1u);
+                                    local.mask[(0u + _e982)] = _e980;
+                                    let _e989 = local.len;
+                                    local.len = (_e989 + 1u);
                                 }
                             }
-                            local.group = (0u + _e956);
-                            let _e996 = local_2;
-                            local.group_mask = ((_e996 & 4278190080u) | (_e960 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e953);
+                            let _e993 = local_2;
+                            local.group_mask = ((_e993 & 4278190080u) | (_e957 >> bitcast<u32>(24i)));
                         }
-                        let _e1001 = local_3;
-                        phi_1141_ = _e561;
-                        phi_1144_ = (_e1001 & 16777215u);
+                        let _e998 = local_3;
+                        phi_1141_ = _e558;
+                        phi_1144_ = (_e998 & 16777215u);
                         loop {
-                            let _e1004 = phi_1141_;
-                            let _e1006 = phi_1144_;
-                            local_4 = _e1004;
-                            if (_e1006 == 0u) {
+                            let _e1001 = phi_1141_;
+                            let _e1003 = phi_1144_;
+                            local_4 = _e1001;
+                            if (_e1003 == 0u) {
                                 phi_1142_ = lt_bvh_Hit();
                                 phi_1145_ = u32();
                                 phi_1803_ = false;
                             } else {
-                                let _e1010 = nodes.member[(0u + _e563)].links[1u];
-                                let _e1015 = ((0u + _e1010) + select(firstTrailingBit(_e1006), 32u, (_e1006 == 0u)));
-                                if (_e1015 < _e70) {
+                                let _e1007 = nodes.member[(0u + _e560)].links[1u];
+                                let _e1012 = ((0u + _e1007) + select(firstTrailingBit(_e1003), 32u, (_e1003 == 0u)));
+                                if (_e1012 < _e70) {
                                 } else {
                                     return;
                                 }
-                                let _e1022 = triangles.member[(0u + _e1015)].v0_;
-                                let _e1025 = (_e1022.x - _e146.origin.x);
-                                let _e1028 = (_e1022.y - _e146.origin.y);
-                                let _e1031 = (_e1022.z - _e146.origin.z);
-                                if (_e388 == 0u) {
-                                    phi_1191_ = vec3<f32>(_e1028, _e1031, _e1025);
+                                let _e1019 = triangles.member[(0u + _e1012)].v0_;
+                                let _e1022 = (_e1019.x - _e146.origin.x);
+                                let _e1025 = (_e1019.y - _e146.origin.y);
+                                let _e1028 = (_e1019.z - _e146.origin.z);
+                                if (_e385 == 0u) {
+                                    phi_1191_ = vec3<f32>(_e1025, _e1028, _e1022);
                                 } else {
-                                    if (_e388 == 1u) {
-                                        phi_1190_ = vec3<f32>(_e1031, _e1025, _e1028);
+                                    if (_e385 == 1u) {
+                                        phi_1190_ = vec3<f32>(_e1028, _e1022, _e1025);
                                     } else {
-                                        phi_1190_ = (_e1022 - _e146.origin);
+                                        phi_1190_ = (_e1019 - _e146.origin);
                                     }
-                                    let _e1038 = phi_1190_;
-                                    phi_1191_ = _e1038;
+                                    let _e1035 = phi_1190_;
+                                    phi_1191_ = _e1035;
                                 }
-                                let _e1040 = phi_1191_;
-                                let _e1044 = (_e1040.x - (_e407 * _e1040.z));
-                                let _e1048 = (_e1040.y - (_e410 * _e1040.z));
-                                let _e1050 = triangles.member[(0u + _e1015)].v1_;
-                                let _e1053 = (_e1050.x - _e146.origin.x);
-                                let _e1056 = (_e1050.y - _e146.origin.y);
-                                let _e1059 = (_e1050.z - _e146.origin.z);
-                                if (_e388 == 0u) {
-                                    phi_1223_ = vec3<f32>(_e1056, _e1059, _e1053);
+                                let _e1037 = phi_1191_;
+                                let _e1041 = (_e1037.x - (_e404 * _e1037.z));
+                                let _e1045 = (_e1037.y - (_e407 * _e1037.z));
+                                let _e1047 = triangles.member[(0u + _e1012)].v1_;
+                                let _e1050 = (_e1047.x - _e146.origin.x);
+                                let _e1053 = (_e1047.y - _e146.origin.y);
+                                let _e1056 = (_e1047.z - _e146.origin.z);
+                                if (_e385 == 0u) {
+                                    phi_1223_ = vec3<f32>(_e1053, _e1056, _e1050);
                                 } else {
-                                    if (_e388 == 1u) {
-                                        phi_1222_ = vec3<f32>(_e1059, _e1053, _e1056);
+                                    if (_e385 == 1u) {
+                                        phi_1222_ = vec3<f32>(_e1056, _e1050, _e1053);
                                     } else {
-                                        phi_1222_ = (_e1050 - _e146.origin);
+                                        phi_1222_ = (_e1047 - _e146.origin);
                                     }
-                                    let _e1066 = phi_1222_;
-                                    phi_1223_ = _e1066;
+                                    let _e1063 = phi_1222_;
+                                    phi_1223_ = _e1063;
                                 }
-                                let _e1068 = phi_1223_;
-                                let _e1072 = (_e1068.x - (_e407 * _e1068.z));
-                                let _e1076 = (_e1068.y - (_e410 * _e1068.z));
-                                let _e1078 = triangles.member[(0u + _e1015)].v2_;
-                                let _e1081 = (_e1078.x - _e146.origin.x);
-                                let _e1084 = (_e1078.y - _e146.origin.y);
-                                let _e1087 = (_e1078.z - _e146.origin.z);
-                                if (_e388 == 0u) {
-                                    phi_1255_ = vec3<f32>(_e1084, _e1087, _e1081);
+                                let _e1065 = phi_1223_;
+                                let _e1069 = (_e1065.x - (_e404 * _e1065.z));
+                                let _e1073 = (_e1065.y - (_e407 * _e1065.z));
+                                let _e1075 = triangles.member[(0u + _e1012)].v2_;
+                                let _e1078 = (_e1075.x - _e146.origin.x);
+                                let _e1081 = (_e1075.y - _e146.origin.y);
+                                let _e1084 = (_e1075.z - _e146.origin.z);
+                                if (_e385 == 0u) {
+                                    phi_1255_ = vec3<f32>(_e1081, _e1084, _e1078);
                                 } else {
-                                    if (_e388 == 1u) {
-                                        phi_1254_ = vec3<f32>(_e1087, _e1081, _e1084);
+                                    if (_e385 == 1u) {
+                                        phi_1254_ = vec3<f32>(_e1084, _e1078, _e1081);
                                     } else {
-                                        phi_1254_ = (_e1078 - _e146.origin);
+                                        phi_1254_ = (_e1075 - _e146.origin);
                                     }
-                                    let _e1094 = phi_1254_;
-                                    phi_1255_ = _e1094;
+                                    let _e1091 = phi_1254_;
+                                    phi_1255_ = _e1091;
                                 }
-                                let _e1096 = phi_1255_;
-                                let _e1100 = (_e1096.x - (_e407 * _e1096.z));
-                                let _e1104 = (_e1096.y - (_e410 * _e1096.z));
-                                if (_e1072 < _e1100) {
+                                let _e1093 = phi_1255_;
+                                let _e1097 = (_e1093.x - (_e404 * _e1093.z));
+                                let _e1101 = (_e1093.y - (_e407 * _e1093.z));
+                                if (_e1069 < _e1097) {
                                     phi_1274_ = true;
                                 } else {
-                                    if (_e1072 == _e1100) {
-                                        phi_1273_ = (_e1076 < _e1104);
+                                    if (_e1069 == _e1097) {
+                                        phi_1273_ = (_e1073 < _e1101);
                                     } else {
                                         phi_1273_ = false;
                                     }
-                                    let _e1109 = phi_1273_;
-                                    phi_1274_ = _e1109;
+                                    let _e1106 = phi_1273_;
+                                    phi_1274_ = _e1106;
                                 }
-                                let _e1111 = phi_1274_;
-                                if _e1111 {
-                                    phi_1278_ = _e1104;
-                                    phi_1279_ = _e1100;
-                                    phi_1280_ = _e1076;
-                                    phi_1281_ = _e1072;
+                                let _e1108 = phi_1274_;
+                                if _e1108 {
+                                    phi_1278_ = _e1101;
+                                    phi_1279_ = _e1097;
+                                    phi_1280_ = _e1073;
+                                    phi_1281_ = _e1069;
                                 } else {
-                                    phi_1278_ = _e1076;
-                                    phi_1279_ = _e1072;
-                                    phi_1280_ = _e1104;
-                                    phi_1281_ = _e1100;
+                                    phi_1278_ = _e1073;
+                                    phi_1279_ = _e1069;
+                                    phi_1280_ = _e1101;
+                                    phi_1281_ = _e1097;
                                 }
-                                let _e1113 = phi_1278_;
-                                let _e1115 = phi_1279_;
-                                let _e1117 = phi_1280_;
-                                let _e1119 = phi_1281_;
-                                let _e1122 = ((_e1119 * _e1113) - (_e1117 * _e1115));
-                                if _e1111 {
-                                    phi_1289_ = -(_e1122);
+                                let _e1110 = phi_1278_;
+                                let _e1112 = phi_1279_;
+                                let _e1114 = phi_1280_;
+                                let _e1116 = phi_1281_;
+                                let _e1119 = ((_e1116 * _e1110) - (_e1114 * _e1112));
+                                if _e1108 {
+                                    phi_1289_ = -(_e1119);
                                 } else {
-                                    phi_1289_ = _e1122;
+                                    phi_1289_ = _e1119;
                                 }
-                                let _e1125 = phi_1289_;
-                                if (_e1100 < _e1044) {
+                                let _e1122 = phi_1289_;
+                                if (_e1097 < _e1041) {
                                     phi_1300_ = true;
                                 } else {
-                                    if (_e1100 == _e1044) {
-                                        phi_1299_ = (_e1104 < _e1048);
+                                    if (_e1097 == _e1041) {
+                                        phi_1299_ = (_e1101 < _e1045);
                                     } else {
                                         phi_1299_ = false;
                                     }
-                                    let _e1130 = phi_1299_;
-                                    phi_1300_ = _e1130;
+                                    let _e1127 = phi_1299_;
+                                    phi_1300_ = _e1127;
                                 }
-                                let _e1132 = phi_1300_;
-                                if _e1132 {
-                                    phi_1304_ = _e1048;
-                                    phi_1305_ = _e1044;
-                                    phi_1306_ = _e1104;
-                                    phi_1307_ = _e1100;
+                                let _e1129 = phi_1300_;
+                                if _e1129 {
+                                    phi_1304_ = _e1045;
+                                    phi_1305_ = _e1041;
+                                    phi_1306_ = _e1101;
+                                    phi_1307_ = _e1097;
                                 } else {
-                                    phi_1304_ = _e1104;
-                                    phi_1305_ = _e1100;
-                                    phi_1306_ = _e1048;
-                                    phi_1307_ = _e1044;
+                                    phi_1304_ = _e1101;
+                                    phi_1305_ = _e1097;
+                                    phi_1306_ = _e1045;
+                                    phi_1307_ = _e1041;
                                 }
-                                let _e1134 = phi_1304_;
-                                let _e1136 = phi_1305_;
-                                let _e1138 = phi_1306_;
-                                let _e1140 = phi_1307_;
-                                let _e1143 = ((_e1140 * _e1134) - (_e1138 * _e1136));
-                                if _e1132 {
-                                    phi_1315_ = -(_e1143);
+                                let _e1131 = phi_1304_;
+                                let _e1133 = phi_1305_;
+                                let _e1135 = phi_1306_;
+                                let _e1137 = phi_1307_;
+                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
+                                if _e1129 {
+                                    phi_1315_ = -(_e1140);
                                 } else {
-                                    phi_1315_ = _e1143;
+                                    phi_1315_ = _e1140;
                                 }
-                                let _e1146 = phi_1315_;
-                                if (_e1044 < _e1072) {
+                                let _e1143 = phi_1315_;
+                                if (_e1041 < _e1069) {
                                     phi_1326_ = true;
                                 } else {
-                                    if (_e1044 == _e1072) {
-                                        phi_1325_ = (_e1048 < _e1076);
+                                    if (_e1041 == _e1069) {
+                                        phi_1325_ = (_e1045 < _e1073);
                                     } else {
                                         phi_1325_ = false;
                                     }
-                                    let _e1151 = phi_1325_;
-                                    phi_1326_ = _e1151;
+                                    let _e1148 = phi_1325_;
+                                    phi_1326_ = _e1148;
                                 }
-                                let _e1153 = phi_1326_;
-                                if _e1153 {
-                                    phi_1330_ = _e1076;
-                                    phi_1331_ = _e1072;
-                                    phi_1332_ = _e1048;
-                                    phi_1333_ = _e1044;
+                                let _e1150 = phi_1326_;
+                                if _e1150 {
+                                    phi_1330_ = _e1073;
+                                    phi_1331_ = _e1069;
+                                    phi_1332_ = _e1045;
+                                    phi_1333_ = _e1041;
                                 } else {
-                                    phi_1330_ = _e1048;
-                                    phi_1331_ = _e1044;
-                                    phi_1332_ = _e1076;
-                                    phi_1333_ = _e1072;
+                                    phi_1330_ = _e1045;
+                                    phi_1331_ = _e1041;
+                                    phi_1332_ = _e1073;
+                                    phi_1333_ = _e1069;
                                 }
-                                let _e1155 = phi_1330_;
-                                let _e1157 = phi_1331_;
-                                let _e1159 = phi_1332_;
-                                let _e1161 = phi_1333_;
-                                let _e1164 = ((_e1161 * _e1155) - (_e1159 * _e1157));
-                                if _e1153 {
-                                    phi_1341_ = -(_e1164);
+                                let _e1152 = phi_1330_;
+                                let _e1154 = phi_1331_;
+                                let _e1156 = phi_1332_;
+                                let _e1158 = phi_1333_;
+                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
+                                if _e1150 {
+                                    phi_1341_ = -(_e1161);
                                 } else {
-                                    phi_1341_ = _e1164;
+                                    phi_1341_ = _e1161;
                                 }
-                                let _e1167 = phi_1341_;
-                                if (_e1125 >= 0f) {
-                                    if (_e1146 >= 0f) {
-                                        if (_e1167 >= 0f) {
-                                            phi_1356_ = ((_e1125 + _e1146) + _e1167);
+                                let _e1164 = phi_1341_;
+                                if (_e1122 >= 0f) {
+                                    if (_e1143 >= 0f) {
+                                        if (_e1164 >= 0f) {
+                                            phi_1356_ = ((_e1122 + _e1143) + _e1164);
                                             phi_1357_ = false;
                                         } else {
                                             phi_1356_ = f32();
                                             phi_1357_ = true;
                                         }
-                                        let _e1174 = phi_1356_;
-                                        let _e1176 = phi_1357_;
-                                        phi_1358_ = _e1174;
-                                        phi_1359_ = _e1176;
+                                        let _e1171 = phi_1356_;
+                                        let _e1173 = phi_1357_;
+                                        phi_1358_ = _e1171;
+                                        phi_1359_ = _e1173;
                                     } else {
                                         phi_1358_ = f32();
                                         phi_1359_ = true;
                                     }
-                                    let _e1178 = phi_1358_;
-                                    let _e1180 = phi_1359_;
-                                    phi_1360_ = _e1178;
-                                    phi_1361_ = _e1180;
+                                    let _e1175 = phi_1358_;
+                                    let _e1177 = phi_1359_;
+                                    phi_1360_ = _e1175;
+                                    phi_1361_ = _e1177;
                                 } else {
                                     phi_1360_ = f32();
                                     phi_1361_ = true;
                                 }
-                                let _e1182 = phi_1360_;
-                                let _e1184 = phi_1361_;
-                                if _e1184 {
-                                    if (_e1125 <= 0f) {
-                                        if (_e1146 <= 0f) {
-                                            let _e1187 = (_e1167 <= 0f);
-                                            if _e1187 {
+                                let _e1179 = phi_1360_;
+                                let _e1181 = phi_1361_;
+                                if _e1181 {
+                                    if (_e1122 <= 0f) {
+                                        if (_e1143 <= 0f) {
+                                            let _e1184 = (_e1164 <= 0f);
+                                            if _e1184 {
                                             }
-                                            phi_1379_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1379_ = ((_e1122 + _e1143) + _e1164);
                                             phi_1380_ = false;
-                                            phi_1381_ = _e1187;
+                                            phi_1381_ = _e1184;
                                         } else {
                                             phi_1379_ = f32();
                                             phi_1380_ = true;
                                             phi_1381_ = false;
                                         }
-                                        let _e1191 = phi_1379_;
-                                        let _e1193 = phi_1380_;
-                                        let _e1195 = phi_1381_;
-                                        phi_1382_ = _e1191;
-                                        phi_1383_ = _e1193;
-                                        phi_1384_ = _e1195;
+                                        let _e1188 = phi_1379_;
+                                        let _e1190 = phi_1380_;
+                                        let _e1192 = phi_1381_;
+                                        phi_1382_ = _e1188;
+                                        phi_1383_ = _e1190;
+                                        phi_1384_ = _e1192;
                                     } else {
                                         phi_1382_ = f32();
                                         phi_1383_ = true;
                                         phi_1384_ = false;
                                     }
-                                    let _e1197 = phi_1382_;
-                                    let _e1199 = phi_1383_;
-                                    let _e1201 = phi_1384_;
-                                    if _e1199 {
+                                    let _e1194 = phi_1382_;
+                                    let _e1196 = phi_1383_;
+                                    let _e1198 = phi_1384_;
+                                    if _e1196 {
                                         phi_1388_ = false;
                                     } else {
-                                        phi_1388_ = _e1201;
+                                        phi_1388_ = _e1198;
                                     }
-                                    let _e1203 = phi_1388_;
-                                    phi_1389_ = _e1197;
-                                    phi_1390_ = _e1203;
+                                    let _e1200 = phi_1388_;
+                                    phi_1389_ = _e1194;
+                                    phi_1390_ = _e1200;
                                 } else {
-                                    phi_1389_ = _e1182;
+                                    phi_1389_ = _e1179;
                                     phi_1390_ = true;
                                 }
-                                let _e1205 = phi_1389_;
-                                let _e1207 = phi_1390_;
-                                if _e1207 {
-                                    let _e1208 = (_e1205 == 0f);
-                                    if _e1208 {
+                                let _e1202 = phi_1389_;
+                                let _e1204 = phi_1390_;
+                                if _e1204 {
+                                    let _e1205 = (_e1202 == 0f);
+                                    if _e1205 {
                                         phi_1716_ = lt_bvh_triangle_Intersection();
                                         phi_1717_ = false;
                                     } else {
-                                        let _e1210 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1213 = (_e1210.x - _e146.origin.x);
-                                        let _e1216 = (_e1210.y - _e146.origin.y);
-                                        let _e1219 = (_e1210.z - _e146.origin.z);
-                                        if (_e388 == 0u) {
-                                            phi_1421_ = vec3<f32>(_e1216, _e1219, _e1213);
+                                        let _e1207 = triangles.member[(0u + _e1012)].v0_;
+                                        let _e1210 = (_e1207.x - _e146.origin.x);
+                                        let _e1213 = (_e1207.y - _e146.origin.y);
+                                        let _e1216 = (_e1207.z - _e146.origin.z);
+                                        if (_e385 == 0u) {
+                                            phi_1421_ = vec3<f32>(_e1213, _e1216, _e1210);
                                         } else {
-                                            if (_e388 == 1u) {
-                                                phi_1420_ = vec3<f32>(_e1219, _e1213, _e1216);
+                                            if (_e385 == 1u) {
+                                                phi_1420_ = vec3<f32>(_e1216, _e1210, _e1213);
                                             } else {
-                                                phi_1420_ = (_e1210 - _e146.origin);
+                                                phi_1420_ = (_e1207 - _e146.origin);
                                             }
-                                            let _e1226 = phi_1420_;
-                                            phi_1421_ = _e1226;
+                                            let _e1223 = phi_1420_;
+                                            phi_1421_ = _e1223;
                                         }
-                                        let _e1228 = phi_1421_;
-                                        let _e1230 = triangles.member[(0u + _e1015)].v1_;
-                                        let _e1232 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1235 = (_e1230.x - _e1232.x);
-                                        let _e1238 = (_e1230.y - _e1232.y);
-                                        let _e1241 = (_e1230.z - _e1232.z);
-                                        if (_e388 == 0u) {
-                                            phi_1447_ = vec3<f32>(_e1238, _e1241, _e1235);
+                                        let _e1225 = phi_1421_;
+                                        let _e1227 = triangles.member[(0u + _e1012)].v1_;
+                                        let _e1229 = triangles.member[(0u + _e1012)].v0_;
+                                        let _e1232 = (_e1227.x - _e1229.x);
+                                        let _e1235 = (_e1227.y - _e1229.y);
+                                        let _e1238 = (_e1227.z - _e1229.z);
+                                        if (_e385 == 0u) {
+                                            phi_1447_ = vec3<f32>(_e1235, _e1238, _e1232);
                                         } else {
-                                            if (_e388 == 1u) {
-                                                phi_1446_ = vec3<f32>(_e1241, _e1235, _e1238);
+                                            if (_e385 == 1u) {
+                                                phi_1446_ = vec3<f32>(_e1238, _e1232, _e1235);
                                             } else {
-                                                phi_1446_ = (_e1230 - _e1232);
+                                                phi_1446_ = (_e1227 - _e1229);
                                             }
-                                            let _e1248 = phi_1446_;
-                                            phi_1447_ = _e1248;
+                                            let _e1245 = phi_1446_;
+                                            phi_1447_ = _e1245;
                                         }
-                                        let _e1250 = phi_1447_;
-                                        let _e1252 = triangles.member[(0u + _e1015)].v2_;
-                                        let _e1254 = triangles.member[(0u + _e1015)].v0_;
-                                        let _e1257 = (_e1252.x - _e1254.x);
-                                        let _e1260 = (_e1252.y - _e1254.y);
-                                        let _e1263 = (_e1252.z - _e1254.z);
-                                        if (_e388 == 0u) {
-                                            phi_1473_ = vec3<f32>(_e1260, _e1263, _e1257);
+                                        let _e1247 = phi_1447_;
+                                        let _e1249 = triangles.member[(0u + _e1012)].v2_;
+                                        let _e1251 = triangles.member[(0u + _e1012)].v0_;
+                                        let _e1254 = (_e1249.x - _e1251.x);
+                                        let _e1257 = (_e1249.y - _e1251.y);
+                                        let _e1260 = (_e1249.z - _e1251.z);
+                                        if (_e385 == 0u) {
+                                            phi_1473_ = vec3<f32>(_e1257, _e1260, _e1254);
                                         } else {
-                                            if (_e388 == 1u) {
-                                                phi_1472_ = vec3<f32>(_e1263, _e1257, _e1260);
+                                            if (_e385 == 1u) {
+                                                phi_1472_ = vec3<f32>(_e1260, _e1254, _e1257);
                                             } else {
-                                                phi_1472_ = (_e1252 - _e1254);
+                                                phi_1472_ = (_e1249 - _e1251);
                                             }
-                                            let _e1270 = phi_1472_;
-                                            phi_1473_ = _e1270;
+                                            let _e1267 = phi_1472_;
+                                            phi_1473_ = _e1267;
                                         }
-                                        let _e1272 = phi_1473_;
-                                        let _e1279 = ((_e1250.y * _e1272.z) - (_e1250.z * _e1272.y));
-                                        let _e1286 = ((_e1250.z * _e1272.x) - (_e1250.x * _e1272.z));
-                                        let _e1293 = ((_e1250.x * _e1272.y) - (_e1250.y * _e1272.x));
-                                        let _e1307 = (((1f / _e403.z) * (((_e1279 * _e1228.x) + (_e1286 * _e1228.y)) + (_e1293 * _e1228.z))) / (((_e1279 * _e407) + (_e1286 * _e410)) + _e1293));
-                                        if (_e1307 > _e146.tmin) {
-                                            if (_e1307 < _e146.tmax) {
-                                                let _e1313 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1315 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1313.x < _e1315.x) {
-                                                    phi_1531_ = _e1313.x;
+                                        let _e1269 = phi_1473_;
+                                        let _e1276 = ((_e1247.y * _e1269.z) - (_e1247.z * _e1269.y));
+                                        let _e1283 = ((_e1247.z * _e1269.x) - (_e1247.x * _e1269.z));
+                                        let _e1290 = ((_e1247.x * _e1269.y) - (_e1247.y * _e1269.x));
+                                        let _e1304 = (((1f / _e400.z) * (((_e1276 * _e1225.x) + (_e1283 * _e1225.y)) + (_e1290 * _e1225.z))) / (((_e1276 * _e404) + (_e1283 * _e407)) + _e1290));
+                                        if (_e1304 > _e146.tmin) {
+                                            if (_e1304 < _e146.tmax) {
+                                                let _e1310 = triangles.member[(0u + _e1012)].v0_;
+                                                let _e1312 = triangles.member[(0u + _e1012)].v1_;
+                                                if (_e1310.x < _e1312.x) {
+                                                    phi_1531_ = _e1310.x;
                                                 } else {
-                                                    phi_1531_ = _e1315.x;
+                                                    phi_1531_ = _e1312.x;
                                                 }
-                                                let _e1322 = phi_1531_;
-                                                if (_e1313.y < _e1315.y) {
-                                                    phi_1540_ = _e1313.y;
+                                                let _e1319 = phi_1531_;
+                                                if (_e1310.y < _e1312.y) {
+                                                    phi_1540_ = _e1310.y;
                                                 } else {
-                                                    phi_1540_ = _e1315.y;
+                                                    phi_1540_ = _e1312.y;
                                                 }
-                                                let _e1329 = phi_1540_;
-                                                if (_e1313.z < _e1315.z) {
-                                                    phi_1549_ = _e1313.z;
+                                                let _e1326 = phi_1540_;
+                                                if (_e1310.z < _e1312.z) {
+                                                    phi_1549_ = _e1310.z;
                                                 } else {
-                                                    phi_1549_ = _e1315.z;
+                                                    phi_1549_ = _e1312.z;
                                                 }
-                                                let _e1336 = phi_1549_;
-                                                let _e1338 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1322 < _e1338.x) {
-                                                    phi_1558_ = _e1322;
+                                                let _e1333 = phi_1549_;
+                                                let _e1335 = triangles.member[(0u + _e1012)].v2_;
+                                                if (_e1319 < _e1335.x) {
+                                                    phi_1558_ = _e1319;
                                                 } else {
-                                                    phi_1558_ = _e1338.x;
+                                                    phi_1558_ = _e1335.x;
                                                 }
-                                                let _e1343 = phi_1558_;
-                                                if (_e1329 < _e1338.y) {
-                                                    phi_1565_ = _e1329;
+                                                let _e1340 = phi_1558_;
+                                                if (_e1326 < _e1335.y) {
+                                                    phi_1565_ = _e1326;
                                                 } else {
-                                                    phi_1565_ = _e1338.y;
+                                                    phi_1565_ = _e1335.y;
                                                 }
-                                                let _e1348 = phi_1565_;
-                                                if (_e1336 < _e1338.z) {
-                                                    phi_1572_ = _e1336;
+                                                let _e1345 = phi_1565_;
+                                                if (_e1333 < _e1335.z) {
+                                                    phi_1572_ = _e1333;
                                                 } else {
-                                                    phi_1572_ = _e1338.z;
+                                                    phi_1572_ = _e1335.z;
                                                 }
-                                                let _e1353 = phi_1572_;
-                                                let _e1355 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1357 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1355.x > _e1357.x) {
-                                                    phi_1585_ = _e1355.x;
+                                                let _e1350 = phi_1572_;
+                                                let _e1352 = triangles.member[(0u + _e1012)].v0_;
+                                                let _e1354 = triangles.member[(0u + _e1012)].v1_;
+                                                if (_e1352.x > _e1354.x) {
+                                                    phi_1585_ = _e1352.x;
                                                 } else {
-                                                    phi_1585_ = _e1357.x;
+                                                    phi_1585_ = _e1354.x;
                                                 }
-                                                let _e1364 = phi_1585_;
-                                                if (_e1355.y > _e1357.y) {
-                                                    phi_1594_ = _e1355.y;
+                                                let _e1361 = phi_1585_;
+                                                if (_e1352.y > _e1354.y) {
+                                                    phi_1594_ = _e1352.y;
                                                 } else {
-                                                    phi_1594_ = _e1357.y;
+                                                    phi_1594_ = _e1354.y;
                                                 }
-                                                let _e1371 = phi_1594_;
-                                                if (_e1355.z > _e1357.z) {
-                                                    phi_1603_ = _e1355.z;
+                                                let _e1368 = phi_1594_;
+                                                if (_e1352.z > _e1354.z) {
+                                                    phi_1603_ = _e1352.z;
                                                 } else {
-                                                    phi_1603_ = _e1357.z;
+                                                    phi_1603_ = _e1354.z;
                                                 }
-                                                let _e1378 = phi_1603_;
-                                                let _e1380 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1364 > _e1380.x) {
-                                                    phi_1612_ = _e1364;
+                                                let _e1375 = phi_1603_;
+                                                let _e1377 = triangles.member[(0u + _e1012)].v2_;
+                                                if (_e1361 > _e1377.x) {
+                                                    phi_1612_ = _e1361;
                                                 } else {
-                                                    phi_1612_ = _e1380.x;
+                                                    phi_1612_ = _e1377.x;
                                                 }
-                                                let _e1385 = phi_1612_;
-                                                if (_e1371 > _e1380.y) {
-                                                    phi_1619_ = _e1371;
+                                                let _e1382 = phi_1612_;
+                                                if (_e1368 > _e1377.y) {
+                                                    phi_1619_ = _e1368;
                                                 } else {
-                                                    phi_1619_ = _e1380.y;
+                                                    phi_1619_ = _e1377.y;
                                                 }
-                                                let _e1390 = phi_1619_;
-                                                if (_e1378 > _e1380.z) {
-                                                    phi_1626_ = _e1378;
+                                                let _e1387 = phi_1619_;
+                                                if (_e1375 > _e1377.z) {
+                                                    phi_1626_ = _e1375;
                                                 } else {
-                                                    phi_1626_ = _e1380.z;
+                                                    phi_1626_ = _e1377.z;
                                                 }
-                                                let _e1395 = phi_1626_;
-                                                let _e1402 = ((_e1343 - _e146.origin.x) * _e300);
-                                                let _e1403 = ((_e1348 - _e146.origin.y) * _e312);
-                                                let _e1404 = ((_e1353 - _e146.origin.z) * _e324);
-                                                let _e1411 = ((_e1385 - _e146.origin.x) * _e300);
-                                                let _e1412 = ((_e1390 - _e146.origin.y) * _e312);
-                                                let _e1413 = ((_e1395 - _e146.origin.z) * _e324);
-                                                if (_e1402 < _e1411) {
-                                                    phi_1649_ = _e1402;
+                                                let _e1392 = phi_1626_;
+                                                let _e1399 = ((_e1340 - _e146.origin.x) * _e299);
+                                                let _e1400 = ((_e1345 - _e146.origin.y) * _e310);
+                                                let _e1401 = ((_e1350 - _e146.origin.z) * _e321);
+                                                let _e1408 = ((_e1382 - _e146.origin.x) * _e299);
+                                                let _e1409 = ((_e1387 - _e146.origin.y) * _e310);
+                                                let _e1410 = ((_e1392 - _e146.origin.z) * _e321);
+                                                if (_e1399 < _e1408) {
+                                                    phi_1649_ = _e1399;
                                                 } else {
-                                                    phi_1649_ = _e1411;
+                                                    phi_1649_ = _e1408;
                                                 }
-                                                let _e1416 = phi_1649_;
-                                                if (_e1403 < _e1412) {
-                                                    phi_1654_ = _e1403;
+                                                let _e1413 = phi_1649_;
+                                                if (_e1400 < _e1409) {
+                                                    phi_1654_ = _e1400;
                                                 } else {
-                                                    phi_1654_ = _e1412;
+                                                    phi_1654_ = _e1409;
                                                 }
-                                                let _e1419 = phi_1654_;
-                                                if (_e1404 < _e1413) {
-                                                    phi_1659_ = _e1404;
+                                                let _e1416 = phi_1654_;
+                                                if (_e1401 < _e1410) {
+                                                    phi_1659_ = _e1401;
                                                 } else {
-                                                    phi_1659_ = _e1413;
+                                                    phi_1659_ = _e1410;
                                                 }
-                                                let _e1422 = phi_1659_;
-                                                if (_e1402 > _e1411) {
-                                                    phi_1667_ = _e1402;
+                                                let _e1419 = phi_1659_;
+                                                if (_e1399 > _e1408) {
+                                                    phi_1667_ = _e1399;
                                                 } else {
-                                                    phi_1667_ = _e1411;
+                                                    phi_1667_ = _e1408;
                                                 }
-                                                let _e1428 = phi_1667_;
-                                                if (_e1403 > _e1412) {
-                                                    phi_1672_ = _e1403;
+                                                let _e1425 = phi_1667_;
+                                                if (_e1400 > _e1409) {
+                                                    phi_1672_ = _e1400;
                                                 } else {
-                                                    phi_1672_ = _e1412;
+                                                    phi_1672_ = _e1409;
                                                 }
-                                                let _e1431 = phi_1672_;
-                                                if (_e1404 > _e1413) {
-                                                    phi_1677_ = _e1404;
+                                                let _e1428 = phi_1672_;
+                                                if (_e1401 > _e1410) {
+                                                    phi_1677_ = _e1401;
                                                 } else {
-                                                    phi_1677_ = _e1413;
+                                                    phi_1677_ = _e1410;
                                                 }
-                                                let _e1434 = phi_1677_;
-                                                let _e1438 = core_intrinsics_maximum_number_nsz_f32_((_e1416 - _e368), (_e1419 - _e369));
-                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_(_e1438, (_e1422 - _e370));
-                                                let _e1440 = core_intrinsics_minimum_number_nsz_f32_((_e1428 + _e368), (_e1431 + _e369));
-                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_(_e1440, (_e1434 + _e370));
-                                                if (_e1439 > -300000000000000000000000000000000000000f) {
-                                                    phi_1689_ = _e1439;
+                                                let _e1431 = phi_1677_;
+                                                let _e1435 = core_intrinsics_maximum_number_nsz_f32_((_e1413 - _e365), (_e1416 - _e366));
+                                                let _e1436 = core_intrinsics_maximum_number_nsz_f32_(_e1435, (_e1419 - _e367));
+                                                let _e1437 = core_intrinsics_minimum_number_nsz_f32_((_e1425 + _e365), (_e1428 + _e366));
+                                                let _e1438 = core_intrinsics_minimum_number_nsz_f32_(_e1437, (_e1431 + _e367));
+                                                if (_e1436 > -300000000000000000000000000000000000000f) {
+                                                    phi_1689_ = _e1436;
                                                 } else {
                                                     phi_1689_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1444 = phi_1689_;
-                                                if (_e1441 < 300000000000000000000000000000000000000f) {
-                                                    phi_1694_ = _e1441;
+                                                let _e1441 = phi_1689_;
+                                                if (_e1438 < 300000000000000000000000000000000000000f) {
+                                                    phi_1694_ = _e1438;
                                                 } else {
                                                     phi_1694_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1447 = phi_1694_;
-                                                if (_e1307 < _e1444) {
-                                                    phi_1699_ = _e1444;
+                                                let _e1444 = phi_1694_;
+                                                if (_e1304 < _e1441) {
+                                                    phi_1699_ = _e1441;
                                                 } else {
-                                                    phi_1699_ = _e1307;
+                                                    phi_1699_ = _e1304;
                                                 }
-                                                let _e1450 = phi_1699_;
-                                                if (_e1450 > _e1447) {
+                                                let _e1447 = phi_1699_;
+                                                if (_e1447 > _e1444) {
+                                                    phi_1704_ = _e1444;
+                                                } else {
                                                     phi_1704_ = _e1447;
-                                                } else {
-                                                    phi_1704_ = _e1450;
                                                 }
-                                                let _e1453 = phi_1704_;
-                                                phi_1709_ = lt_bvh_triangle_Intersection(_e1453, (_e1146 / _e1205), (_e1167 / _e1205), (_e1444 <= _e1447));
+                                                let _e1450 = phi_1704_;
+                                                phi_1709_ = lt_bvh_triangle_Intersection(_e1450, (_e1143 / _e1202), (_e1164 / _e1202), (_e1441 <= _e1444));
                                                 phi_1710_ = false;
                                             } else {
                                                 phi_1709_ = lt_bvh_triangle_Intersection();
                                                 phi_1710_ = true;
                                             }
-                                            let _e1459 = phi_1709_;
-                                            let _e1461 = phi_1710_;
-                                            phi_1711_ = _e1459;
-                                            phi_1712_ = _e1461;
+                                            let _e1456 = phi_1709_;
+                                            let _e1458 = phi_1710_;
+                                            phi_1711_ = _e1456;
+                                            phi_1712_ = _e1458;
                                         } else {
                                             phi_1711_ = lt_bvh_triangle_Intersection();
                                             phi_1712_ = true;
                                         }
-                                        let _e1463 = phi_1711_;
-                                        let _e1465 = phi_1712_;
-                                        if _e1465 {
+                                        let _e1460 = phi_1711_;
+                                        let _e1462 = phi_1712_;
+                                        if _e1462 {
                                         }
-                                        phi_1716_ = _e1463;
-                                        phi_1717_ = _e1465;
+                                        phi_1716_ = _e1460;
+                                        phi_1717_ = _e1462;
                                     }
-                                    let _e1467 = phi_1716_;
-                                    let _e1469 = phi_1717_;
-                                    phi_1718_ = _e1467;
-                                    phi_1719_ = _e1208;
-                                    phi_1720_ = _e1469;
+                                    let _e1464 = phi_1716_;
+                                    let _e1466 = phi_1717_;
+                                    phi_1718_ = _e1464;
+                                    phi_1719_ = _e1205;
+                                    phi_1720_ = _e1466;
                                 } else {
                                     phi_1718_ = lt_bvh_triangle_Intersection();
                                     phi_1719_ = true;
                                     phi_1720_ = false;
                                 }
-                                let _e1471 = phi_1718_;
-                                let _e1473 = phi_1719_;
-                                let _e1475 = phi_1720_;
-                                if _e1473 {
+                                let _e1468 = phi_1718_;
+                                let _e1470 = phi_1719_;
+                                let _e1472 = phi_1720_;
+                                if _e1470 {
                                     phi_1724_ = true;
                                 } else {
-                                    phi_1724_ = _e1475;
+                                    phi_1724_ = _e1472;
                                 }
-                                let _e1477 = phi_1724_;
-                                if _e1477 {
+                                let _e1474 = phi_1724_;
+                                if _e1474 {
                                     phi_1728_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1728_ = _e1471;
+                                    phi_1728_ = _e1468;
                                 }
-                                let _e1479 = phi_1728_;
-                                if _e1479.is_hit {
-                                    if (_e1479.t > _e146.tmin) {
-                                        if (_e1479.t < _e1004.t) {
+                                let _e1476 = phi_1728_;
+                                if _e1476.is_hit {
+                                    if (_e1476.t > _e146.tmin) {
+                                        if (_e1476.t < _e1001.t) {
                                             phi_1777_ = true;
                                         } else {
-                                            if (_e1479.t == _e1004.t) {
-                                                if (_e1004.triangle != 4294967295u) {
-                                                    if (_e1015 < _e1004.triangle) {
+                                            if (_e1476.t == _e1001.t) {
+                                                if (_e1001.triangle != 4294967295u) {
+                                                    if (_e1012 < _e1001.triangle) {
                                                         phi_1768_ = true;
                                                     } else {
-                                                        if (_e1015 == _e1004.triangle) {
-                                                            phi_1767_ = (4294967295u < _e1004.instance);
+                                                        if (_e1012 == _e1001.triangle) {
+                                                            phi_1767_ = (4294967295u < _e1001.instance);
                                                         } else {
                                                             phi_1767_ = false;
                                                         }
-                                                        let _e1498 = phi_1767_;
-                                                        phi_1768_ = _e1498;
+                                                        let _e1495 = phi_1767_;
+                                                        phi_1768_ = _e1495;
                                                     }
-                                                    let _e1500 = phi_1768_;
-                                                    phi_1769_ = _e1500;
+                                                    let _e1497 = phi_1768_;
+                                                    phi_1769_ = _e1497;
                                                     phi_1770_ = false;
                                                 } else {
                                                     phi_1769_ = bool();
                                                     phi_1770_ = true;
                                                 }
-                                                let _e1502 = phi_1769_;
-                                                let _e1504 = phi_1770_;
-                                                phi_1771_ = _e1502;
-                                                phi_1772_ = _e1504;
+                                                let _e1499 = phi_1769_;
+                                                let _e1501 = phi_1770_;
+                                                phi_1771_ = _e1499;
+                                                phi_1772_ = _e1501;
                                             } else {
                                                 phi_1771_ = bool();
                                                 phi_1772_ = true;
                                             }
-                                            let _e1506 = phi_1771_;
-                                            let _e1508 = phi_1772_;
-                                            if _e1508 {
+                                            let _e1503 = phi_1771_;
+                                            let _e1505 = phi_1772_;
+                                            if _e1505 {
                                                 phi_1776_ = false;
                                             } else {
-                                                phi_1776_ = _e1506;
+                                                phi_1776_ = _e1503;
                                             }
-                                            let _e1510 = phi_1776_;
-                                            phi_1777_ = _e1510;
+                                            let _e1507 = phi_1776_;
+                                            phi_1777_ = _e1507;
                                         }
-                                        let _e1512 = phi_1777_;
-                                        if _e1512 {
-                                            let _e1514 = triangles.member[(0u + _e1015)].i0_;
-                                            if ((_e1514 & 2147483648u) == 0u) {
+                                        let _e1509 = phi_1777_;
+                                        if _e1509 {
+                                            let _e1511 = triangles.member[(0u + _e1012)].i0_;
+                                            if ((_e1511 & 2147483648u) == 0u) {
                                                 phi_1791_ = true;
                                             } else {
                                                 if true {
                                                 }
                                                 phi_1791_ = true;
                                             }
-                                            let _e1518 = phi_1791_;
-                                            if _e1518 {
-                                                phi_1799_ = lt_bvh_Hit(_e1479.t, _e1479.u, _e1479.v, _e1015, 4294967295u);
+                                            let _e1515 = phi_1791_;
+                                            if _e1515 {
+                                                phi_1799_ = lt_bvh_Hit(_e1476.t, _e1476.u, _e1476.v, _e1012, 4294967295u);
                                             } else {
-                                                phi_1799_ = _e1004;
+                                                phi_1799_ = _e1001;
                                             }
-                                            let _e1524 = phi_1799_;
-                                            phi_1800_ = _e1524;
+                                            let _e1521 = phi_1799_;
+                                            phi_1800_ = _e1521;
                                         } else {
-                                            phi_1800_ = _e1004;
+                                            phi_1800_ = _e1001;
                                         }
-                                        let _e1526 = phi_1800_;
-                                        phi_1801_ = _e1526;
+                                        let _e1523 = phi_1800_;
+                                        phi_1801_ = _e1523;
                                     } else {
-                                        phi_1801_ = _e1004;
+                                        phi_1801_ = _e1001;
                                     }
-                                    let _e1528 = phi_1801_;
-                                    phi_1802_ = _e1528;
+                                    let _e1525 = phi_1801_;
+                                    phi_1802_ = _e1525;
                                 } else {
-                                    phi_1802_ = _e1004;
+                                    phi_1802_ = _e1001;
                                 }
-                                let _e1530 = phi_1802_;
-                                phi_1142_ = _e1530;
-                                phi_1145_ = (_e1006 & (_e1006 - 1u));
+                                let _e1527 = phi_1802_;
+                                phi_1142_ = _e1527;
+                                phi_1145_ = (_e1003 & (_e1003 - 1u));
                                 phi_1803_ = true;
                             }
-                            let _e1532 = phi_1142_;
-                            let _e1534 = phi_1145_;
-                            let _e1536 = phi_1803_;
+                            let _e1529 = phi_1142_;
+                            let _e1531 = phi_1145_;
+                            let _e1533 = phi_1803_;
                             continue;
                             continuing {
-                                phi_1141_ = _e1532;
-                                phi_1144_ = _e1534;
-                                break if !(_e1536);
+                                phi_1141_ = _e1529;
+                                phi_1144_ = _e1531;
+                                break if !(_e1533);
                             }
                         }
-                        let _e1539 = local.group_mask;
-                        if ((_e1539 & 4278190080u) == 0u) {
-                            let _e1543 = local.len;
-                            if (_e1543 == 0u) {
+                        let _e1536 = local.group_mask;
+                        if ((_e1536 & 4278190080u) == 0u) {
+                            let _e1540 = local.len;
+                            if (_e1540 == 0u) {
                                 phi_1842_ = false;
                             } else {
+                                let _e1544 = local.len;
+                                local.len = (_e1544 - 1u);
                                 let _e1547 = local.len;
-                                local.len = (_e1547 - 1u);
-                                let _e1550 = local.len;
-                                if (_e1550 < 32u) {
+                                if (_e1547 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1555 = local.first[(0u + _e1550)];
-                                local.group = _e1555;
-                                let _e1558 = local.len;
-                                if (_e1558 < 32u) {
+                                let _e1552 = local.first[(0u + _e1547)];
+                                local.group = _e1552;
+                                let _e1555 = local.len;
+                                if (_e1555 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1563 = local.mask[(0u + _e1558)];
-                                local.group_mask = _e1563;
+                                let _e1560 = local.mask[(0u + _e1555)];
+                                local.group_mask = _e1560;
                                 phi_1842_ = true;
                             }
-                            let _e1566 = phi_1842_;
-                            phi_1843_ = _e1566;
+                            let _e1563 = phi_1842_;
+                            phi_1843_ = _e1563;
                         } else {
                             phi_1843_ = true;
                         }
-                        let _e1568 = phi_1843_;
-                        if _e1568 {
-                            let _e1570 = local.group_mask;
-                            let _e1576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1570)), 32u, (_e1570 == 0u)));
-                            let _e1580 = local.group_mask;
-                            let _e1594 = local.group_mask;
-                            local.group_mask = (_e1594 & ~((1u << bitcast<u32>((_e1576 & 31u)))));
-                            let _e1597 = local.group;
-                            phi_1874_ = (_e1597 + countOneBits(((_e1580 & ~((4294967295u << bitcast<u32>((((_e1576 - 24u) ^ _e423) & 31u))))) & 255u)));
+                        let _e1565 = phi_1843_;
+                        if _e1565 {
+                            let _e1567 = local.group_mask;
+                            let _e1573 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1567)), 32u, (_e1567 == 0u)));
+                            let _e1577 = local.group_mask;
+                            let _e1591 = local.group_mask;
+                            local.group_mask = (_e1591 & ~((1u << bitcast<u32>((_e1573 & 31u)))));
+                            let _e1594 = local.group;
+                            phi_1874_ = (_e1594 + countOneBits(((_e1577 & ~((4294967295u << bitcast<u32>((((_e1573 - 24u) ^ _e420) & 31u))))) & 255u)));
                         } else {
                             phi_1874_ = 4294967295u;
                         }
-                        let _e1600 = phi_1874_;
-                        let _e2376 = local_4;
-                        phi_805_ = _e2376;
-                        phi_808_ = _e1600;
+                        let _e1597 = phi_1874_;
+                        let _e2373 = local_4;
+                        phi_805_ = _e2373;
+                        phi_808_ = _e1597;
                     } else {
                         phi_805_ = lt_bvh_Hit();
                         phi_808_ = u32();
                     }
-                    let _e1602 = phi_805_;
-                    let _e1604 = phi_808_;
+                    let _e1599 = phi_805_;
+                    let _e1601 = phi_808_;
                     continue;
                     continuing {
-                        phi_804_ = _e1602;
-                        phi_807_ = _e1604;
-                        break if !(_e564);
+                        phi_804_ = _e1599;
+                        phi_807_ = _e1601;
+                        break if !(_e561);
                     }
                 }
-                let _e2380 = local_5;
-                phi_1875_ = _e2380;
+                let _e2377 = local_5;
+                phi_1875_ = _e2377;
             }
-            let _e1607 = phi_1875_;
-            phi_1876_ = _e1607;
+            let _e1604 = phi_1875_;
+            phi_1876_ = _e1604;
             phi_1877_ = _e218;
         } else {
             phi_1876_ = lt_bvh_Hit();
             phi_1877_ = true;
         }
-        let _e1609 = phi_1876_;
-        let _e1611 = phi_1877_;
-        if _e1611 {
+        let _e1606 = phi_1876_;
+        let _e1608 = phi_1877_;
+        if _e1608 {
             phi_1881_ = _e148;
         } else {
-            phi_1881_ = _e1609;
+            phi_1881_ = _e1606;
         }
-        let _e1613 = phi_1881_;
-        if (_e1613.triangle != 4294967295u) {
-            let _e1619 = ((1f - _e1613.u) - _e1613.v);
-            if (_e1613.triangle < _e70) {
+        let _e1610 = phi_1881_;
+        if (_e1610.triangle != 4294967295u) {
+            let _e1616 = ((1f - _e1610.u) - _e1610.v);
+            if (_e1610.triangle < _e70) {
             } else {
                 return;
             }
-            let _e1625 = triangles.member[(0u + _e1613.triangle)];
-            let _e1650 = (((_e1625.v0_.x * _e1619) + (_e1625.v1_.x * _e1613.u)) + (_e1625.v2_.x * _e1613.v));
-            let _e1651 = (((_e1625.v0_.y * _e1619) + (_e1625.v1_.y * _e1613.u)) + (_e1625.v2_.y * _e1613.v));
-            let _e1652 = (((_e1625.v0_.z * _e1619) + (_e1625.v1_.z * _e1613.u)) + (_e1625.v2_.z * _e1613.v));
-            let _e1655 = abs(_e1625.v0_.x);
-            let _e1657 = abs(_e1625.v0_.y);
-            let _e1659 = abs(_e1625.v0_.z);
-            let _e1661 = abs(_e1625.v1_.x);
-            let _e1663 = abs(_e1625.v1_.y);
-            let _e1665 = abs(_e1625.v1_.z);
-            if (_e1655 > _e1661) {
-                phi_1946_ = _e1655;
+            let _e1622 = triangles.member[(0u + _e1610.triangle)];
+            let _e1647 = (((_e1622.v0_.x * _e1616) + (_e1622.v1_.x * _e1610.u)) + (_e1622.v2_.x * _e1610.v));
+            let _e1648 = (((_e1622.v0_.y * _e1616) + (_e1622.v1_.y * _e1610.u)) + (_e1622.v2_.y * _e1610.v));
+            let _e1649 = (((_e1622.v0_.z * _e1616) + (_e1622.v1_.z * _e1610.u)) + (_e1622.v2_.z * _e1610.v));
+            let _e1652 = abs(_e1622.v0_.x);
+            let _e1654 = abs(_e1622.v0_.y);
+            let _e1656 = abs(_e1622.v0_.z);
+            let _e1658 = abs(_e1622.v1_.x);
+            let _e1660 = abs(_e1622.v1_.y);
+            let _e1662 = abs(_e1622.v1_.z);
+            if (_e1652 > _e1658) {
+                phi_1946_ = _e1652;
             } else {
-                phi_1946_ = _e1661;
+                phi_1946_ = _e1658;
             }
-            let _e1668 = phi_1946_;
-            if (_e1657 > _e1663) {
-                phi_1951_ = _e1657;
+            let _e1665 = phi_1946_;
+            if (_e1654 > _e1660) {
+                phi_1951_ = _e1654;
             } else {
-                phi_1951_ = _e1663;
+                phi_1951_ = _e1660;
             }
-            let _e1671 = phi_1951_;
-            if (_e1659 > _e1665) {
-                phi_1956_ = _e1659;
+            let _e1668 = phi_1951_;
+            if (_e1656 > _e1662) {
+                phi_1956_ = _e1656;
             } else {
-                phi_1956_ = _e1665;
+                phi_1956_ = _e1662;
             }
-            let _e1674 = phi_1956_;
-            let _e1676 = abs(_e1625.v2_.x);
-            let _e1678 = abs(_e1625.v2_.y);
-            let _e1680 = abs(_e1625.v2_.z);
-            if (_e1668 > _e1676) {
-                phi_1967_ = _e1668;
+            let _e1671 = phi_1956_;
+            let _e1673 = abs(_e1622.v2_.x);
+            let _e1675 = abs(_e1622.v2_.y);
+            let _e1677 = abs(_e1622.v2_.z);
+            if (_e1665 > _e1673) {
+                phi_1967_ = _e1665;
             } else {
-                phi_1967_ = _e1676;
+                phi_1967_ = _e1673;
             }
-            let _e1683 = phi_1967_;
-            if (_e1671 > _e1678) {
-                phi_1972_ = _e1671;
+            let _e1680 = phi_1967_;
+            if (_e1668 > _e1675) {
+                phi_1972_ = _e1668;
             } else {
-                phi_1972_ = _e1678;
+                phi_1972_ = _e1675;
             }
-            let _e1686 = phi_1972_;
-            if (_e1674 > _e1680) {
-                phi_1977_ = _e1674;
+            let _e1683 = phi_1972_;
+            if (_e1671 > _e1677) {
+                phi_1977_ = _e1671;
             } else {
-                phi_1977_ = _e1680;
+                phi_1977_ = _e1677;
             }
-            let _e1689 = phi_1977_;
-            let _e1692 = (_e1625.v1_.x - _e1625.v0_.x);
-            let _e1695 = (_e1625.v1_.y - _e1625.v0_.y);
-            let _e1698 = (_e1625.v1_.z - _e1625.v0_.z);
-            let _e1701 = (_e1625.v2_.x - _e1625.v0_.x);
-            let _e1704 = (_e1625.v2_.y - _e1625.v0_.y);
-            let _e1707 = (_e1625.v2_.z - _e1625.v0_.z);
-            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), abs(_e1698));
-            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1692), _e1711);
-            let _e1713 = (_e1692 / _e1712);
-            let _e1714 = (_e1695 / _e1712);
-            let _e1715 = (_e1698 / _e1712);
-            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), abs(_e1707));
-            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1701), _e1719);
-            let _e1721 = (_e1701 / _e1720);
-            let _e1722 = (_e1704 / _e1720);
-            let _e1723 = (_e1707 / _e1720);
-            let _e1726 = ((_e1714 * _e1723) - (_e1722 * _e1715));
-            let _e1729 = ((_e1715 * _e1721) - (_e1723 * _e1713));
-            let _e1732 = ((_e1713 * _e1722) - (_e1721 * _e1714));
-            let _e1734 = p.member.eye;
-            let _e1747 = (1f / sqrt((((_e1726 * _e1726) + (_e1729 * _e1729)) + (_e1732 * _e1732))));
-            let _e1748 = (_e1726 * _e1747);
-            let _e1749 = (_e1729 * _e1747);
-            let _e1750 = (_e1732 * _e1747);
-            if ((((_e1748 * (_e1734.x - _e1650)) + (_e1749 * (_e1734.y - _e1651))) + (_e1750 * (_e1734.z - _e1652))) < 0f) {
-                phi_2053_ = vec3<f32>(-(_e1748), -(_e1749), -(_e1750));
+            let _e1686 = phi_1977_;
+            let _e1689 = (_e1622.v1_.x - _e1622.v0_.x);
+            let _e1692 = (_e1622.v1_.y - _e1622.v0_.y);
+            let _e1695 = (_e1622.v1_.z - _e1622.v0_.z);
+            let _e1698 = (_e1622.v2_.x - _e1622.v0_.x);
+            let _e1701 = (_e1622.v2_.y - _e1622.v0_.y);
+            let _e1704 = (_e1622.v2_.z - _e1622.v0_.z);
+            let _e1708 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1692), abs(_e1695));
+            let _e1709 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1689), _e1708);
+            let _e1710 = (_e1689 / _e1709);
+            let _e1711 = (_e1692 / _e1709);
+            let _e1712 = (_e1695 / _e1709);
+            let _e1716 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1701), abs(_e1704));
+            let _e1717 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1698), _e1716);
+            let _e1718 = (_e1698 / _e1717);
+            let _e1719 = (_e1701 / _e1717);
+            let _e1720 = (_e1704 / _e1717);
+            let _e1723 = ((_e1711 * _e1720) - (_e1719 * _e1712));
+            let _e1726 = ((_e1712 * _e1718) - (_e1720 * _e1710));
+            let _e1729 = ((_e1710 * _e1719) - (_e1718 * _e1711));
+            let _e1731 = p.member.eye;
+            let _e1744 = (1f / sqrt((((_e1723 * _e1723) + (_e1726 * _e1726)) + (_e1729 * _e1729))));
+            let _e1745 = (_e1723 * _e1744);
+            let _e1746 = (_e1726 * _e1744);
+            let _e1747 = (_e1729 * _e1744);
+            if ((((_e1745 * (_e1731.x - _e1647)) + (_e1746 * (_e1731.y - _e1648))) + (_e1747 * (_e1731.z - _e1649))) < 0f) {
+                phi_2053_ = vec3<f32>(-(_e1745), -(_e1746), -(_e1747));
             } else {
-                phi_2053_ = vec3<f32>(_e1748, _e1749, _e1750);
+                phi_2053_ = vec3<f32>(_e1745, _e1746, _e1747);
             }
-            let _e1763 = phi_2053_;
-            if (_e1613.triangle < _e70) {
-            } else {
-                return;
-            }
-            let _e1768 = triangles.member[(0u + _e1613.triangle)];
-            let _e1770 = (_e1768.i0_ & 2147483647u);
-            if (_e1770 < _e73) {
+            let _e1760 = phi_2053_;
+            if (_e1610.triangle < _e70) {
             } else {
                 return;
             }
-            let _e1776 = vertices.member[(0u + _e1770)];
-            if (_e1768.i1_ < _e73) {
+            let _e1765 = triangles.member[(0u + _e1610.triangle)];
+            let _e1767 = (_e1765.i0_ & 2147483647u);
+            if (_e1767 < _e73) {
             } else {
                 return;
             }
-            let _e1780 = vertices.member[(0u + _e1768.i1_)];
-            if (_e1768.i2_ < _e73) {
+            let _e1773 = vertices.member[(0u + _e1767)];
+            if (_e1765.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e1784 = vertices.member[(0u + _e1768.i2_)];
-            let _e1785 = array<abi_Vertex, 3>(_e1776, _e1780, _e1784);
-            if (_e1785[0].material < arrayLength((&materials.member))) {
+            let _e1777 = vertices.member[(0u + _e1765.i1_)];
+            if (_e1765.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e1791 = materials.member[(0u + _e1785[0].material)];
-            let _e1808 = (1f / 255f);
-            let _e1827 = (1f / 255f);
-            let _e1849 = (1f / 255f);
-            let _e1862 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1619, _e1613.u, _e1613.v));
-            let _e1864 = ((_e1791.base_color.x * ((((f32((_e1785[0].color & 255u)) * _e1808) * _e1619) + ((f32((_e1785[1].color & 255u)) * _e1827) * _e1613.u)) + ((f32((_e1785[2].color & 255u)) * _e1849) * _e1613.v))) * _e1862.x);
-            let _e1866 = ((_e1791.base_color.y * ((((f32(((_e1785[0].color >> bitcast<u32>(8i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(8i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(8i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.y);
-            let _e1868 = ((_e1791.base_color.z * ((((f32(((_e1785[0].color >> bitcast<u32>(16i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(16i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(16i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.z);
-            let _e1869 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e1689);
-            let _e1870 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1683, _e1869);
-            if ((_e1791.flags & 2u) == 0u) {
+            let _e1781 = vertices.member[(0u + _e1765.i2_)];
+            let _e1782 = array<abi_Vertex, 3>(_e1773, _e1777, _e1781);
+            if (_e1782[0].material < arrayLength((&materials.member))) {
+            } else {
+                return;
+            }
+            let _e1788 = materials.member[(0u + _e1782[0].material)];
+            let _e1805 = (1f / 255f);
+            let _e1824 = (1f / 255f);
+            let _e1846 = (1f / 255f);
+            let _e1859 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1616, _e1610.u, _e1610.v));
+            let _e1861 = ((_e1788.base_color.x * ((((f32((_e1782[0].color & 255u)) * _e1805) * _e1616) + ((f32((_e1782[1].color & 255u)) * _e1824) * _e1610.u)) + ((f32((_e1782[2].color & 255u)) * _e1846) * _e1610.v))) * _e1859.x);
+            let _e1863 = ((_e1788.base_color.y * ((((f32(((_e1782[0].color >> bitcast<u32>(8i)) & 255u)) * _e1805) * _e1616) + ((f32(((_e1782[1].color >> bitcast<u32>(8i)) & 255u)) * _e1824) * _e1610.u)) + ((f32(((_e1782[2].color >> bitcast<u32>(8i)) & 255u)) * _e1846) * _e1610.v))) * _e1859.y);
+            let _e1865 = ((_e1788.base_color.z * ((((f32(((_e1782[0].color >> bitcast<u32>(16i)) & 255u)) * _e1805) * _e1616) + ((f32(((_e1782[1].color >> bitcast<u32>(16i)) & 255u)) * _e1824) * _e1610.u)) + ((f32(((_e1782[2].color >> bitcast<u32>(16i)) & 255u)) * _e1846) * _e1610.v))) * _e1859.z);
+            let _e1866 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1683, _e1686);
+            let _e1867 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1680, _e1866);
+            if ((_e1788.flags & 2u) == 0u) {
                 phi_2174_ = 0u;
             } else {
                 phi_2174_ = 1u;
             }
-            let _e1875 = phi_2174_;
-            if (_e1785[0].normal == 2147516416u) {
-                phi_2377_ = _e1763;
+            let _e1872 = phi_2174_;
+            if (_e1782[0].normal == 2147516416u) {
+                phi_2377_ = _e1760;
             } else {
-                let _e1888 = (f32((bitcast<i32>((_e1785[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1894 = (f32((bitcast<i32>(_e1785[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1898 = ((1f - abs(_e1888)) - abs(_e1894));
-                if (_e1898 < 0f) {
-                    phi_2201_ = -(_e1898);
+                let _e1885 = (f32((bitcast<i32>((_e1782[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1891 = (f32((bitcast<i32>(_e1782[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1895 = ((1f - abs(_e1885)) - abs(_e1891));
+                if (_e1895 < 0f) {
+                    phi_2201_ = -(_e1895);
                 } else {
                     phi_2201_ = 0f;
                 }
-                let _e1902 = phi_2201_;
-                if (_e1888 < 0f) {
-                    phi_2208_ = (_e1888 + _e1902);
+                let _e1899 = phi_2201_;
+                if (_e1885 < 0f) {
+                    phi_2208_ = (_e1885 + _e1899);
                 } else {
-                    phi_2208_ = (_e1888 - _e1902);
+                    phi_2208_ = (_e1885 - _e1899);
                 }
-                let _e1907 = phi_2208_;
-                if (_e1894 < 0f) {
-                    phi_2215_ = (_e1894 + _e1902);
+                let _e1904 = phi_2208_;
+                if (_e1891 < 0f) {
+                    phi_2215_ = (_e1891 + _e1899);
                 } else {
-                    phi_2215_ = (_e1894 - _e1902);
+                    phi_2215_ = (_e1891 - _e1899);
                 }
-                let _e1912 = phi_2215_;
-                let _e1919 = (1f / sqrt((((_e1907 * _e1907) + (_e1912 * _e1912)) + (_e1898 * _e1898))));
-                let _e1935 = (f32((bitcast<i32>((_e1785[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1941 = (f32((bitcast<i32>(_e1785[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1945 = ((1f - abs(_e1935)) - abs(_e1941));
-                if (_e1945 < 0f) {
-                    phi_2250_ = -(_e1945);
+                let _e1909 = phi_2215_;
+                let _e1916 = (1f / sqrt((((_e1904 * _e1904) + (_e1909 * _e1909)) + (_e1895 * _e1895))));
+                let _e1932 = (f32((bitcast<i32>((_e1782[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1938 = (f32((bitcast<i32>(_e1782[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1942 = ((1f - abs(_e1932)) - abs(_e1938));
+                if (_e1942 < 0f) {
+                    phi_2250_ = -(_e1942);
                 } else {
                     phi_2250_ = 0f;
                 }
-                let _e1949 = phi_2250_;
-                if (_e1935 < 0f) {
-                    phi_2257_ = (_e1935 + _e1949);
+                let _e1946 = phi_2250_;
+                if (_e1932 < 0f) {
+                    phi_2257_ = (_e1932 + _e1946);
                 } else {
-                    phi_2257_ = (_e1935 - _e1949);
+                    phi_2257_ = (_e1932 - _e1946);
                 }
-                let _e1954 = phi_2257_;
-                if (_e1941 < 0f) {
-                    phi_2264_ = (_e1941 + _e1949);
+                let _e1951 = phi_2257_;
+                if (_e1938 < 0f) {
+                    phi_2264_ = (_e1938 + _e1946);
                 } else {
-                    phi_2264_ = (_e1941 - _e1949);
+                    phi_2264_ = (_e1938 - _e1946);
                 }
-                let _e1959 = phi_2264_;
-                let _e1966 = (1f / sqrt((((_e1954 * _e1954) + (_e1959 * _e1959)) + (_e1945 * _e1945))));
-                let _e1985 = (f32((bitcast<i32>((_e1785[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1991 = (f32((bitcast<i32>(_e1785[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1995 = ((1f - abs(_e1985)) - abs(_e1991));
-                if (_e1995 < 0f) {
-                    phi_2302_ = -(_e1995);
+                let _e1956 = phi_2264_;
+                let _e1963 = (1f / sqrt((((_e1951 * _e1951) + (_e1956 * _e1956)) + (_e1942 * _e1942))));
+                let _e1982 = (f32((bitcast<i32>((_e1782[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1988 = (f32((bitcast<i32>(_e1782[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1992 = ((1f - abs(_e1982)) - abs(_e1988));
+                if (_e1992 < 0f) {
+                    phi_2302_ = -(_e1992);
                 } else {
                     phi_2302_ = 0f;
                 }
-                let _e1999 = phi_2302_;
-                if (_e1985 < 0f) {
-                    phi_2309_ = (_e1985 + _e1999);
+                let _e1996 = phi_2302_;
+                if (_e1982 < 0f) {
+                    phi_2309_ = (_e1982 + _e1996);
                 } else {
-                    phi_2309_ = (_e1985 - _e1999);
+                    phi_2309_ = (_e1982 - _e1996);
                 }
-                let _e2004 = phi_2309_;
-                if (_e1991 < 0f) {
-                    phi_2316_ = (_e1991 + _e1999);
+                let _e2001 = phi_2309_;
+                if (_e1988 < 0f) {
+                    phi_2316_ = (_e1988 + _e1996);
                 } else {
-                    phi_2316_ = (_e1991 - _e1999);
+                    phi_2316_ = (_e1988 - _e1996);
                 }
-                let _e2009 = phi_2316_;
-                let _e2016 = (1f / sqrt((((_e2004 * _e2004) + (_e2009 * _e2009)) + (_e1995 * _e1995))));
-                let _e2027 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1907 * _e1919) * _e1619) + ((_e1954 * _e1966) * _e1613.u)) + ((_e2004 * _e2016) * _e1613.v)), ((((_e1912 * _e1919) * _e1619) + ((_e1959 * _e1966) * _e1613.u)) + ((_e2009 * _e2016) * _e1613.v)), ((((_e1898 * _e1919) * _e1619) + ((_e1945 * _e1966) * _e1613.u)) + ((_e1995 * _e2016) * _e1613.v))));
-                let _e2039 = sqrt((((_e2027.x * _e2027.x) + (_e2027.y * _e2027.y)) + (_e2027.z * _e2027.z)));
-                if (_e2039 > 0f) {
-                    let _e2042 = (_e2027.x / _e2039);
-                    let _e2044 = (_e2027.y / _e2039);
-                    let _e2046 = (_e2027.z / _e2039);
-                    if ((((_e2042 * _e1763.x) + (_e2044 * _e1763.y)) + (_e2046 * _e1763.z)) < 0f) {
-                        phi_2375_ = vec3<f32>(-(_e2042), -(_e2044), -(_e2046));
+                let _e2006 = phi_2316_;
+                let _e2013 = (1f / sqrt((((_e2001 * _e2001) + (_e2006 * _e2006)) + (_e1992 * _e1992))));
+                let _e2024 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1904 * _e1916) * _e1616) + ((_e1951 * _e1963) * _e1610.u)) + ((_e2001 * _e2013) * _e1610.v)), ((((_e1909 * _e1916) * _e1616) + ((_e1956 * _e1963) * _e1610.u)) + ((_e2006 * _e2013) * _e1610.v)), ((((_e1895 * _e1916) * _e1616) + ((_e1942 * _e1963) * _e1610.u)) + ((_e1992 * _e2013) * _e1610.v))));
+                let _e2036 = sqrt((((_e2024.x * _e2024.x) + (_e2024.y * _e2024.y)) + (_e2024.z * _e2024.z)));
+                if (_e2036 > 0f) {
+                    let _e2039 = (_e2024.x / _e2036);
+                    let _e2041 = (_e2024.y / _e2036);
+                    let _e2043 = (_e2024.z / _e2036);
+                    if ((((_e2039 * _e1760.x) + (_e2041 * _e1760.y)) + (_e2043 * _e1760.z)) < 0f) {
+                        phi_2375_ = vec3<f32>(-(_e2039), -(_e2041), -(_e2043));
                     } else {
-                        phi_2375_ = (_e2027 / vec3(_e2039));
+                        phi_2375_ = (_e2024 / vec3(_e2036));
                     }
-                    let _e2063 = phi_2375_;
-                    phi_2376_ = _e2063;
+                    let _e2060 = phi_2375_;
+                    phi_2376_ = _e2060;
                 } else {
-                    phi_2376_ = _e1763;
+                    phi_2376_ = _e1760;
                 }
-                let _e2065 = phi_2376_;
-                phi_2377_ = _e2065;
+                let _e2062 = phi_2376_;
+                phi_2377_ = _e2062;
             }
-            let _e2067 = phi_2377_;
-            if (_e1864 > 0f) {
-                if (_e1864 < 1f) {
-                    phi_2386_ = _e1864;
+            let _e2064 = phi_2377_;
+            if (_e1861 > 0f) {
+                if (_e1861 < 1f) {
+                    phi_2386_ = _e1861;
                 } else {
                     phi_2386_ = 1f;
                 }
-                let _e2071 = phi_2386_;
-                phi_2387_ = _e2071;
+                let _e2068 = phi_2386_;
+                phi_2387_ = _e2068;
             } else {
                 phi_2387_ = 0f;
             }
-            let _e2073 = phi_2387_;
-            if (_e1866 > 0f) {
-                if (_e1866 < 1f) {
-                    phi_2397_ = _e1866;
+            let _e2070 = phi_2387_;
+            if (_e1863 > 0f) {
+                if (_e1863 < 1f) {
+                    phi_2397_ = _e1863;
                 } else {
                     phi_2397_ = 1f;
                 }
-                let _e2078 = phi_2397_;
-                phi_2398_ = _e2078;
+                let _e2075 = phi_2397_;
+                phi_2398_ = _e2075;
             } else {
                 phi_2398_ = 0f;
             }
-            let _e2080 = phi_2398_;
-            if (_e1868 > 0f) {
-                if (_e1868 < 1f) {
-                    phi_2408_ = _e1868;
+            let _e2077 = phi_2398_;
+            if (_e1865 > 0f) {
+                if (_e1865 < 1f) {
+                    phi_2408_ = _e1865;
                 } else {
                     phi_2408_ = 1f;
                 }
-                let _e2085 = phi_2408_;
-                phi_2409_ = _e2085;
+                let _e2082 = phi_2408_;
+                phi_2409_ = _e2082;
             } else {
                 phi_2409_ = 0f;
             }
-            let _e2087 = phi_2409_;
-            let _e2090 = ((sqrt(_e2073) * 255f) + 0.5f);
-            let _e2099 = ((sqrt(_e2080) * 255f) + 0.5f);
-            let _e2111 = ((sqrt(_e2087) * 255f) + 0.5f);
-            phi_2444_ = abi_Sample(vec3<f32>(_e1650, _e1651, _e1652), _e1870, _e1763, _e1875, _e2067, ((select(select(u32(_e2090), 0u, (_e2090 < bitcast<f32>(0u))), 4294967295u, (_e2090 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2099), 0u, (_e2099 < bitcast<f32>(0u))), 4294967295u, (_e2099 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2111), 0u, (_e2111 < bitcast<f32>(0u))), 4294967295u, (_e2111 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2084 = phi_2409_;
+            let _e2087 = ((sqrt(_e2070) * 255f) + 0.5f);
+            let _e2096 = ((sqrt(_e2077) * 255f) + 0.5f);
+            let _e2108 = ((sqrt(_e2084) * 255f) + 0.5f);
+            phi_2444_ = abi_Sample(vec3<f32>(_e1647, _e1648, _e1649), _e1867, _e1760, _e1872, _e2064, ((select(select(u32(_e2087), 0u, (_e2087 < bitcast<f32>(0u))), 4294967295u, (_e2087 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2096), 0u, (_e2096 < bitcast<f32>(0u))), 4294967295u, (_e2096 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2108), 0u, (_e2108 < bitcast<f32>(0u))), 4294967295u, (_e2108 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
             phi_2444_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2125 = phi_2444_;
+        let _e2122 = phi_2444_;
         if (_e91.shift < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e91.shift)] = _e2125;
-        if (_e1613.triangle != 4294967295u) {
-            let _e2134 = ((1f - _e1613.u) - _e1613.v);
-            if (_e1613.triangle < _e70) {
+        samples.member[(0u + _e91.shift)] = _e2122;
+        if (_e1610.triangle != 4294967295u) {
+            let _e2131 = ((1f - _e1610.u) - _e1610.v);
+            if (_e1610.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2139 = triangles.member[(0u + _e1613.triangle)];
-            let _e2141 = (_e2139.i0_ & 2147483647u);
-            if (_e2141 < _e82) {
+            let _e2136 = triangles.member[(0u + _e1610.triangle)];
+            let _e2138 = (_e2136.i0_ & 2147483647u);
+            if (_e2138 < _e82) {
             } else {
                 return;
             }
-            let _e2147 = before.member[(0u + _e2141)];
-            if (_e2139.i1_ < _e82) {
+            let _e2144 = before.member[(0u + _e2138)];
+            if (_e2136.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2151 = before.member[(0u + _e2139.i1_)];
-            if (_e2139.i2_ < _e82) {
+            let _e2148 = before.member[(0u + _e2136.i1_)];
+            if (_e2136.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2155 = before.member[(0u + _e2139.i2_)];
-            let _e2160 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2147.x, _e2147.y, _e2147.z));
-            let _e2171 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2151.x, _e2151.y, _e2151.z));
-            let _e2185 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2155.x, _e2155.y, _e2155.z));
-            phi_2535_ = vec3<f32>((((_e2160.x * _e2134) + (_e2171.x * _e1613.u)) + (_e2185.x * _e1613.v)), (((_e2160.y * _e2134) + (_e2171.y * _e1613.u)) + (_e2185.y * _e1613.v)), (((_e2160.z * _e2134) + (_e2171.z * _e1613.u)) + (_e2185.z * _e1613.v)));
+            let _e2152 = before.member[(0u + _e2136.i2_)];
+            let _e2157 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2144.x, _e2144.y, _e2144.z));
+            let _e2168 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2148.x, _e2148.y, _e2148.z));
+            let _e2182 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2152.x, _e2152.y, _e2152.z));
+            phi_2535_ = vec3<f32>((((_e2157.x * _e2131) + (_e2168.x * _e1610.u)) + (_e2182.x * _e1610.v)), (((_e2157.y * _e2131) + (_e2168.y * _e1610.u)) + (_e2182.y * _e1610.v)), (((_e2157.z * _e2131) + (_e2168.z * _e1610.u)) + (_e2182.z * _e1610.v)));
         } else {
             phi_2535_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2197 = phi_2535_;
+        let _e2194 = phi_2535_;
         if (_e91.shift < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.shift)] = vec4<f32>(_e2197.x, _e2197.y, _e2197.z, 1f);
+        past.member[(0u + _e91.shift)] = vec4<f32>(_e2194.x, _e2194.y, _e2194.z, 1f);
     }
     return;
 }

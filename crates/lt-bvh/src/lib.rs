@@ -90,6 +90,7 @@ pub use ray::{COORDINATE_LIMIT, FAR, Hit, NONE, Ray};
 #[cfg(feature = "build")]
 pub use simd::{Grouping, Simd, SimdLevel};
 pub use single::RayTest;
+pub use slab::{LEAST_COMPONENT, TRIANGLE_MARGIN, reciprocal};
 #[cfg(feature = "build")]
 pub use tracer::{Scalar, Tracer};
 pub use transmit::Transmit;

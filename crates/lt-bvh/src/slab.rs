@@ -12,13 +12,13 @@
 use crate::ray::{FAR, Ray};
 use lt_math::glam::Vec3;
 
-/// Margin of a triangle's own box in units of D: 16 roundings.
-pub(crate) const TRIANGLE_MARGIN: f32 = 16.0 / 16_777_216.0;
+/// Margin of a triangle's own box in units of D, the largest distance along an axis from a ray's origin to the tree's root box: 16 roundings.
+pub const TRIANGLE_MARGIN: f32 = 16.0 / 16_777_216.0;
 /// Margin of a node's box in units of D.
 pub(crate) const NODE_MARGIN: f32 = 32.0 / 16_777_216.0;
 /// A direction component below this fraction of the largest one is raised to it, so that its reciprocal stays
 /// finite: over the length of the tree it moves the ray by 2⁻⁴⁰·D, far below the margins.
-pub(crate) const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
+pub const LEAST_COMPONENT: f32 = 1.0 / 1_099_511_627_776.0;
 
 /// What the box tests need of a ray, once per ray and tree.
 #[derive(Clone, Copy)]
@@ -48,6 +48,17 @@ fn finite_reciprocal(d: f32, least: f32) -> f32 {
     if d < 0.0 { -1.0 / magnitude } else { 1.0 / magnitude }
 }
 
+/// Reciprocals of a direction's components as box tests take them: every one finite and not 0 ([`LEAST_COMPONENT`]).
+#[inline(always)]
+pub fn reciprocal(direction: Vec3) -> Vec3 {
+    let least = largest(direction.abs()) * LEAST_COMPONENT;
+    Vec3::new(
+        finite_reciprocal(direction.x, least),
+        finite_reciprocal(direction.y, least),
+        finite_reciprocal(direction.z, least),
+    )
+}
+
 #[inline(always)]
 pub(crate) fn largest(v: Vec3) -> f32 {
     v.x.max(v.y).max(v.z)
@@ -57,12 +68,7 @@ impl Slab {
     /// Prepares a valid ray for a tree whose root box is `low` to `high`.
     #[inline(always)]
     pub fn new(ray: &Ray, low: Vec3, high: Vec3) -> Self {
-        let least = largest(ray.direction.abs()) * LEAST_COMPONENT;
-        let inverse = Vec3::new(
-            finite_reciprocal(ray.direction.x, least),
-            finite_reciprocal(ray.direction.y, least),
-            finite_reciprocal(ray.direction.z, least),
-        );
+        let inverse = reciprocal(ray.direction);
         let reach = largest((low - ray.origin).abs().max((high - ray.origin).abs()));
         Slab {
             origin: ray.origin,

@@ -33,6 +33,7 @@ extern crate std;
 mod block;
 mod casters;
 mod dac;
+mod exact;
 mod lanes;
 mod level;
 mod light_bvh;

@@ -113,7 +113,7 @@ impl Planes {
         }
         let edge = EDGE * view.size * shape.width;
         match view.rays {
-            Rays::Parallel { shear, middle } => {
+            Rays::Parallel { shear, middle, .. } => {
                 let v = [triangle.v0, triangle.v1, triangle.v2].map(|v| permute(v, view.axis) - middle);
                 Self::parallel(&shape, v, shear, view.sign, edge, DEPTH * volume)
             }

@@ -111,7 +111,7 @@ impl Rect {
     pub(crate) fn of_triangle(view: &View, triangle: &Triangle, is_sliver: bool) -> Option<Self> {
         let corners = [triangle.v0, triangle.v1, triangle.v2];
         match view.rays {
-            Rays::Parallel { shear, middle } => {
+            Rays::Parallel { shear, middle, .. } => {
                 let v = corners.map(|v| permute(v, view.axis) - middle);
                 let z = v.map(|v| view.sign * v.z);
                 let mut rect = Rect { z: z[0].max(z[1]).max(z[2]) + MARGIN * view.reach, ..Self::EMPTY };

@@ -1,7 +1,8 @@
 //! Up to 64 neighbouring points through a tree together, under one rectangle: few steps where casters are larger than tiles.
 
 use crate::block::{ASKS, Block, NOBODY, Spread};
-use crate::casters::{Plane, Query};
+use crate::casters::Query;
+use crate::exact::Exact;
 use crate::lanes::{Lanes, Level};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree};
@@ -299,22 +300,15 @@ impl Tile {
         triangle: u32,
         unsure: u64,
     ) -> u64 {
-        let plane = Plane::new(view, &query.casters.triangles[triangle as usize]);
-        let mut meets = 0u64;
+        let exact = Exact::new(view, &query.casters.triangles[triangle as usize]);
+        let mut blocked = 0u64;
         for at in (0..TILE).step_by(P::WIDTH) {
-            if (unsure >> at) & ((1 << P::WIDTH) - 1) != 0 {
+            let mask = (unsure >> at) as u32 & P::ALL;
+            if mask != 0 {
                 let o = &self.origins;
                 let origin = [lanes.load(&o[0][at..]), lanes.load(&o[1][at..]), lanes.load(&o[2][at..])];
-                let point = [lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..])];
-                meets |= u64::from(plane.meets(lanes, origin, point)) << at;
+                blocked |= u64::from(query.blocked(lanes, view, triangle, &exact, origin, mask)) << at;
             }
-        }
-        let mut rest = unsure & meets;
-        let mut blocked = 0;
-        while rest != 0 {
-            let i = rest.trailing_zeros();
-            rest &= rest - 1;
-            blocked |= u64::from(query.is_blocked(self.origin(view, i as usize), triangle)) << i;
         }
         blocked
     }

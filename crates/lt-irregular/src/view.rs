@@ -12,7 +12,7 @@
 //! faces of a cube, and no frame of its own needs to be chosen.
 
 use crate::lanes::Lanes;
-use lt_bvh::{Node, Ray};
+use lt_bvh::{Node, Ray, reciprocal};
 use lt_math::glam::{Vec3, Vec4};
 
 /// A shadow ray in light space.
@@ -55,8 +55,8 @@ impl Bounds {
 /// How the rays of a view run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rays {
-    /// All in one direction: the ray tracer's sₓ, s_y and s_z for it, and the middle of the domain in permuted axes.
-    Parallel { shear: Vec3, middle: Vec3 },
+    /// All in one direction: the ray tracer's sₓ, s_y and s_z for it, its reciprocals and the middle of the domain in permuted axes.
+    Parallel { shear: Vec3, inverse: Vec3, middle: Vec3 },
     /// To one point, given in permuted axes.
     Converging { light: Vec3 },
 }
@@ -77,6 +77,8 @@ pub struct View {
     pub(crate) size: f32,
     /// The same with the root box of the ray tracer's tree, which its margins are in proportion to.
     pub(crate) reach: f32,
+    /// That root box, in permuted axes.
+    pub(crate) root: Bounds,
     /// Where rays may start.
     domain: Bounds,
 }
@@ -138,7 +140,8 @@ impl View {
         let (axis, sign) = main_axis(direction);
         let p = permute(direction, axis);
         let middle = permute(domain.low * 0.5 + domain.high * 0.5, axis);
-        let rays = Rays::Parallel { shear: Vec3::new(p.x / p.z, p.y / p.z, 1.0 / p.z), middle };
+        let shear = Vec3::new(p.x / p.z, p.y / p.z, 1.0 / p.z);
+        let rays = Rays::Parallel { shear, inverse: permute(reciprocal(direction), axis), middle };
         Self::new(rays, axis, sign, domain, domain, root)
     }
 
@@ -154,7 +157,8 @@ impl View {
         let size = (all.high - all.low).max_element() * 1.000_001;
         let with_root = all.with(root.low()).with(root.high());
         let reach = (with_root.high - with_root.low).max_element() * 1.000_001;
-        View { rays, axis, sign, size, reach, domain }
+        let root = Bounds { low: permute(root.low(), axis), high: permute(root.high(), axis) };
+        View { rays, axis, sign, size, reach, root, domain }
     }
 
     /// Whether the view takes this ray: it starts in the domain and leaves through this face.
@@ -185,7 +189,7 @@ impl View {
     #[inline(always)]
     pub fn point(&self, ray: &Ray) -> LightPoint {
         match self.rays {
-            Rays::Parallel { shear, middle } => {
+            Rays::Parallel { shear, middle, .. } => {
                 let q = permute(ray.origin, self.axis) - middle;
                 LightPoint { x: q.x - shear.x * q.z, y: q.y - shear.y * q.z, z: self.sign * q.z }
             }
@@ -211,7 +215,7 @@ impl View {
         taken &= lanes.le(lanes.splat(low.z), origin[2]) & lanes.le(origin[2], lanes.splat(high.z));
         let sign = lanes.splat(self.sign);
         match self.rays {
-            Rays::Parallel { shear, middle } => {
+            Rays::Parallel { shear, middle, .. } => {
                 let qx = lanes.sub(origin[0], lanes.splat(middle.x));
                 let qy = lanes.sub(origin[1], lanes.splat(middle.y));
                 let qz = lanes.sub(origin[2], lanes.splat(middle.z));

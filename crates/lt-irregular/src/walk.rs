@@ -1,13 +1,14 @@
 //! Points through a tree: in streams that are thinned out on the way down, one by one where few are left.
 
 use crate::block::{ASKS, Answer, Block, NOBODY};
-use crate::casters::{Plane, Query};
+use crate::casters::Query;
+use crate::exact::Exact;
 use crate::lanes::{Lanes, Level};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree};
-use crate::view::{View, permute};
+use crate::view::View;
 use alloc::vec::Vec;
-use lt_bvh::AnyHit;
+use lt_bvh::{AnyHit, RayTest};
 use lt_math::glam::Vec3;
 
 /// Room behind every list, so that whole registers may be written at its end.
@@ -265,17 +266,12 @@ impl Stream {
     ) {
         let asks = !A::IS_OPAQUE && triangle & ASKS != 0;
         let mut blocked = if asks { 0 } else { answer.sure };
-        let mut unsure = answer.possible & !blocked;
+        let unsure = answer.possible & !blocked;
         if unsure != 0 {
             let index = triangle & !ASKS;
-            let plane = Plane::new(&tree.view, &query.casters.triangles[index as usize]);
-            unsure &= self.meets(lanes, tree, &plane, at, unsure);
-            while unsure != 0 {
-                let lane = unsure.trailing_zeros();
-                unsure &= unsure - 1;
-                let origin = self.origins[self.lists.ids[at + lane as usize] as usize];
-                blocked |= u32::from(query.is_blocked(origin, index)) << lane;
-            }
+            let exact = Exact::new(&tree.view, &query.casters.triangles[index as usize]);
+            let origin = self.origins(lanes, tree, at);
+            blocked |= query.blocked(lanes, &tree.view, index, &exact, origin, unsure);
         }
         while blocked != 0 {
             let i = at + blocked.trailing_zeros() as usize;
@@ -285,31 +281,16 @@ impl Stream {
         }
     }
 
-    /// The lanes whose ray may meet the triangle's plane by the ray tracer's own arithmetic.
+    /// The origins of a register of a list, in permuted axes; what lies beyond the list is anything.
     #[inline(always)]
-    fn meets<P: Lanes>(&self, lanes: P, tree: &Tree, plane: &Plane, at: usize, mask: u32) -> u32 {
-        if mask.count_ones() < 4 {
-            let (mut rest, mut found) = (mask, 0);
-            while rest != 0 {
-                let lane = rest.trailing_zeros();
-                rest &= rest - 1;
-                let id = self.lists.ids[at + lane as usize] as usize;
-                let point = [self.x[id], self.y[id], self.lists.z[at + lane as usize]];
-                found |= u32::from(plane.meets_one(self.origins[id], point)) << lane;
-            }
-            return found;
-        }
+    fn origins<P: Lanes>(&self, lanes: P, tree: &Tree, at: usize) -> [P::F; 3] {
+        let [x, y, z] = tree.view.axes();
         let mut o = [[0.0; 16]; 3];
         for (lane, &id) in self.lists.ids[at..at + P::WIDTH].iter().enumerate() {
-            let p = permute(self.origins[(id as usize).min(self.origins.len() - 1)], tree.view.axis);
-            (o[0][lane], o[1][lane], o[2][lane]) = (p.x, p.y, p.z);
+            let from = self.origins[(id as usize).min(self.origins.len() - 1)];
+            (o[0][lane], o[1][lane], o[2][lane]) = (from[x], from[y], from[z]);
         }
-        let point = [
-            lanes.load(&self.lists.x[at..]),
-            lanes.load(&self.lists.y[at..]),
-            lanes.load(&self.lists.z[at..]),
-        ];
-        plane.meets(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])], point)
+        [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])]
     }
 }
 
@@ -332,6 +313,7 @@ pub(crate) fn walk_one<E: Lanes, A: AnyHit>(
     let (constant, factor) = tree.view.depth_tolerance();
     let tolerance = constant + factor * point[2];
     let around = Rect { x0: point[0], x1: point[0], y0: point[1], y1: point[1], z: point[2] };
+    let mut test = None;
     let mut stack = [(0u32, 0u32); DEPTH];
     let mut top = 0;
     let mut at = link;
@@ -354,21 +336,22 @@ pub(crate) fn walk_one<E: Lanes, A: AnyHit>(
             }
             at = link;
             hits = tree.nodes[at as usize].hits(lanes, &around);
-        } else if is_blocked_by(lanes, tree, query, tree.block(link), origin, point, tolerance) {
+        } else if is_blocked_by(lanes, query, tree.block(link), origin, point, tolerance, &mut test) {
             return true;
         }
     }
 }
 
+/// Whether a triangle of a block blocks one point. `test` is made on the first use.
 #[inline(always)]
 fn is_blocked_by<E: Lanes, A: AnyHit>(
     lanes: E,
-    tree: &Tree,
     query: &Query<'_, A>,
     block: &Block,
     origin: Vec3,
     point: [f32; 3],
     tolerance: f32,
+    test: &mut Option<Option<RayTest>>,
 ) -> bool {
     let answer = block.test_one(lanes, point, tolerance);
     let mut possible = answer.possible;
@@ -380,9 +363,9 @@ fn is_blocked_by<E: Lanes, A: AnyHit>(
         if answer.sure >> slot & 1 == 1 && !asks {
             return true;
         }
-        let triangle = id & !ASKS;
-        let plane = Plane::new(&tree.view, &query.casters.triangles[triangle as usize]);
-        if plane.meets_one(origin, point) && query.is_blocked(origin, triangle) {
+        let Some(test) = test.get_or_insert_with(|| query.test(origin)) else { return false };
+        let index = id & !ASKS;
+        if test.is_blocked_by(&query.casters.triangles[index as usize], index, query.any_hit) {
             return true;
         }
     }

@@ -192,7 +192,6 @@ impl SampleMap {
     /// Holds every triangle against the samples.
     fn rasterise<P: Paint>(&mut self, casters: Casters<'_>, origins: &[Vec3], paint: P) -> Counters {
         let chosen = Chosen::new(self.options.instructions).unwrap_or(Chosen::Portable);
-        let light = self.light;
         let mut counters = Counters::default();
         for ViewMap { view, parts } in &mut self.views {
             parts.iter_mut().for_each(Part::open);
@@ -203,7 +202,7 @@ impl SampleMap {
                 let (round, later) = rest.split_at(size.min(rest.len()));
                 (rest, size) = (later, (2 * size).min(LAST_ROUND));
                 let tasks = Tasks::sort(parts, round, &mut counters);
-                let scene = Scene { view, casters, light, origins, paint };
+                let scene = Scene { view, casters, origins, paint };
                 counters += tasks.run(parts, |part, items| chosen.run(Walk { scene, part, items }));
             }
         }
@@ -216,7 +215,6 @@ impl SampleMap {
 pub(crate) struct Scene<'a, P> {
     pub view: &'a View,
     pub casters: Casters<'a>,
-    pub light: Vec4,
     pub origins: &'a [Vec3],
     pub paint: P,
 }

@@ -4,7 +4,7 @@ use super::sort::Point;
 use super::visit::Paint;
 use super::{Counters, Scene};
 use crate::block::Spreadout;
-use crate::casters::Plane;
+use crate::exact::Exact;
 use crate::lanes::Lanes;
 use crate::planes::Planes;
 use crate::rect::Rect;
@@ -181,7 +181,7 @@ impl Part {
         let (planes, _) = Planes::new(scene.view, triangle);
         let cover = Cover::new(&planes, scene.view.depth_tolerance());
         let wide = Spreadout::new(lanes, &planes);
-        let plane = Plane::new(scene.view, triangle);
+        let exact = Exact::new(scene.view, triangle);
         let is_sure = scene.paint.blocks_unasked(triangle.is_opaque());
         let leaves = (1 << self.depth) - 1;
         // Next node in order of a walk without a stack: down to the left, or past what is done.
@@ -198,7 +198,7 @@ impl Part {
                 } else if at >= leaves {
                     let (start, end) = self.range(at);
                     let leaf = Leaf { at, start, end, triangle: item.triangle, is_sure };
-                    self.draw_leaf(lanes, scene, &wide, &plane, leaf, counters);
+                    self.draw_leaf(lanes, scene, &wide, &exact, leaf, counters);
                 } else {
                     goes_down = true;
                 }
@@ -224,7 +224,7 @@ impl Part {
         lanes: L,
         scene: &Scene<'_, P>,
         wide: &Spreadout<L>,
-        plane: &Plane,
+        exact: &Exact,
         leaf: Leaf,
         counters: &mut Counters,
     ) {
@@ -240,18 +240,10 @@ impl Part {
             counters.samples_tested += u64::from(open.count_ones());
             let answer = wide.test(lanes, x, y, z, lanes.mul_add(factor, z, constant));
             let mut settled = if leaf.is_sure { answer.sure & open } else { 0 };
-            let mut rest = answer.possible & open & !settled;
-            while rest != 0 {
-                let lane = rest.trailing_zeros();
-                rest &= rest - 1;
-                let i = first + lane as usize;
-                let source = self.sources[i];
-                if !plane.meets_one(scene.origins[source as usize], [self.x[i], self.y[i], self.z[i]]) {
-                    continue;
-                }
-                counters.tests_exact += 1;
-                let tint = self.tints.get_mut(i);
-                settled |= u32::from(scene.paint.meet(scene, source, leaf.triangle, tint)) << lane;
+            let unsure = answer.possible & open & !settled;
+            if unsure != 0 {
+                counters.tests_exact += u64::from(unsure.count_ones());
+                settled |= self.meet(lanes, scene, exact, leaf, first, unsure);
             }
             is_closing |= settled != 0;
             while settled != 0 {
@@ -264,6 +256,40 @@ impl Part {
             self.nodes[leaf.at].is_open = false;
             self.close_above(leaf.at);
         }
+    }
+
+    /// Puts samples of a register to the ray tracer's own test; those to which nothing more can happen.
+    #[inline(always)]
+    fn meet<L: Lanes, P: Paint>(
+        &mut self,
+        lanes: L,
+        scene: &Scene<'_, P>,
+        exact: &Exact,
+        leaf: Leaf,
+        first: usize,
+        unsure: u32,
+    ) -> u32 {
+        let axes = scene.view.axes();
+        let mut o = [[0.0; 16]; 3];
+        for (lane, &source) in self.sources[first..leaf.end].iter().take(L::WIDTH).enumerate() {
+            let from = scene.origins[source as usize];
+            (o[0][lane], o[1][lane], o[2][lane]) = (from[axes[0]], from[axes[1]], from[axes[2]]);
+        }
+        let origin = [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])];
+        let met = exact.meet(lanes, scene.view, origin, unsure);
+        let is_opaque = scene.casters.triangles[leaf.triangle as usize].is_opaque();
+        let (mut u, mut v) = ([0.0; 16], [0.0; 16]);
+        lanes.store(met.u, &mut u);
+        lanes.store(met.v, &mut v);
+        let (mut rest, mut settled) = (met.mask, 0);
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize & 15;
+            rest &= rest - 1;
+            let tint = self.tints.get_mut(first + lane);
+            let is_settled = scene.paint.meet(leaf.triangle, is_opaque, (u[lane], v[lane]), tint);
+            settled |= u32::from(is_settled) << lane;
+        }
+        settled
     }
 
     /// All samples below a node are blocked.

@@ -1,15 +1,15 @@
 //! What a triangle does to the samples that it meets: it blocks them, or takes some of their light.
 
-use super::Scene;
-use lt_bvh::{AnyHit, Ray, Transmit};
+use lt_bvh::{AnyHit, Transmit};
 use lt_math::glam::Vec3;
 
 /// What is done to samples.
 pub(crate) trait Paint: Copy + Sync {
     /// Whether a triangle that is surely met blocks without being asked.
     fn blocks_unasked(self, is_opaque: bool) -> bool;
-    /// What a sample becomes that the ray tracer's test is to decide about; `true` once nothing more can happen to it.
-    fn meet(self, scene: &Scene<'_, Self>, source: u32, triangle: u32, tint: Option<&mut Vec3>) -> bool;
+    /// What becomes of a sample whose ray meets a triangle with these weights of its second and third vertex; `true` once nothing more can
+    /// happen to it.
+    fn meet(self, triangle: u32, is_opaque: bool, weights: (f32, f32), tint: Option<&mut Vec3>) -> bool;
 }
 
 /// Samples become blocked.
@@ -22,12 +22,9 @@ impl<A: AnyHit + Sync> Paint for Block<A> {
         A::IS_OPAQUE || is_opaque
     }
 
-    #[inline(never)]
-    fn meet(self, scene: &Scene<'_, Self>, source: u32, triangle: u32, _tint: Option<&mut Vec3>) -> bool {
-        let ray = Ray::to_light(scene.origins[source as usize], scene.light);
-        let is_opaque = scene.casters.triangles[triangle as usize].is_opaque();
-        let hit = scene.casters.meet(&ray, triangle);
-        hit.is_some_and(|(u, v)| is_opaque || self.0.accepts(triangle, u, v))
+    #[inline(always)]
+    fn meet(self, triangle: u32, is_opaque: bool, (u, v): (f32, f32), _tint: Option<&mut Vec3>) -> bool {
+        is_opaque || self.0.accepts(triangle, u, v)
     }
 }
 
@@ -41,10 +38,9 @@ impl<T: Transmit + Sync> Paint for Tint<T> {
         false
     }
 
-    #[inline(never)]
-    fn meet(self, scene: &Scene<'_, Self>, source: u32, triangle: u32, tint: Option<&mut Vec3>) -> bool {
-        let ray = Ray::to_light(scene.origins[source as usize], scene.light);
-        let (Some(tint), Some((u, v))) = (tint, scene.casters.meet(&ray, triangle)) else { return false };
+    #[inline(always)]
+    fn meet(self, triangle: u32, _is_opaque: bool, (u, v): (f32, f32), tint: Option<&mut Vec3>) -> bool {
+        let Some(tint) = tint else { return false };
         *tint *= self.0.transmittance(triangle, u, v);
         *tint == Vec3::ZERO
     }

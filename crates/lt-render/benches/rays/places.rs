@@ -2,9 +2,9 @@
 
 use lt_bvh::Bvh;
 use lt_math::glam::UVec2;
-use lt_render::{BackendKind, PackedScene, Session, Setup, Technique, Trees};
+use lt_render::{BackendKind, MappedCoverage, PackedScene, Session, Setup, Technique, Trees};
 use lt_scene::{Instance, Scene, Source};
-use lt_shaders::{abi::Material, surface::Coverage};
+use lt_shaders::abi::Material;
 
 use super::Outcome;
 use super::rays::RayList;
@@ -48,14 +48,8 @@ impl Place {
     }
 
     /// The alpha test of shadow rays.
-    pub fn coverage(&self) -> Coverage<'_> {
-        Coverage {
-            triangles: self.packed.triangles(),
-            vertices: self.packed.vertices(),
-            materials: self.packed.materials(),
-            alpha_texels: self.packed.alpha_texels(),
-            required_flags: Material::CASTS,
-        }
+    pub fn coverage(&self) -> MappedCoverage<'_> {
+        self.packed.coverage(Material::CASTS)
     }
 }
 

@@ -33,7 +33,6 @@ use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
 use lt_shaders::shade::{light_on, shade};
-use lt_shaders::surface::Coverage;
 use rayon::prelude::*;
 use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
@@ -88,8 +87,7 @@ impl CpuBackend {
 
     /// Takes the scene and prepares its tracer.
     pub fn new(scene: PackedScene) -> Self {
-        // The tracer makes its tree on first use: not in the first frame.
-        tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+        prepare(&scene);
         Self {
             scene,
             tiles: Tiles::new(UVec2::ZERO),
@@ -108,20 +106,18 @@ impl CpuBackend {
     }
 }
 
+/// Makes what tracing needs and would else be made in the first frame: the tracer's tree and the opacity maps.
+fn prepare(scene: &PackedScene) {
+    tracer(scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+    if scene.stats().masked_triangles > 0 {
+        scene.coverage(0);
+    }
+}
+
 fn tracer(scene: &PackedScene) -> Simd<'_> {
     match scene.trees() {
         Trees::Flat(bvh) => Simd::new(bvh),
         Trees::Instanced(bvh) => Simd::instanced(bvh),
-    }
-}
-
-fn coverage(scene: &PackedScene, required_flags: u32) -> Coverage<'_> {
-    Coverage {
-        triangles: scene.triangles(),
-        vertices: scene.vertices(),
-        materials: scene.materials(),
-        alpha_texels: scene.alpha_texels(),
-        required_flags,
     }
 }
 
@@ -135,7 +131,7 @@ impl Backend for CpuBackend {
     }
 
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
-        tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
+        prepare(&scene);
         self.scene = scene;
         self.light_tree = None;
         Ok(())
@@ -149,7 +145,7 @@ impl Backend for CpuBackend {
         self.visibility.resize(len, 0.0);
         self.is_doubted.resize(len, false);
         let start = Instant::now();
-        let covers = coverage(&self.scene, 0);
+        let covers = self.scene.coverage(0);
         let view = View { scene: &self.scene, tiles: self.tiles, params };
         match (plan.alpha_test, plan.color_textures) {
             (false, false) => see(view, Opaque, NoColorTextures, &mut self.samples, &mut self.previous),

@@ -24,7 +24,7 @@ use super::history::Memory;
 use super::light_space::{casters, occluded};
 use super::mask_batch::{BlockPixels, Frames, mask_block};
 use super::tiles::BLOCK;
-use super::{CpuBackend, coverage, milliseconds, tracer};
+use super::{CpuBackend, milliseconds, tracer};
 use crate::{FrameJob, MapSource, MapTest, PackedScene, PassKind, Resolve};
 
 /// Times of the passes over pixels.
@@ -101,7 +101,7 @@ impl CpuBackend {
         });
         let start = Instant::now();
         let totals = match job.plan.alpha_test {
-            true => passes.run(blocks, coverage(&self.scene, Material::CASTS)),
+            true => passes.run(blocks, self.scene.coverage(Material::CASTS)),
             false => passes.run(blocks, Opaque),
         };
         let (wall, all) = (milliseconds(start), totals.seconds.iter().sum::<f64>());
@@ -142,7 +142,7 @@ impl Later<'_> {
         let resolve = self.job.plan.resolve;
         match self.job.plan.alpha_test {
             true => {
-                let any_hit = coverage(self.scene, Material::CASTS);
+                let any_hit = self.scene.coverage(Material::CASTS);
                 occluded(self.scene, resolve, light.place, &origins, any_hit, &mut is_blocked);
             }
             false => occluded(self.scene, resolve, light.place, &origins, Opaque, &mut is_blocked),

@@ -5,15 +5,21 @@
 
 mod meshes;
 mod moving;
+mod opacity;
 mod textures;
+
+use std::sync::OnceLock;
 
 use lt_bvh::{BuildQuality, Bvh, Dropped, Instance, InstancedBvh, Node, Placement, Triangle};
 use lt_math::glam::{Affine3A, Vec4};
 use lt_scene::{Bounds, Scene};
 use lt_shaders::abi::{Material, Vertex};
+use lt_shaders::surface::Coverage;
 
 use crate::RenderError;
 use textures::PackedMaterials;
+
+pub use opacity::{MappedCoverage, OpacityMaps};
 
 /// Scenes up to this many triangles (copies counted) are baked whole: below it the memory that a TLAS saves is
 /// taken not to be worth its second level of traversal. Chosen by judgement, not by measurement.
@@ -90,6 +96,8 @@ pub struct PackedScene {
     stats: PackStats,
     previous_positions: Vec<Vec4>,
     translucent: Option<Bvh>,
+    /// Made on first use.
+    opacity: OnceLock<OpacityMaps>,
     /// Scenes up to this many triangles, copies counted, are baked whole.
     bake_limit: usize,
 }
@@ -163,6 +171,7 @@ impl PackedScene {
             stats,
             previous_positions: Vec::new(),
             translucent,
+            opacity: OnceLock::new(),
             bake_limit,
         };
         packed.stats.bvh_bytes = (size_of_val(packed.nodes())
@@ -262,6 +271,17 @@ impl PackedScene {
     /// Coverage texels, four to a word.
     pub fn alpha_texels(&self) -> &[u32] {
         &self.alpha_texels
+    }
+
+    /// The alpha test for rays on the CPU; a surface counts only if its flags hold `required_flags` ([`Coverage::required_flags`]). The
+    /// first call makes the opacity maps.
+    pub fn coverage(&self, required_flags: u32) -> MappedCoverage<'_> {
+        let (triangles, vertices) = (self.triangles(), self.vertices());
+        let (materials, alpha_texels) = (self.materials(), self.alpha_texels());
+        let maps =
+            self.opacity.get_or_init(|| OpacityMaps::new(triangles, vertices, materials, alpha_texels));
+        let coverage = Coverage { triangles, vertices, materials, alpha_texels, required_flags };
+        MappedCoverage { coverage, maps }
     }
 
     /// Colour texels, one word each.
