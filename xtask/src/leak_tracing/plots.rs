@@ -74,7 +74,8 @@ pub fn svg(found: &Found) -> Result<String> {
 
 /// Averages as dots, least to largest as lines, one place on the axis for each name.
 fn whiskers(area: &Area<'_>, caption: &str, bars: &[Bars<'_>], names: &[&str]) -> Drawn {
-    let most = bars.iter().flat_map(|b| &b.2).map(|p| p.1[2]).fold(1.0, f64::max) * 1.1;
+    // Room for the legend above.
+    let most = bars.iter().flat_map(|b| &b.2).map(|p| p.1[2]).fold(1.0, f64::max) * 1.35;
     let mut chart = ChartBuilder::on(area)
         .margin(12)
         .caption(caption, ("sans-serif", 18).into_font().color(&INK))
@@ -89,6 +90,7 @@ fn whiskers(area: &Area<'_>, caption: &str, bars: &[Bars<'_>], names: &[&str]) -
     chart
         .configure_mesh()
         .disable_x_mesh()
+        .light_line_style(TRANSPARENT)
         .x_labels(2 * names.len() + 1)
         .x_label_formatter(&name)
         .y_desc("times as fast")
@@ -109,14 +111,14 @@ fn whiskers(area: &Area<'_>, caption: &str, bars: &[Bars<'_>], names: &[&str]) -
             .label(*label)
             .legend(move |(x, y)| Circle::new((x + 9, y), 4, colour.filled()));
     }
-    legend(&mut chart)
+    legend(&mut chart, SeriesLabelPosition::UpperRight)
 }
 
 /// Wrong pixels over frames, on a logarithmic axis whose floor reads "none".
 fn convergence(area: &Area<'_>, lines: &[(&str, Vec<f64>)]) -> Drawn {
     let known = || lines.iter().flat_map(|l| &l.1).copied().filter(|v| *v > 0.0);
     let (least, most) = known().fold((f64::INFINITY, 1.0), |(a, b): (f64, f64), v| (a.min(v), b.max(v)));
-    let floor = if least.is_finite() { least / 3.0 } else { 0.1 };
+    let floor = 10f64.powf(if least.is_finite() { least.log10().floor() - 1.0 } else { -1.0 });
     let frames = lines.iter().map(|l| l.1.len()).max().unwrap_or(1).max(2);
     let mut chart = ChartBuilder::on(area)
         .margin(12)
@@ -129,7 +131,7 @@ fn convergence(area: &Area<'_>, lines: &[(&str, Vec<f64>)]) -> Drawn {
         .build_cartesian_2d(
             (1.0..frames as f64).log_scale(),
             (floor..most * 2.0).log_scale().with_key_points(
-                std::iter::once(floor).chain((-3..7).map(|e| 10f64.powi(e))).collect::<Vec<f64>>(),
+                (0..9).map(|e| floor * 10f64.powi(e)).filter(|v| *v < most * 2.0).collect::<Vec<f64>>(),
             ),
         )?;
     let number = |v: &f64| if *v <= floor * 1.001 { "none".to_owned() } else { format!("{v}") };
@@ -149,16 +151,19 @@ fn convergence(area: &Area<'_>, lines: &[(&str, Vec<f64>)]) -> Drawn {
             .label(*name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], colour.stroke_width(2)));
     }
-    legend(&mut chart)
+    legend(&mut chart, SeriesLabelPosition::LowerLeft)
 }
 
-fn legend<'a, 'b, C: CoordTranslate>(chart: &mut ChartContext<'a, SVGBackend<'b>, C>) -> Drawn
+fn legend<'a, 'b, C: CoordTranslate>(
+    chart: &mut ChartContext<'a, SVGBackend<'b>, C>,
+    position: SeriesLabelPosition,
+) -> Drawn
 where
     'b: 'a,
 {
     chart
         .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
+        .position(position)
         .border_style(INK)
         .background_style(WHITE.mix(0.85))
         .draw()
