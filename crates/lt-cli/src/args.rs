@@ -82,6 +82,9 @@ pub struct CompareArgs {
     /// Folder to write into, created if need be
     #[arg(long, value_name = "DIR", default_value = "lt-out")]
     pub out: PathBuf,
+    /// Write results.json alone: no images, no report
+    #[arg(long)]
+    pub brief: bool,
     /// Leave out the perceptual metric FLIP, which takes a second or so per picture
     #[arg(long)]
     pub no_flip: bool,

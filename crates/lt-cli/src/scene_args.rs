@@ -61,6 +61,9 @@ pub struct SceneArgs {
     /// Moment at which the scene is posed, in seconds
     #[arg(long, value_name = "SECONDS", default_value = "0", allow_hyphen_values = true, value_parser = values::finite, help_heading = "Scene")]
     pub time: f32,
+    /// Draw the scene this many times as large: geometry, ground, lights and cameras of its own
+    #[arg(long, value_name = "X", value_parser = values::range, help_heading = "Scene")]
+    pub scale: Option<f32>,
     /// Seed of a built-in scene
     #[arg(long, value_name = "N", default_value_t = 1, help_heading = "Scene")]
     pub seed: u64,
@@ -129,7 +132,7 @@ impl SceneArgs {
         Defaults { epsilon: self.epsilon, cascades: self.cascades }
     }
 
-    /// The scene at a moment, ground included. The ground's size is that of the pose at the moment asked for by `--time`.
+    /// The scene at a moment, ground included, scaled as asked for. The ground's size is that of the pose at the moment asked for by `--time`.
     ///
     /// # Errors
     /// A glTF file whose data is malformed.
@@ -142,6 +145,9 @@ impl SceneArgs {
                 None => fitting_half_size(&source.pose(self.time)?),
             };
             scene.add_ground(ground.y, half_size);
+        }
+        if let Some(factor) = self.scale {
+            scene.scale(factor);
         }
         Ok(scene)
     }

@@ -2,7 +2,7 @@
 
 use lt_math::glam::{Affine3A, Vec3};
 
-use crate::{Camera, Instance, Light, Material, Mesh, Texture};
+use crate::{Camera, Instance, Light, LightKind, Material, Mesh, Texture};
 
 /// Axis-aligned box; empty when `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,6 +113,28 @@ impl Scene {
                 .iter()
                 .fold(all, |b, &p| b.including(i.transform.transform_point3(p)))
         })
+    }
+
+    /// Makes everything this many times as large around the origin: meshes where they are placed, lights and their ranges,
+    /// cameras. Intensities stay as they are.
+    pub fn scale(&mut self, factor: f32) {
+        let larger = Affine3A::from_scale(Vec3::splat(factor));
+        for instance in &mut self.instances {
+            instance.transform = larger * instance.transform;
+        }
+        for camera in &mut self.cameras {
+            camera.eye *= factor;
+            camera.target *= factor;
+        }
+        for light in &mut self.lights {
+            match &mut light.kind {
+                LightKind::Directional { .. } => {}
+                LightKind::Point { position, range } | LightKind::Spot { position, range, .. } => {
+                    *position *= factor;
+                    *range *= factor;
+                }
+            }
+        }
     }
 
     /// Adds a mesh and one static instance of it at `transform`.

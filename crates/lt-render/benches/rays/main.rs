@@ -23,6 +23,7 @@ mod rays;
 mod rebuilt;
 mod report;
 mod residual;
+mod today;
 
 use std::fs;
 use std::path::Path;

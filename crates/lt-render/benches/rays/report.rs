@@ -4,7 +4,6 @@ use std::fmt;
 use std::fmt::Write as _;
 
 use super::builds::Builds;
-use super::clock::today;
 use super::embree::{BUILD_THREADS, Embree};
 use super::judge::Differences;
 use super::measure::{Column, Family, Measured};
@@ -12,6 +11,7 @@ use super::options::Options;
 use super::ours::MeanCounts;
 use super::places::Place;
 use super::rebuilt::Rebuilt;
+use super::today::today;
 
 /// Which rays of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
