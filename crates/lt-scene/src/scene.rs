@@ -161,3 +161,23 @@ impl Scene {
         self.place(mesh, Affine3A::IDENTITY);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_grows_with_its_scene() {
+        let mut scene = crate::Source::open("cornell", 1).and_then(|s| s.pose(0.0)).expect("a place");
+        let position = Vec3::new(1.0, 2.0, 3.0);
+        let kind = LightKind::Point { position, range: 4.0 };
+        scene.lights.push(Light { kind, ..Light::sun(Vec3::NEG_Y) });
+        let (before, eye) = (scene.bounds(), scene.cameras[0].eye);
+        scene.scale(1000.0);
+        let after = scene.bounds();
+        assert!((after.max - before.max * 1000.0).abs().max_element() < 1.0, "{}", after.max);
+        assert_eq!(scene.cameras[0].eye, eye * 1000.0);
+        let larger = LightKind::Point { position: position * 1000.0, range: 4000.0 };
+        assert_eq!(scene.lights.last().map(|l| l.kind), Some(larger));
+    }
+}
